@@ -28,3 +28,7 @@ MIN_SHARE = 1e-20  # of the variance: smaller ones are rounding of float64, and 
 MAX_SIGNIFICANT_RATIO = 0.5  # Pyka 2010, section 5: detail at level 1 at least halved in the visible cases
 LUMINANCE_WEIGHTS = (0.299, 0.587, 0.114)  # red, green, blue; ITU-R BT.601, Pyka 2009
 MAX_REASONS = 3  # sources named in the reason of a window; more would not be read
+MOST_BANDS = 1024  # several times those of a hyperspectral image
+MOST_BLOCK_BYTES = 750_000_000  # of all bands: GDAL holds a block or two whole, whatever is read of it
+WIDEST_PX = 250_000  # of a raster whose rows are worked through whole: 25 km at 0.1 m
+LARGEST_VALUE = 1e15  # beyond it no pixel is a measurement, and sums of squares leave float32

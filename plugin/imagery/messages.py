@@ -7,6 +7,14 @@ from .message import INFO, WARNING, Message
 NOT_FOUND = Message("{path} does not exist; check the path.")
 NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that the file is complete.")
 NOT_READABLE = Message("The pixels of {name} can't be read; the file may be truncated or damaged, so copy it anew.")
+NO_FILE = Message("{name} is a device, a pipe or memory, not a file; copy its data to a file.")
+VRT_LEADS_OUT = Message("{name} is a VRT that leads to {path}, which is no file; mend the VRT.")
+VRT_OF_TOO_MANY = Message("{name} is a VRT of more than {most} files; make VRTs of parts of the block.")
+TOO_MANY_BANDS = Message("{name} has {count} bands and {most} are the most; take out those that are to be measured.")
+BLOCKS_TOO_LARGE = Message(
+    "{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles."
+)
+TOO_WIDE = Message("{name} is {columns} px wide and {most} are the most; cut it into sheets first.")
 NO_BANDS = Message("{name} has no bands of its own; choose one of its subdatasets.")
 COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitudes first.")
 BAND_NOT_THERE = Message("{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.")

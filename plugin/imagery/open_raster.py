@@ -16,6 +16,7 @@ from .band_roles import band_roles
 from .errors import RasterError
 from .gdal_calls import gdal_call
 from .grids import PixelWindow
+from .plain_files import check_raster_path
 from .rasters import Raster, RasterRef
 
 LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
@@ -50,9 +51,11 @@ class OpenRaster:
         if dataset is None:
             there = ref.path.startswith("/vsi") or ":" in ref.path or os.path.exists(ref.path)
             failure = messages.NOT_A_RASTER(name=ref.name) if there else messages.NOT_FOUND(path=ref.path)
+            check_raster_path(ref.path, ref.name)
             dataset = gdal_call(lambda: gdal.OpenEx(ref.path, gdal.OF_RASTER | gdal.OF_READONLY), failure)
         if dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
+        _check_amounts(dataset, ref.name)
         kinds = [dataset.GetRasterBand(number).DataType for number in range(1, dataset.RasterCount + 1)]
         if not complex_values and any(map(gdal.DataTypeIsComplex, kinds)):
             raise RasterError(messages.COMPLEX_VALUES(name=ref.name))
@@ -161,8 +164,9 @@ class OpenRaster:
         masks = [self._nodata_mask(bands), None if mask is None else mask == 0]
         if roles.alpha is not None:
             masks.append(data[roles.alpha] == 0)
-        if bands.dtype.kind == "f":
-            masks.append(~np.isfinite(bands).all(axis=0))
+        if bands.dtype.kind == "f" or bands.dtype.itemsize == 8:
+            with np.errstate(invalid="ignore"):
+                masks.append(~(np.abs(bands) <= limits.LARGEST_VALUE).all(axis=0))
         if roles.palette is not None:
             indices = np.minimum(bands[0], len(roles.palette) - 1)
             masks.append(roles.palette[indices, 3] == 0)
@@ -186,6 +190,16 @@ class OpenRaster:
             if not invalid.any():
                 return None
         return invalid
+
+
+def _check_amounts(dataset: gdal.Dataset, name: str) -> None:
+    """Raise RasterError for what a file of some kilobytes can declare and no memory can hold."""
+    count, band = dataset.RasterCount, dataset.GetRasterBand(1)
+    if count > limits.MOST_BANDS:
+        raise RasterError(messages.TOO_MANY_BANDS(name=name, count=count, most=limits.MOST_BANDS))
+    width, height = band.GetBlockSize()
+    if width * height * count * gdal.GetDataTypeSize(band.DataType) // 8 > limits.MOST_BLOCK_BYTES:
+        raise RasterError(messages.BLOCKS_TOO_LARGE(name=name, width=width, height=height))
 
 
 def describe(ref: RasterRef) -> Raster:

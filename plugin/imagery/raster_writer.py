@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal, gdal_array
 
-from . import messages
+from . import limits, messages
 from .atomic_files import replacing
 from .errors import RasterError
 from .gdal_calls import drop_from_memory, gdal_call, gdal_masks_beside, gdal_silenced, gdal_writing
@@ -57,6 +57,8 @@ def raster_writer(
     ``colours``: the bands are red, green and blue. An exception in the block leaves nothing, and an older file as it
     was. Raises RasterError where the raster can't be written.
     """
+    if like.columns > limits.WIDEST_PX:
+        raise RasterError(messages.TOO_WIDE(name=like.ref.name, columns=like.columns, most=limits.WIDEST_PX))
     failure = messages.RASTER_NOT_WRITTEN(path=path)
     with whole_raster(path) as unfinished:
         dataset = _created(unfinished, like, bands, data_type, driver, colours, failure)

@@ -7,8 +7,6 @@ import threading
 import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from html import unescape
-from pathlib import Path
 from typing import Callable, NamedTuple, TypeVar
 from urllib.parse import urlsplit
 
@@ -18,6 +16,7 @@ from . import messages
 from .errors import RasterError
 from .gdal_calls import gdal_silenced
 from .message import Message
+from .plain_files import vrt_parts
 
 Result = TypeVar("Result")
 
@@ -43,7 +42,6 @@ MOST_PROBED = 32  # remote parts of a VRT that are asked which one failed
 _REMOTE = re.compile(r"/vsi(?:curl|s3|gs|az|adls|oss|swift|hdfs|webhdfs)(?:_streaming)?[/?]|^(?:https?|ftp)://", re.I)
 _INDEX = re.compile(r"^GTI:|\.gti(?:\.gpkg|\.fgb|\.parquet)?$", re.I)
 _ADDRESS = re.compile(r"^(?:https?|ftp)://", re.I)
-_PART = re.compile(rb"<Source(?:Filename|Dataset)[^>]*?(?:relativeToVRT=\"([01])\"[^>]*)?>([^<]+)<")
 _STATUS = re.compile(r"HTTP (?:response|error) code[^:]*: (\d{3})")
 
 
@@ -78,19 +76,6 @@ def is_remote(path: str) -> bool:
 def readable_path(path: str) -> str:
     """What GDAL reads in parts: of a plain address it would fetch the whole file first."""
     return f"/vsicurl/{path}" if _ADDRESS.match(path) else path
-
-
-def vrt_parts(path: str) -> list[str]:
-    """The files that a VRT on this machine names, as far as it can be read; none of what is no VRT."""
-    if not path.lower().endswith(".vrt"):
-        return []
-    try:
-        text = Path(path).read_bytes()
-    except OSError:
-        return []
-    folder = os.path.dirname(os.path.abspath(path))
-    names = ((relative, unescape(raw.decode(errors="replace"))) for relative, raw in _PART.findall(text))
-    return [os.path.normpath(os.path.join(folder, name)) if inside == b"1" else name for inside, name in names]
 
 
 def _index_parts(path: str) -> list[str]:

@@ -16,6 +16,7 @@ from typing import Any, Callable, TypeVar
 from .. import messages
 from ..errors import SettingsError
 from ..message import Message
+from .document_files import document_bytes, json_document
 
 _READY = Path(__file__).parents[3] / "resources" / "rules"
 
@@ -93,16 +94,14 @@ def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made])
     Raises SettingsError, also by ``make``, that says what is wrong with the file, and where.
     """
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = document_bytes(path).decode("utf-8-sig")
     except (OSError, UnicodeDecodeError) as error:
         why = getattr(error, "strerror", None) or "no UTF-8 text"
         raise SettingsError(messages.RULES_NOT_READABLE(name=path.name, error=why)) from None
     try:
-        content = json.loads(text, object_pairs_hook=lambda pairs: _object(path.name, pairs))
+        content = json_document(text, lambda pairs: _object(path.name, pairs))
     except json.JSONDecodeError as error:
         raise SettingsError(messages.RULES_NOT_JSON(name=path.name, line=error.lineno, error=error.msg)) from None
-    except RecursionError:
-        raise SettingsError(messages.RULES_NO_OBJECT(name=path.name)) from None
     rules = content.get("rules") if isinstance(content, dict) else None
     if not isinstance(rules, list) or not rules or not all(isinstance(rule, dict) for rule in rules):
         raise SettingsError(messages.RULES_NO_OBJECT(name=path.name))

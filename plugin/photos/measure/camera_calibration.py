@@ -13,6 +13,7 @@ from xml.etree.ElementTree import ParseError
 
 import numpy as np
 
+from ...imagery.documents.document_files import document_bytes
 from ...imagery.documents.xml_documents import looks_like_xml, xml_root
 from ...imagery.errors import PhotoError
 from . import messages
@@ -55,7 +56,7 @@ class CameraCalibration:
 def read_calibration(path: Path) -> CameraCalibration:
     """The calibration in a file. Raises PhotoError when there is none."""
     try:
-        content = path.read_bytes()
+        content = document_bytes(path)
         in_xml = looks_like_xml(content)
         calibration = _micmac(content, path.name) if in_xml else _table(content.decode("utf-8-sig"), path.name)
     except OSError as error:

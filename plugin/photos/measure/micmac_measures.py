@@ -6,6 +6,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, ParseError, SubElement
 
+from ...imagery.documents.document_files import document_bytes
 from ...imagery.documents.xml_documents import looks_like_xml, xml_root
 from ...imagery.errors import PhotoError
 from . import messages
@@ -35,7 +36,7 @@ def read_measures(path: Path) -> list[tuple[str, str, Place]]:
     Raises PhotoError for a file that can't be read.
     """
     try:
-        content = path.read_bytes()
+        content = document_bytes(path)
         if not looks_like_xml(content):
             raise ParseError
         return list(_measures(xml_root(content), path.name))

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import save_text
+from ...imagery.documents.document_files import document_bytes
 from ...imagery.errors import SensorModelError
 from . import messages
 
@@ -38,7 +39,7 @@ def read_point_file(path: Path) -> PointFile:
     Raises SensorModelError for a file that is none, with the line that can't be read.
     """
     try:
-        lines = path.read_text(encoding="utf-8-sig", errors="replace").splitlines()
+        lines = document_bytes(path).decode("utf-8-sig", errors="replace").splitlines()
     except OSError:
         raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
     wkt = next((line[len("#CRS:") :].strip() for line in lines if line.startswith("#CRS:")), "")

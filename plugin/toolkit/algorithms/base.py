@@ -131,6 +131,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
+        common.check_files(self, parameters)
         refuse_overwriting(self, parameters, context)
         common.check_numbers(self, parameters, context)
         run = Run(self, parameters, context)

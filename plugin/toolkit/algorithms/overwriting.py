@@ -29,9 +29,11 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QUrl
 
+from ...imagery.documents.document_files import document_bytes
 from ...imagery.documents.xml_documents import xml_root
-from ...imagery.errors import SettingsError
+from ...imagery.errors import RasterError, SettingsError
 from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.plain_files import check_raster_path
 from .. import messages
 from . import parameters as common
 
@@ -244,7 +246,7 @@ def _parts(path: str, seen: set[_Identity]) -> Iterator[_DataPlace]:
 def _vector_sources(path: Path) -> Iterator[str]:
     """The files that a virtual dataset of features names: GDAL does not tell those."""
     try:
-        root = xml_root(path.read_bytes())
+        root = xml_root(document_bytes(path))
     except (OSError, ParseError):
         return
     for source in root.iter("SrcDataSource"):
@@ -266,8 +268,9 @@ def _is_database(path: str) -> bool:
 def _opened(path: str, flags: int = 0) -> gdal.Dataset | None:
     with gdal_silenced():
         try:
+            check_raster_path(path, path)
             return gdal.OpenEx(path, flags)
-        except RuntimeError:
+        except (RuntimeError, RasterError):  # what can't be opened, or must not be, is refused by whoever needs it
             return None
 
 

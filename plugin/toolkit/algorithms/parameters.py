@@ -2,6 +2,8 @@
 from __future__ import annotations
 
 import math
+import os
+import re
 from collections.abc import Sequence
 from typing import Any
 
@@ -20,7 +22,9 @@ from qgis.core import (
 )
 
 from ...imagery import limits as imagery_limits
+from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
+from ...imagery.plain_files import is_endless
 from .. import messages
 from ..translation import tr
 
@@ -36,6 +40,8 @@ SCHEDULER = "SCHEDULER"
 CHART = "CHART"
 REPORT = "REPORT"
 
+_LAYER_ADDRESS = re.compile(r"^delimitedtext:/*file:/{2}|^file:/{2}|[|?].*$", re.S)
+"""What stands around the path of a file in the address of a layer."""
 _LARGEST_WHOLE = 2**31 - 1  # Qt's int; of a larger number QGIS makes another one
 
 
@@ -148,3 +154,13 @@ def check_numbers(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], con
             raise SettingsError(messages.NOT_A_NUMBER(parameter=title, value=value))
         if definition.dataType() == QgsProcessingParameterNumber.Type.Integer and abs(value) > _LARGEST_WHOLE:
             raise SettingsError(messages.NUMBER_TOO_LARGE(parameter=title, value=value, most=_LARGEST_WHOLE))
+
+
+def check_files(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> None:
+    """Raise SettingsError for an input that is a device or a pipe: whoever opens one may wait for ever."""
+    for definition in algorithm.parameterDefinitions():
+        value = None if definition.isDestination() else values.get(definition.name())
+        for one in value if isinstance(value, (list, tuple)) else (value,):
+            path = _LAYER_ADDRESS.sub("", one) if isinstance(one, str) else ""
+            if path and is_endless(path):
+                raise SettingsError(imagery_messages.NO_FILE(name=os.path.basename(path)))

@@ -16,6 +16,7 @@ from ...imagery.gdal_calls import gdal_silenced
 from ..resources import help_url
 from ..translation import sentence, tr
 from .overwriting import refuse_overwriting
+from .parameters import check_files
 from .unopened_rasters import without_rasters
 
 _TITLES, _HELP = ("description", "component_description", "model_group"), "help"
@@ -43,6 +44,7 @@ class ReadyModel(QgsProcessingModelAlgorithm):
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         try:
+            check_files(self, parameters)
             refuse_overwriting(self, parameters, context)
         except SettingsError as error:
             return False, sentence(error.message)
@@ -53,6 +55,7 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> bool:
         try:
+            check_files(self, parameters)
             refuse_overwriting(self, parameters, context)
         except SettingsError as error:
             raise QgsProcessingException(sentence(error.message)) from None

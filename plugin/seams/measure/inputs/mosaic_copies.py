@@ -12,10 +12,10 @@ from ....imagery.errors import RasterError
 from ....imagery.grids import Extent, Grid, PixelWindow
 from ....imagery.message import Message
 from ....imagery.open_raster import OpenRaster, placed
+from ....imagery.plain_files import vrt_parts
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import same_coordinates
-from ....imagery.remote_files import vrt_parts
 from ..source_images import Source, is_same_file, sources_in
 from . import messages
 

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import csv
-import json
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +10,7 @@ from xml.etree.ElementTree import ParseError
 import numpy as np
 
 from ....imagery import messages as imagery_messages
+from ....imagery.documents.document_files import document_bytes, json_document
 from ....imagery.documents.xml_documents import looks_like_xml, xml_root
 from ....imagery.errors import SensorModelError
 from .. import messages
@@ -44,7 +44,7 @@ def read_exterior(path: Path, image: str) -> FrameExterior:
     Raises SensorModelError for a file that is none and for one that does not name the image.
     """
     try:
-        content = path.read_bytes()
+        content = document_bytes(path)
     except OSError:
         raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
     try:
@@ -74,7 +74,7 @@ def _micmac(content: bytes) -> FrameExterior:
 
 def _geojson(content: bytes, path: Path, image: str) -> FrameExterior:
     """orthority's: angles in radians, the reference system beside the features."""
-    document = json.loads(content)
+    document = json_document(content)
     rows = [one["properties"] for one in document["features"]]
     row = rows[_index([str(one["filename"]) for one in rows], path, image)]
     return FrameExterior(

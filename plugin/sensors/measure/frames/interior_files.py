@@ -10,6 +10,7 @@ from xml.etree.ElementTree import Element, ParseError
 import numpy as np
 
 from ....imagery import messages as imagery_messages
+from ....imagery.documents.document_files import document_bytes
 from ....imagery.documents.xml_documents import looks_like_xml, xml_root
 from ....imagery.errors import SensorModelError
 from .. import messages
@@ -28,7 +29,7 @@ def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInteri
     not known here.
     """
     try:
-        content = path.read_bytes()
+        content = document_bytes(path)
     except OSError:
         raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
     try:

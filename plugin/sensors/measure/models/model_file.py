@@ -12,6 +12,7 @@ import numpy as np
 
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import save_text
+from ....imagery.documents.document_files import document_bytes, json_document
 from ....imagery.errors import SensorModelError
 from .. import messages
 from . import registry
@@ -59,7 +60,7 @@ def save_model(file: ModelFile, path: Path) -> None:
 def load_model(path: Path) -> ModelFile:
     """Read a model file. Raises SensorModelError when it is none, or one of a newer version."""
     try:
-        document = json.loads(path.read_text(encoding="utf-8"))
+        document = json_document(document_bytes(path).decode())
     except OSError:
         raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
     except ValueError:

@@ -11,6 +11,7 @@ import numpy as np
 
 from ....imagery import messages as imagery_messages
 from ....imagery.atomic_files import save_text
+from ....imagery.documents.document_files import document_bytes
 from ....imagery.documents.xml_documents import looks_like_xml, xml_root
 from ....imagery.errors import SensorModelError
 from ....imagery.message import Message
@@ -91,7 +92,7 @@ def read_rpc(path: Path) -> Rational:
     Raises SensorModelError.
     """
     try:
-        content = path.read_bytes()
+        content = document_bytes(path)
     except OSError:
         raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
     if looks_like_xml(content):

@@ -16,8 +16,9 @@ from osgeo import gdal
 from .....imagery.documents.xml_documents import xml_root
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.message import Message
+from .....imagery.plain_files import vrt_parts
 from .....imagery.rasters import RasterRef
-from .....imagery.remote_files import forget_fetched, is_remote, readable_path, vrt_parts
+from .....imagery.remote_files import forget_fetched, is_remote, readable_path
 from ...source_images import Source
 from .. import messages
 

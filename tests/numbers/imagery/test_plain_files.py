@@ -1,0 +1,99 @@
+"""What must not be opened: devices, pipes, memory, and VRTs that lead there; what declares more than memory holds."""
+from __future__ import annotations
+
+import os
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from seam_inspector.plugin.imagery import limits
+from seam_inspector.plugin.imagery.documents.document_files import document_bytes, json_document
+from seam_inspector.plugin.imagery.errors import RasterError
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
+from seam_inspector.plugin.imagery.plain_files import vrt_parts
+from seam_inspector.plugin.imagery.rasters import RasterRef
+
+from tests.numbers.synthetic import write_raster
+
+VRT = (
+    '<VRTDataset rasterXSize="64" rasterYSize="64"><VRTRasterBand dataType="Byte" band="1">{}'
+    "</VRTRasterBand></VRTDataset>"
+)
+SOURCE = "<SimpleSource><SourceFilename>{}</SourceFilename><SourceBand>1</SourceBand></SimpleSource>"
+
+
+def refusal(path: Path | str) -> str:
+    """What is said of a raster that is opened and read in another thread: it must not wait for anything."""
+    said: list[str] = []
+
+    def look() -> None:
+        try:
+            OpenRaster(RasterRef(str(path))).read(PixelWindow(0, 0, 8, 8))
+        except RasterError as error:
+            said.append(str(error))
+
+    thread = threading.Thread(target=look, daemon=True)
+    thread.start()
+    thread.join(20)
+    assert not thread.is_alive(), "it waits"
+    return said[0]
+
+
+def test_pipes_and_devices_are_not_opened(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.tif")
+    assert "pipe.tif is a device, a pipe or memory" in refusal(tmp_path / "pipe.tif")
+    for path in ("/dev/zero", "/proc/self/mem", "/vsistdin/", "MEM:::DATAPOINTER=1,PIXELS=64,LINES=64"):
+        assert "is a device, a pipe or memory" in refusal(path)
+
+
+@pytest.mark.parametrize("inside", [
+    SOURCE.format("MEM:::DATAPOINTER=1,PIXELS=64,LINES=64"),
+    SOURCE.format("&#77;em:::datapointer=1,PIXELS=64,LINES=64"),
+    SOURCE.format("<![CDATA[/dev/zero]]>"), SOURCE.format("/vsistdin/"), SOURCE.format("{pipe}"),
+    SOURCE.format("{inner}"), "<SourceFilename relativeToVRT='1'>pipe.tif</SourceFilename>",
+])  # fmt: skip
+def test_no_vrt_leads_there(tmp_path: Path, inside: str) -> None:
+    os.mkfifo(tmp_path / "pipe.tif")
+    inner = tmp_path / "inner.xml"  # a VRT by what it says, not by its name
+    inner.write_text(VRT.format(SOURCE.format("/dev/urandom")))
+    path = tmp_path / "made.vrt"
+    path.write_text(VRT.format(inside.format(pipe=tmp_path / "pipe.tif", inner=inner)))
+    assert "made.vrt is a VRT that leads to" in refusal(path)
+
+
+def test_vrts_in_a_ring_are_read_no_further_than_once(tmp_path: Path) -> None:
+    for number in range(5):
+        (tmp_path / f"{number}.vrt").write_text(VRT.format(SOURCE.format(tmp_path / f"{(number + 1) % 5}.vrt")))
+    assert vrt_parts(str(tmp_path / "4.vrt")) == (str(tmp_path / "0.vrt"),)
+    assert refusal(tmp_path / "0.vrt").endswith(".")
+
+
+def test_bands_and_blocks_beyond_all_memory_are_refused(tmp_path: Path) -> None:
+    create, options = gdal.GetDriverByName("GTiff").Create, ["SPARSE_OK=TRUE", "TILED=YES", "COMPRESS=DEFLATE"]
+    huge = [*options, "BLOCKXSIZE=32768", "BLOCKYSIZE=32768"]
+    create(str(tmp_path / "block.tif"), 40_000, 40_000, 1, gdal.GDT_Byte, huge).FlushCache()
+    assert "blocks of 32768 x 32768 px, which are too large" in refusal(tmp_path / "block.tif")
+    create(str(tmp_path / "bands.tif"), 64, 64, 2000, gdal.GDT_Byte, options).FlushCache()
+    assert "has 2000 bands and 1024 are the most" in refusal(tmp_path / "bands.tif")
+
+
+@pytest.mark.parametrize("value", [1e38, -3.4e38, np.inf, np.nan])
+def test_values_that_no_measurement_has_are_invalid(tmp_path: Path, value: float) -> None:
+    pixels = np.full((1, 64, 64), 7, np.float32)
+    pixels[0, 3, 5] = value
+    block = OpenRaster(RasterRef(write_raster(tmp_path / "a.tif", pixels))).read(PixelWindow(0, 0, 64, 64))
+    assert np.argwhere(~block.valid).tolist() == [[3, 5]]
+    assert np.finfo(np.float32).max > limits.LARGEST_VALUE**2 * 1e6
+
+
+def test_documents_have_an_end(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.json")
+    for path in (tmp_path / "pipe.json", Path("/dev/zero"), Path("/proc/self/mem"), tmp_path):
+        with pytest.raises(OSError, match=r"a device or a pipe|directory"):
+            document_bytes(path)
+    for text in ("[" * 200_000 + "]" * 200_000, "{", "[1,"):
+        with pytest.raises(ValueError, match=r"nested too deeply|Expecting"):
+            json_document(text)
