@@ -1,6 +1,7 @@
 """Running an algorithm as QGIS does, with all that it says kept."""
 from __future__ import annotations
 
+import threading
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from qgis.core import (
     QgsProject,
 )
 
+PATIENCE_SECONDS = 25.0
 ENDINGS = {"sink": ".gpkg", "rasterDestination": ".tif"}
 
 
@@ -66,7 +68,12 @@ def run(name: str, values: dict[str, Any], checked: bool = True) -> Outcome:
         acceptable, why = job.checkParameterValues(values, context)
         if not acceptable:
             return Outcome(False, why or "(nothing)", log.errors, log.others)
-    _, worked = job.run(values, context, log)
+    patience = threading.Timer(PATIENCE_SECONDS, log.cancel)  # what takes long has to heed it
+    patience.start()
+    try:
+        _, worked = job.run(values, context, log)
+    finally:
+        patience.cancel()
     context.temporaryLayerStore().removeAllMapLayers()
     return Outcome(bool(worked), "", log.errors, log.others)
 

@@ -30,5 +30,7 @@ LUMINANCE_WEIGHTS = (0.299, 0.587, 0.114)  # red, green, blue; ITU-R BT.601, Pyk
 MAX_REASONS = 3  # sources named in the reason of a window; more would not be read
 MOST_BANDS = 1024  # several times those of a hyperspectral image
 MOST_BLOCK_BYTES = 750_000_000  # of all bands: GDAL holds a block or two whole, whatever is read of it
+MOST_READ_BYTES = 1_000_000_000  # at once; a window of 16 million pixels has less, with many bands too
+MOST_PIXELS = 10**13  # a country of 300 000 km2 at 0.2 m
 WIDEST_PX = 250_000  # of a raster whose rows are worked through whole: 25 km at 0.1 m
 LARGEST_VALUE = 1e15  # beyond it no pixel is a measurement, and sums of squares leave float32

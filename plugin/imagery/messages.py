@@ -14,6 +14,10 @@ TOO_MANY_BANDS = Message("{name} has {count} bands and {most} are the most; take
 BLOCKS_TOO_LARGE = Message(
     "{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles."
 )
+TOO_LARGE = Message("{name} says it has {columns} x {rows} px, as no raster has; the file is damaged, so copy it anew.")
+TOO_MUCH_AT_ONCE = Message(
+    "{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed."
+)
 TOO_WIDE = Message("{name} is {columns} px wide and {most} are the most; cut it into sheets first.")
 NO_BANDS = Message("{name} has no bands of its own; choose one of its subdatasets.")
 COMPLEX_VALUES = Message("{name} holds complex values; convert them to magnitudes first.")

@@ -119,6 +119,9 @@ class OpenRaster:
         options = {"buf_xsize": columns, "buf_ysize": rows}
         if averaged:
             options["resample_alg"] = gdal.GRIORA_Average
+        stored = gdal.GetDataTypeSize(self.dataset.GetRasterBand(1).DataType) // 8 * self.dataset.RasterCount
+        if columns * rows * stored > limits.MOST_READ_BYTES:
+            raise RasterError(messages.TOO_MUCH_AT_ONCE(name=self.ref.name, width=columns, height=rows))
         failure = messages.NOT_READABLE(name=self.ref.name)
         data = gdal_call(lambda: self.dataset.ReadAsArray(*inside, **options), failure).reshape(-1, rows, columns)
         first, mask = self.dataset.GetRasterBand(1), None
@@ -195,6 +198,8 @@ class OpenRaster:
 def _check_amounts(dataset: gdal.Dataset, name: str) -> None:
     """Raise RasterError for what a file of some kilobytes can declare and no memory can hold."""
     count, band = dataset.RasterCount, dataset.GetRasterBand(1)
+    if dataset.RasterXSize * dataset.RasterYSize > limits.MOST_PIXELS:
+        raise RasterError(messages.TOO_LARGE(name=name, columns=dataset.RasterXSize, rows=dataset.RasterYSize))
     if count > limits.MOST_BANDS:
         raise RasterError(messages.TOO_MANY_BANDS(name=name, count=count, most=limits.MOST_BANDS))
     width, height = band.GetBlockSize()

@@ -80,6 +80,18 @@ def test_bands_and_blocks_beyond_all_memory_are_refused(tmp_path: Path) -> None:
     assert "has 2000 bands and 1024 are the most" in refusal(tmp_path / "bands.tif")
 
 
+def test_no_more_is_read_at_once_than_memory_holds(tmp_path: Path) -> None:
+    create, options = gdal.GetDriverByName("GTiff").Create, ["SPARSE_OK=TRUE", "TILED=YES", "COMPRESS=DEFLATE"]
+    create(str(tmp_path / "large.tif"), 40_000, 40_000, 1, gdal.GDT_Byte, options).FlushCache()
+    large = OpenRaster(RasterRef(str(tmp_path / "large.tif")))
+    with pytest.raises(RasterError, match=r"40000 x 40000 px of large\.tif are too many to be read at once"):
+        large.read(PixelWindow(0, 0, 40_000, 40_000))
+    assert large.read(PixelWindow(0, 0, 40_000, 40_000), (10, 10)).bands.shape == (1, 10, 10)
+    path = tmp_path / "endless.vrt"
+    path.write_text(VRT.format("").replace('"64"', '"2147483647"'))
+    assert "says it has 2147483647 x 2147483647 px" in refusal(path)
+
+
 @pytest.mark.parametrize("value", [1e38, -3.4e38, np.inf, np.nan])
 def test_values_that_no_measurement_has_are_invalid(tmp_path: Path, value: float) -> None:
     pixels = np.full((1, 64, 64), 7, np.float32)
