@@ -5,6 +5,10 @@ QT6 := .venv-qt6/bin/python
 PACKAGE := build/plugins/seam_inspector
 # Tests of one file share what they make, so a file goes to one process
 SIDE_BY_SIDE := -n auto --maxprocesses 4 --dist loadfile
+# Tests of what draws and listens, which ask little of QGIS; those that ask more are skipped
+ALSO_UNDER_QT6 := $(addprefix tests/qgis/,$(addprefix seams/desk/,images judging profile/test_profile_panel.py \
+	test_curves_panel.py test_windows_panel.py) $(addprefix toolkit/,test_attribute_values.py test_figure_files.py \
+	test_fitting_tool_bar.py test_latest_only.py test_numbers_in_words.py test_scroll_body.py test_theme.py))
 TRANSLATIONS := $(patsubst %.ts,%.qm,$(wildcard i18n/*.ts))
 
 # QGIS and Python find the package by its name, not by the checkout's
@@ -42,7 +46,8 @@ test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what 
 	@tools/install_qt6.sh
 	$(QT6) -m tools.qt6.check_names
 	$(QT6) -m tools.qt6.check_types
-	QT_QPA_PLATFORM=offscreen $(QT6) -m pytest tests/qt6
+	QT_QPA_PLATFORM=offscreen PYTHONPATH=$(PYTHONPATH):$(CURDIR) $(QT6) -m pytest -q -p tests.qt6.under_qt6 \
+		--confcutdir tests/qgis/seams tests/qt6 $(ALSO_UNDER_QT6)
 
 test-qgis: link ## Run the tests inside QGIS, offscreen
 	@rm -rf .qgis-settings

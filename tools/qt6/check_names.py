@@ -36,7 +36,7 @@ REMOVED_METHODS = {
     "setClickable": "setSectionsClickable",
     "setCodec": "setEncoding", "isCopyOf": "isSharedWith", "setFilterRegExp": "setFilterRegularExpression",
     "filterRegExp": "filterRegularExpression", "setUserData": "setProperty", "keyboardModifiers": "modifiers",
-    "mouseButtons": "buttons", "queryKeyboardModifiers": "QGuiApplication's",
+    "mouseButtons": "buttons", "viewOptions": "initViewItemOption", "queryKeyboardModifiers": "QGuiApplication's",
 }  # fmt: skip
 """With what Qt 6 has instead. Some are still there on other classes: those in ``_STILL_THERE``."""
 _STILL_THERE = {

@@ -71,7 +71,16 @@ class Known:
 
     def may_have(self, name: str, attribute: str) -> bool:
         """Whether a class that stands on this one has it: the value is one of those, only declared as its base."""
-        return any(attribute in self.names.get(child, ()) for child in self.below(name))
+        return any(attribute in self.names.get(above, ()) for child in self.below(name) for above in self.above(child))
+
+    def above(self, name: str) -> set[str]:
+        """The class and all that it stands on."""
+        found, waiting = {name}, [name]
+        while waiting:
+            new = self.bases.get(waiting.pop(), set()) - found
+            found |= new
+            waiting += new
+        return found
 
 
 def _last(node: ast.expr) -> str:
@@ -103,10 +112,13 @@ def known_classes(checkout: Path) -> Known:
 
 def is_accepted(message: str, known: Known) -> bool:
     """Whether a message of mypy is none of this check, or one that mypy can't know better."""
-    if not _OF_QT.search(message) or any(re.search(pattern, message) for pattern in _ACCEPTED):
+    if any(re.search(pattern, message) for pattern in _ACCEPTED):
         return True
-    if match := _MISSING.search(message):
-        return known.may_have(match[1], match[2])
+    if match := _MISSING.search(message):  # of Qt's class or of ours that stands on one
+        is_of_qt = any(_OF_QT.fullmatch(name) for name in known.above(match[1]) | {match[1]})
+        return known.may_have(match[1], match[2]) if is_of_qt else not _OF_QT.search(message)
+    if not _OF_QT.search(message):
+        return True
     if match := _UNFIT.search(message):
         given, wanted = (_classes(match[name]) for name in ("given", "wanted"))
         return "object" in given or any(one in known.below(other) for one in wanted for other in given)

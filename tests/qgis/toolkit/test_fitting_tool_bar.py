@@ -17,10 +17,10 @@ def bar(qgis_app: QApplication) -> Iterator[FittingToolBar]:
     icon = QgsApplication.getThemeIcon("/mActionStart.svg")
     actions = [QAction(icon, words) for words in ("Draw", "Place along the seams", "Inspect", "Report")]
     made = FittingToolBar(actions, worded=[actions[2], actions[1]])
-    made.kept = actions
     made.show()
     yield made
     made.deleteLater()
+    actions.clear()  # kept until here
 
 
 def styles(bar: FittingToolBar, width: int) -> list[Qt.ToolButtonStyle]:

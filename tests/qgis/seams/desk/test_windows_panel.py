@@ -9,7 +9,7 @@ from time import process_time
 import pytest
 from qgis.PyQt.QtCore import QLocale, QPoint, Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication
+from qgis.PyQt.QtWidgets import QApplication, QStyleOptionViewItem
 from seam_inspector.plugin.seams.desk.windows.windows_columns import WINDOW_ID
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
@@ -467,7 +467,9 @@ def test_verdicts_are_not_cut_at_the_usual_width(
     panel.setFont(font)
     panel.resize(412, 300)
     QTest.qWait(1)
-    delegate, option = panel.table.itemDelegate(), panel.table.viewOptions()
+    delegate, option = panel.table.itemDelegate(), QStyleOptionViewItem()
+    option.initFrom(panel.table)
+    option.font = panel.table.font()
     for fid in panel.ordered_fids():
         index = panel.table.model().index(panel._shown.row_of(fid), VERDICT)
         assert delegate.sizeHint(option, index).width() <= panel.table.columnWidth(VERDICT)

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 from qgis.core import QgsSettings
 from qgis.PyQt.QtCore import QEvent, QObject, QPoint, QPointF, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QImage, QKeyEvent, QWheelEvent
+from qgis.PyQt.QtGui import QCursor, QImage, QKeyEvent, QWheelEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import (
     QApplication,
@@ -97,8 +97,10 @@ def open_desk(session: Session, side_by_side: bool = True) -> QWidget:
     for widget in (QLineEdit(), QPushButton("button"), ImagesPanel(session)):
         box.addWidget(widget)
     desk.resize(700, 500)
+    QCursor.setPos(0, 0)  # where the test before left it there may be a view now
     desk.show()
-    QApplication.setActiveWindow(desk)
+    desk.activateWindow()
+    QTest.qWaitForWindowActive(desk)
     desk.findChild(QPushButton).setFocus()
     QApplication.processEvents()
     return desk

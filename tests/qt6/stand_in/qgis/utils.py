@@ -1,0 +1,2 @@
+"""As ``qgis.utils``: no interface."""
+iface = None
