@@ -24,6 +24,10 @@ class QgsApplication(QApplication):
         super().__init__(arguments)
 
     @staticmethod
+    def locale() -> str:
+        return "en"
+
+    @staticmethod
     def getThemeIcon(name: str) -> QIcon:
         pixels = QPixmap(24, 24)
         pixels.fill(QColor("steelblue"))
