@@ -12,6 +12,7 @@ from qgis.PyQt.QtWidgets import QAction
 from .provider import SeamInspectorProvider
 from .toolkit.packages import broken_package_sentence, missing_packages_sentence
 from .toolkit.resources import icon_path
+from .toolkit.showing_help import show_first_page
 from .toolkit.translation import Translation, tr
 
 
@@ -23,6 +24,7 @@ class SeamInspectorPlugin:
         self._provider: SeamInspectorProvider | None = None
         self._translation = Translation()
         self._desks: list[Desk] = []
+        self._help: QAction | None = None
 
     def initProcessing(self) -> None:
         """Register the provider; all that qgis_process asks for, which has no interface."""
@@ -53,10 +55,19 @@ class SeamInspectorPlugin:
             action.setObjectName(name)
             action.setToolTip(tooltip)
             self._desks.append(Desk(self._iface, action, make))
+        icon = QgsApplication.getThemeIcon("/mActionHelpContents.svg")
+        self._help = QAction(icon, tr("Seam Inspector"), self._iface.mainWindow())
+        self._help.setToolTip(tr("The first inspection in five minutes, and a page for every algorithm"))
+        self._help.triggered.connect(lambda: show_first_page())
+        self._iface.pluginHelpMenu().addAction(self._help)
 
     def unload(self) -> None:
         while self._desks:
             self._desks.pop().remove()
+        if self._help is not None and self._iface is not None:
+            self._iface.pluginHelpMenu().removeAction(self._help)
+            self._help.deleteLater()
+            self._help = None
         if self._provider is not None:
             QgsApplication.processingRegistry().removeProvider(self._provider)
             self._provider = None

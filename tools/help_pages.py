@@ -1,4 +1,4 @@
-"""Render the help that comes with the plugin: resources/help/NAME.html of docs/algorithms/NAME.md and the first steps.
+"""Render the help that comes with the plugin: resources/help/NAME.html of the algorithms and first steps.
 
 A machine without internet shows them as well as any: one file each, no script, no picture. Links among them stay
 among them, others lead to the guide at the homepage of metadata.txt.
@@ -18,7 +18,7 @@ from markdown_it.token import Token
 REPOSITORY = Path(__file__).parents[1]
 DOCS = REPOSITORY / "docs"
 HELP = REPOSITORY / "resources" / "help"
-ALGORITHMS = "algorithms"
+FOLDERS = ("algorithms", "start")  # of the guide, that a user may need where there is no internet
 _LINE_OF_PICTURES = re.compile(r"^!\[[^]]*\]\([^)]*\)\n", re.MULTILINE)
 _COMMENT = re.compile(r"^<!--.*?-->\n", re.MULTILINE)
 
@@ -66,8 +66,7 @@ td:first-child code {{ overflow-wrap: anywhere; }}
 
 def sources() -> dict[str, Path]:
     """The pages that become help, by the names of their files without ending."""
-    pages = sorted((DOCS / ALGORITHMS).glob("*.md"))
-    return {path.stem: path for path in pages}
+    return {path.stem: path for folder in FOLDERS for path in sorted((DOCS / folder).glob("*.md"))}
 
 
 def rendered(name: str, pages: dict[str, Path]) -> str:
@@ -84,7 +83,11 @@ def rendered(name: str, pages: dict[str, Path]) -> str:
                 child.attrs["href"] = target
     body = markdown.renderer.render(tokens, markdown.options, {})
     body = body.replace("<table>", '<div class="table"><table>').replace("</table>", "</table></div>")
-    trail = "" if name == "index" else ' · <a href="index.html">all algorithms</a>'
+    trail = "".join(
+        f' · <a href="{page}.html">{words}</a>'
+        for page, words in (("first_inspection", "first inspection"), ("index", "all algorithms"))
+        if page != name
+    )
     return PAGE.format(title=html.escape(title(tokens)), version=known["version"], trail=trail,
                        homepage=html.escape(known["homepage"]), body=body)
 

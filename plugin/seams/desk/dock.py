@@ -26,6 +26,7 @@ from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.layer_styles import load_style
 from ...toolkit.map_places import transformed_box
 from ...toolkit.resources import icon_path
+from ...toolkit.showing_help import show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from ..scan_job import ScanDone
@@ -174,6 +175,9 @@ class InspectionDock(ToolDock):
             "NewReport", tr("Report"), tr("Write a report of the inspected windows, one HTML page that opens anywhere"),
             self.reports.ask,
         )  # fmt: skip
+        self.help = self._action(
+            "HelpContents", tr("Help"), tr("How a first inspection goes, in the browser"), lambda: show_first_page()
+        )
 
     def _action(self, icon: str, text: str, tip: str, slot: Callable[..., None]) -> QAction:
         action = QAction(QgsApplication.getThemeIcon(f"/mAction{icon}.svg"), text, self)
@@ -184,7 +188,7 @@ class InspectionDock(ToolDock):
     def _lay_out(self) -> None:
         steps = (self.steps.undo, self.steps.redo)
         actions = [self.draw, self.place, self.inspect, self.scan, self.inspect_selected, self.swiping.action]
-        toolbar = FittingToolBar([*actions, *steps, self.report], worded=[self.inspect, self.place])
+        toolbar = FittingToolBar([*actions, *steps, self.report, self.help], worded=[self.inspect, self.place])
         for action in (self.scan, self.swiping.action):
             toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         toolbar.widgetForAction(self.scan).addAction(self.worst)

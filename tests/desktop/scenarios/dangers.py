@@ -95,6 +95,7 @@ def counts(desk: Desk) -> dict[str, int]:
         "actions": len(desk.window.findChildren(QAction)),
         "raster actions": len(iface.rasterToolBar().actions()),
         "raster menu": len(iface.rasterMenu().actions()),
+        "help menu": len(iface.pluginHelpMenu().actions()),
         "tool bars": len(desk.window.findChildren(QToolBar)),
         "docks": len(desk.window.findChildren(QDockWidget)),
         "widgets": len(desk.window.findChildren(QWidget)),

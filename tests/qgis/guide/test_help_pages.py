@@ -21,6 +21,7 @@ SECTIONS = [
     "When to use it", "Parameters", "Outputs", "Reading the results", "What it refuses",
     "Examples", "Toolbox", "Modeler", "Command line", "Python",
 ]  # fmt: skip
+RENEW = "run `make help-pages` and commit what it changes"
 TAKEN = {
     "source": {"outputVector"},
     "multilayer": {"outputVector", "outputRaster"},
@@ -61,7 +62,7 @@ def test_the_tables_of_the_pages_are_those_of_the_dialogs(repository: Path, prov
     tables = tool(repository, "algorithm_tables")
     for one in provider.algorithms():
         page = (tables.PAGES / f"{one.name()}.md").read_text("utf-8")
-        assert page == tables.with_tables(page, one.create()), one.name()
+        assert page == tables.with_tables(page, one.create()), f"{one.name()}: {RENEW}"
 
 
 def test_a_table_names_every_parameter_and_output(repository: Path, provider: QgsProcessingProvider) -> None:
@@ -80,7 +81,8 @@ def test_the_help_is_that_of_the_guide(repository: Path) -> None:
     pages = help_pages.sources()
     assert sorted(path.name for path in help_pages.HELP.iterdir()) == sorted(f"{name}.html" for name in pages)
     for name in pages:
-        assert (help_pages.HELP / f"{name}.html").read_text("utf-8") == help_pages.rendered(name, pages), name
+        found = (help_pages.HELP / f"{name}.html").read_text("utf-8")
+        assert found == help_pages.rendered(name, pages), f"{name}: {RENEW}"
 
 
 def test_links_of_the_help_lead_to_its_pages_or_to_the_homepage(repository: Path) -> None:
