@@ -36,6 +36,7 @@ DONE = "done"  # the file that says that a folder of generated data is whole
 EXTENT: Extent = (500.0, 400.0)  # m
 VECTORS = {".gpkg", ".shp", ".geojson"}
 FEWEST_VALUES = 32  # in an orthoimage; labels and masks have fewer
+PROJECT = "block.qgz"
 LOOK_PX = 512  # longer side of the overview in which they are counted
 
 
@@ -93,7 +94,7 @@ def make_demonstration(folder: Path, extent_m: Extent = EXTENT) -> Inputs:
         done.write_text(json.dumps([(one.cause, one.bounds) for one in block.damage]), encoding="utf-8")
     sources = sorted(path for path in folder.glob("*.tif") if path.name != "mosaic.tif")
     damage = (Damage(cause, tuple(bounds)) for cause, bounds in json.loads(done.read_text(encoding="utf-8")))
-    mosaic, seamlines, project = folder / "mosaic.tif", folder / "seamlines.gpkg", folder / "block.qgz"
+    mosaic, seamlines, project = folder / "mosaic.tif", folder / "seamlines.gpkg", folder / PROJECT
     if not project.exists():
         write_project(project, mosaic, sources, seamlines)
     return Inputs(mosaic, tuple(sources), seamlines, tuple(damage))
@@ -165,6 +166,8 @@ def inspect(job: Inputs, output: Path, side: float | None, spacing: float | None
     print_table(chosen, by_window)
     print_windows(inspected, job.damage)
     print(f"\nResults are in {output}: windows.gpkg, curves.csv, pairs.csv, profiles.csv, curves.png, report.html")
+    if job.damage is not None:
+        print(f"To do it by hand open {job.mosaic.with_name(PROJECT)} in QGIS: docs/start/first_inspection.md")
 
 
 def place(job: Inputs, package: Path, side: float, spacing: float) -> int:
