@@ -114,7 +114,8 @@ CHOSEN_COLUMNS = (
 def used_columns(rows: Iterable[WindowRecord]) -> frozenset[str]:
     """Which of the judging columns hold something."""
     names = [column.name for column in JUDGING_COLUMNS]
-    return frozenset(name for row in rows for name in names if getattr(row, name) not in (None, ""))
+    said = set(map(attrgetter(*names), rows))
+    return frozenset(name for values in said for name, value in zip(names, values) if value not in (None, ""))
 
 
 def all_columns(standard: tuple[TableColumn, ...], used: frozenset[str]) -> tuple[TableColumn, ...]:

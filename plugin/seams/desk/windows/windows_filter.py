@@ -45,7 +45,8 @@ class WindowsFilter(QSortFilterProxyModel):
     def fids(self) -> list[int]:
         """The windows shown, from top to bottom; not to be changed. Row by row through Qt takes ten times as long."""
         if self._fids is None:
-            self._shown = [row for row in self._model.windows() if self._shows(row)]
+            rows = self._model.windows()
+            self._shown = [row for row in rows if self._shows(row)] if self.is_on else list(rows)
             self._fids = [row.fid for row in self._shown]
             self._rows = {fid: row for row, fid in enumerate(self._fids)}
         return self._fids

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from itertools import groupby
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
@@ -65,6 +66,9 @@ class WindowsModel(QAbstractTableModel):
 
     def set_windows(self, windows: Iterable[WindowRecord]) -> None:
         """Show these, with as little stir as can be: selection and persistent indexes stay with their windows."""
+        windows = list(windows)
+        if self._took_in_place(windows):
+            return
         rows = self._in_order(windows)
         levels, used = max((len(row.ratios) for row in rows), default=0) or self._levels, used_columns(rows)
         if (levels, used) != (self._levels, self._used):
@@ -91,7 +95,38 @@ class WindowsModel(QAbstractTableModel):
             self.beginInsertRows(QModelIndex(), first, last)
             self._set_rows(self._rows[:first] + rows[first : last + 1] + self._rows[first:])
             self.endInsertRows()
-        self._tell_changes([row != before.get(row.fid, row) for row in rows])
+        self._tell_changes(
+            place for place, row in enumerate(rows) if (old := before.get(row.fid, row)) is not row and old != row
+        )
+
+    def _took_in_place(self, windows: Sequence[WindowRecord]) -> bool:
+        """Whether the windows shown are the same, in the same places, and only what is said of some of them changed.
+
+        So it is while windows are judged: among thousands of others one costs hardly more than among a few.
+        """
+        if len(windows) != len(self._rows):
+            return False
+        rows, changed = list(self._rows), []
+        for row in windows:
+            place = self._places.get(row.fid)
+            if place is None:
+                return False
+            old = rows[place]
+            if old is row:
+                continue
+            if not self._stays(old, row):
+                return False
+            rows[place] = row
+            if old != row:
+                changed.append(place)
+        self._rows = rows
+        self._tell_changes(sorted(changed))
+        return True
+
+    def _stays(self, old: WindowRecord, new: WindowRecord) -> bool:
+        """Whether a window needs no other place and no other columns."""
+        is_in_order = old.window_id == new.window_id and self._key(old) == self._key(new)
+        return is_in_order and len(old.ratios) == len(new.ratios) and used_columns([old]) == used_columns([new])
 
     def sort(self, column: int, order: Qt.SortOrder = _ASCENDING) -> None:
         """By numbers and ranks; windows with nothing in the column come last in either order."""
@@ -141,9 +176,10 @@ class WindowsModel(QAbstractTableModel):
         return None
 
     def _in_order(self, windows: Iterable[WindowRecord]) -> list[WindowRecord]:
-        rows, key = sorted(windows, key=WINDOW_ID.key), self._key
-        present = sorted((row for row in rows if key(row) is not None), key=key, reverse=self.sort_order != _ASCENDING)
-        return present + [row for row in rows if key(row) is None]
+        keyed = [(self._key(row), row) for row in sorted(windows, key=WINDOW_ID.key)]
+        present = [pair for pair in keyed if pair[0] is not None]
+        present.sort(key=itemgetter(0), reverse=self.sort_order != _ASCENDING)
+        return [row for _, row in present] + [row for value, row in keyed if value is None]
 
     def _rearrange(self, rows: list[WindowRecord]) -> None:
         """The same windows in another order."""
@@ -169,8 +205,8 @@ class WindowsModel(QAbstractTableModel):
         self._rows = rows
         self._places = {row.fid: place for place, row in enumerate(rows)}
 
-    def _tell_changes(self, changed: Sequence[bool]) -> None:
-        runs = _runs(place for place, differs in enumerate(changed) if differs)
+    def _tell_changes(self, changed: Iterable[int]) -> None:
+        runs = _runs(changed)
         if len(runs) > _MAX_RUNS:
             runs = [(runs[0][0], runs[-1][1])]
         for first, last in runs:

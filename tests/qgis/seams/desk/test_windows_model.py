@@ -1,0 +1,50 @@
+"""The table's model takes over what changed and leaves the other rows alone; it shows what a new one would."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from qgis.core import QgsApplication
+from seam_inspector.plugin.seams.desk.judging.window_orders import worst_first
+from seam_inspector.plugin.seams.desk.windows.windows_model import WindowsModel
+from seam_inspector.plugin.seams.measure.window_records import WindowRecord
+
+ROWS = [
+    WindowRecord(number, (0.0, 0.0, 1.0, 1.0), "reduced", fid=100 - number, kept=((7 * number % 10) / 10,))
+    for number in range(1, 21)
+]
+CHANGES: dict[str, Callable[[WindowRecord], WindowRecord]] = {
+    "judged": lambda row: replace(row, observer="visible"),
+    "judged by two, a column more": lambda row: replace(row, observer_2="visible"),
+    "stale": lambda row: replace(row, stale=True),
+    "moved in the order": lambda row: replace(row, kept=(0.95,)),
+    "no place in the order": lambda row: replace(row, kept=(), verdict=""),
+    "another number": lambda row: replace(row, window_id=50),
+    "levels": lambda row: replace(row, ratios=(1.0, 1.0, 1.0, 1.0)),
+    "read again, the same": replace,
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_changed_windows_stand_where_a_new_table_has_them(qgis_app: QgsApplication, change: str) -> None:
+    model, fresh = WindowsModel(), WindowsModel()
+    for one in (model, fresh):
+        one.sort_by(worst_first)
+    model.set_windows(ROWS)
+    told: list[tuple[int, int]] = []
+    model.dataChanged.connect(lambda first, last, *_: told.append((first.row(), last.row())))
+    rows: list[Any] = [CHANGES[change](row) if row.window_id in (3, 4, 11) else row for row in ROWS]
+    model.set_windows(rows)
+    fresh.set_windows(rows)
+    assert model.windows() == fresh.windows()
+    assert model.columns == fresh.columns
+    for row in range(model.rowCount()):
+        shown = [[one.index(row, column).data() for column in range(one.columnCount())] for one in (model, fresh)]
+        assert shown[0] == shown[1]
+    if change in ("judged", "stale"):
+        places = [place for place, row in enumerate(model.windows()) if row.window_id in (3, 4, 11)]
+        assert {row for first, last in told for row in range(first, last + 1)} == set(places)
+    if change == "read again, the same":
+        assert told == []
