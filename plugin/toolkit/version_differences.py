@@ -1,6 +1,8 @@
 """Differences between QGIS versions, all of them here."""
 from __future__ import annotations
 
+from typing import Any
+
 from qgis.core import Qgis, QgsField, QgsRasterLayer, QgsTask
 from qgis.PyQt import QtCore
 
@@ -24,3 +26,9 @@ def band_roles(layer: QgsRasterLayer, most: int) -> list[int]:
     provider = layer.dataProvider()
     roles = (provider.colorInterpretation(band) for band in range(1, min(layer.bandCount(), most) + 1))
     return [int(getattr(role, "value", role)) for role in roles]
+
+
+def layer_filters(kinds: Any) -> Any:
+    """Kinds of layers as boxes take them: joined by | they are a bare number from QGIS 3.34 on, which warns."""
+    flags = getattr(Qgis, "LayerFilters", None)
+    return kinds if flags is None else flags(kinds)

@@ -12,6 +12,7 @@ from qgis.PyQt.QtGui import QDropEvent
 from qgis.PyQt.QtWidgets import QWidget
 
 from ..translation import filled, tr
+from ..version_differences import layer_filters
 
 _UUID = re.compile(r"_[0-9a-f]{8}(_[0-9a-f]{4}){3}_[0-9a-f]{12}$")  # what QGIS hangs on a name to make it an id
 
@@ -38,7 +39,7 @@ class LayerBox(QgsMapLayerComboBox):
 
     def __init__(self, filters: Any, nothing: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setFilters(filters)
+        self.setFilters(layer_filters(filters))
         self.setAllowEmptyLayer(True, nothing)
         self.setMinimumContentsLength(8)  # a long name must not widen the dock
         self.setSizeAdjustPolicy(self.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)

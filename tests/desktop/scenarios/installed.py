@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pyplugin_installer
 from qgis.core import Qgis, QgsApplication
-from qgis.utils import home_plugin_path, plugins
+from qgis.utils import plugins
 
 from demo.desk import Desk
 
@@ -27,7 +27,7 @@ def play(desk: Desk) -> None:
     assert "seam_inspector" in plugins
     import seam_inspector
 
-    home = Path(home_plugin_path).resolve()
+    home = (Path(QgsApplication.qgisSettingsDirPath()) / "python" / "plugins").resolve()
     assert home in Path(seam_inspector.__file__).resolve().parents, seam_inspector.__file__
     desk.report["tooltip"] = desk.plugin.desk("seamInspectorAction").action.toolTip()
     desk.set_up(Path(desk.parameters["block"]), desk.parameters["side_m"], 2 * desk.parameters["side_m"])
