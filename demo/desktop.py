@@ -22,6 +22,7 @@ _SETTINGS = """\
 [locale]
 overrideFlag=true
 userLocale={locale}
+globalLocale={locale}
 
 [UI]
 UITheme={theme}

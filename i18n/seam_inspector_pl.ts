@@ -6571,7 +6571,7 @@
     <message>
         <location filename="../plugin/seams/desk/curves/curves_selection.py" line="41"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
-        <translation>Na żywo, {band}: {columns} × {rows} px pod kursorem</translation>
+        <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/images/window_pictures.py" line="68"/>
@@ -8621,12 +8621,12 @@
     <message>
         <location filename="../plugin/radiometry/words.py" line="105"/>
         <source>The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}.</source>
-        <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}, {y:.2f}.</translation>
+        <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/words.py" line="119"/>
         <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
-        <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}, {green:.1f}, {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}, {y:.2f}.</translation>
+        <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}; {green:.1f}; {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/words.py" line="138"/>
@@ -9681,7 +9681,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
-        <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}, {y:.1f}; arkusze: {sheets}.</translation>
+        <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="118"/>

@@ -42,7 +42,7 @@ def draw_noise(
         width, size, order = (2.4, 5, 4) if band == bold else (1.3, 3, 3)
         drawn += axes.plot(
             range(1, len(detail) + 1), detail, color=colour, linestyle=line, linewidth=width * style.scale,
-            marker="o", markersize=size * style.scale, zorder=order, label=f"{label} {band}".strip(),
+            marker="o", markersize=size * style.scale, zorder=order, label=f"{label} {band_title(band)}".strip(),
         )
     return drawn
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
+from ..toolkit.band_titles import band_title
 from ..toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
 from .measure import rules as checks
 from .measure.assessment import Assessment, CheckedFigure
@@ -37,7 +38,7 @@ _BAND_WORDS = {
 
 def band_words(band: str) -> str:
     """A band as the user reads it."""
-    return tr(_BAND_WORDS[band]) if band in _BAND_WORDS else band
+    return tr(_BAND_WORDS[band]) if band in _BAND_WORDS else band_title(band)
 
 
 def title(result: Assessment) -> str:

@@ -149,7 +149,7 @@ def _row(result: GroupResult) -> tuple[object, ...]:
     reading = result.reading
 
     def rounded(value: float | None, digits: int) -> str:
-        return "" if value is None else f"{value:.{digits}f}"
+        return "" if value is None else shown_number(value, digits)
 
     return (
         *_names(result),
@@ -169,4 +169,4 @@ def _names(result: GroupResult) -> tuple[object, str, str]:
     """Group, direction and band."""
     line = result.measured.line
     group = "" if line.group is None else line.group
-    return group, line.direction, band_title(result.band) if result.band else ""
+    return group, tr(line.direction), band_title(result.band) if result.band else ""

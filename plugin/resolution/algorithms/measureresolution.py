@@ -21,6 +21,7 @@ from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
+from ...toolkit.band_titles import band_title
 from ...toolkit.translation import tr
 from ..measure import limits, messages
 
@@ -182,7 +183,8 @@ class MeasureResolution(SeamInspectorAlgorithm):
         resolution = judge_lines(raster, measured, target)
         for result in resolution.results:
             if result.reason is not None:
-                where = f"{result.measured.line.group} {result.measured.line.direction} {result.band}".strip()
+                line, band_name = result.measured.line, band_title(result.band) if result.band else ""
+                where = f"{line.group} {tr(line.direction)} {band_name}".strip()
                 run.tell(imagery_messages.ABOUT(what=where, why=result.reason))
         if not resolution.is_any_measured and not run.is_cancelled():
             raise SettingsError(messages.NO_LINE_MEASURED(count=count))

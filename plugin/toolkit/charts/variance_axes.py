@@ -19,7 +19,7 @@ def draw_frame(axes: Axes, levels: int, style: ChartStyle, logarithmic: bool) ->
     axes.yaxis.set_major_formatter(_plain)
     axes.set_xticks(np.arange(levels + 1), level_labels(levels))
     axes.set_xlim(-0.4, max(levels, 1) + 0.4)
-    axes.set_xlabel(tr("level"), color=style.text)
+    axes.set_xlabel(tr("level"), color=style.text, loc="right")  # a long word in a narrow chart is not cut off there
     axes.set_ylabel(tr("relative variance"), color=style.text)
     axes.tick_params(colors=style.text)
     axes.set_facecolor(style.background)
