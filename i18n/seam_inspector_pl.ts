@@ -19,12 +19,12 @@
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="122"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="128"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="112"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="118"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
@@ -39,7 +39,7 @@
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="112"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="118"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
@@ -109,7 +109,7 @@
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="71"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="77"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
@@ -119,7 +119,7 @@
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="83"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="89"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="105"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="111"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
@@ -194,72 +194,72 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="31"/>
+        <location filename="../plugin/imagery/messages.py" line="43"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="32"/>
+        <location filename="../plugin/imagery/messages.py" line="44"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="33"/>
+        <location filename="../plugin/imagery/messages.py" line="45"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="39"/>
+        <location filename="../plugin/imagery/messages.py" line="51"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="54"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="55"/>
+        <location filename="../plugin/imagery/messages.py" line="67"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="59"/>
+        <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>{levels} levels asked for; the decomposition has {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="73"/>
         <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="62"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="66"/>
+        <location filename="../plugin/imagery/messages.py" line="78"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <location filename="../plugin/imagery/messages.py" line="82"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="73"/>
+        <location filename="../plugin/imagery/messages.py" line="85"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="76"/>
+        <location filename="../plugin/imagery/messages.py" line="88"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="79"/>
+        <location filename="../plugin/imagery/messages.py" line="91"/>
         <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -324,42 +324,42 @@
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="10"/>
+        <location filename="../plugin/imagery/messages.py" line="22"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="11"/>
+        <location filename="../plugin/imagery/messages.py" line="23"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="13"/>
+        <location filename="../plugin/imagery/messages.py" line="25"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="14"/>
+        <location filename="../plugin/imagery/messages.py" line="26"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy albo zapisz w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="17"/>
+        <location filename="../plugin/imagery/messages.py" line="29"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="47"/>
+        <location filename="../plugin/imagery/messages.py" line="59"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="48"/>
+        <location filename="../plugin/imagery/messages.py" line="60"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="20"/>
+        <location filename="../plugin/imagery/messages.py" line="32"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -379,7 +379,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="18"/>
+        <location filename="../plugin/imagery/messages.py" line="30"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -414,7 +414,7 @@
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="36"/>
+        <location filename="../plugin/imagery/messages.py" line="48"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
@@ -1524,17 +1524,17 @@
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="81"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="82"/>
         <source>How many bars each group of the target has.</source>
         <translation>Ile pasków ma każda grupa testu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="87"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="88"/>
         <source>Number of the group whose distance is known. Higher numbers are finer.</source>
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="58"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="59"/>
         <source>Image</source>
         <translation>Obraz</translation>
     </message>
@@ -1799,117 +1799,117 @@
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="46"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="47"/>
         <source>Measure ground resolved distance</source>
         <translation>Zmierz terenową zdolność rozdzielczą (GRD)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="58"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="59"/>
         <source>The image of the target, north-up. One without georeference is taken as QGIS shows it.</source>
         <translation>Obraz testu, zorientowany na północ. Obraz bez georeferencji jest brany tak, jak pokazuje go QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="62"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="63"/>
         <source>Lines across the bars</source>
         <translation>Linie w poprzek pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="73"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="74"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="77"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="78"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="77"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="78"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="81"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="82"/>
         <source>Bars in a group</source>
         <translation>Liczba pasków w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="87"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="88"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="93"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="94"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="104"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="105"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="104"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="105"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="109"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="110"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="109"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="110"/>
         <source>Share of the full amplitude that the bars of a resolved group keep.</source>
         <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="122"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="123"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="122"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="123"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="127"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="128"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="127"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="128"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="130"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="136"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="131"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="132"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="132"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="133"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
         <source>Distance along the flight (cm)</source>
         <translation>GRD wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
         <source>Distance across the flight (cm)</source>
         <translation>GRD w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
         <source>Geometric mean of both distances (cm)</source>
         <translation>Średnia geometryczna obu wartości GRD (cm)</translation>
     </message>
@@ -2839,7 +2839,7 @@
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="85"/>
+        <location filename="../plugin/imagery/messages.py" line="97"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2919,7 +2919,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="51"/>
+        <location filename="../plugin/imagery/messages.py" line="63"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2959,17 +2959,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="44"/>
+        <location filename="../plugin/imagery/messages.py" line="56"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="57"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="43"/>
+        <location filename="../plugin/imagery/messages.py" line="55"/>
         <source>{name} is rotated, mirrored or south-up, so no windows can be laid on it by the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2999,27 +2999,27 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="102"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="103"/>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>The rules in {name} are no JSON (line {line}: {error}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (wiersz {line}: {error}); popraw plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="104"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="106"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="109"/>
+        <location filename="../plugin/imagery/messages.py" line="121"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -3029,17 +3029,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="124"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="125"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="114"/>
+        <location filename="../plugin/imagery/messages.py" line="126"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -3104,7 +3104,7 @@
         <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="12"/>
+        <location filename="../plugin/imagery/messages.py" line="24"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
@@ -3524,12 +3524,12 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="84"/>
+        <location filename="../plugin/imagery/messages.py" line="96"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="23"/>
+        <location filename="../plugin/imagery/messages.py" line="35"/>
         <source>Some points have no place in another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
@@ -3704,7 +3704,7 @@
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="26"/>
+        <location filename="../plugin/imagery/messages.py" line="38"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
@@ -3774,7 +3774,7 @@
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="83"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
@@ -4284,37 +4284,37 @@
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="17"/>
+        <location filename="../plugin/radiometry/words.py" line="18"/>
         <source>clipped at the dark end</source>
         <translation>obcięcie w cieniach</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="18"/>
+        <location filename="../plugin/radiometry/words.py" line="19"/>
         <source>clipped at the bright end</source>
         <translation>obcięcie w światłach</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="19"/>
+        <location filename="../plugin/radiometry/words.py" line="20"/>
         <source>histogram peak from mid-scale</source>
         <translation>odległość maksimum histogramu od środka skali</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="20"/>
+        <location filename="../plugin/radiometry/words.py" line="21"/>
         <source>contrast</source>
         <translation>kontrast</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="21"/>
+        <location filename="../plugin/radiometry/words.py" line="22"/>
         <source>signal to noise</source>
         <translation>stosunek sygnału do szumu</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="22"/>
+        <location filename="../plugin/radiometry/words.py" line="23"/>
         <source>colour balance</source>
         <translation>balans barw</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="23"/>
+        <location filename="../plugin/radiometry/words.py" line="24"/>
         <source>step at the seams</source>
         <translation>skok na liniach mozaikowania</translation>
     </message>
@@ -4339,7 +4339,7 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="48"/>
+        <location filename="../plugin/radiometry/words.py" line="49"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
@@ -4369,7 +4369,7 @@
         <translation>Dostępny zakres: od {low:g} do {high:g} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="32"/>
+        <location filename="../plugin/radiometry/words.py" line="33"/>
         <source>between bands</source>
         <translation>między kanałami</translation>
     </message>
@@ -4384,7 +4384,7 @@
         <translation>wynik</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="64"/>
+        <location filename="../plugin/radiometry/words.py" line="65"/>
         <source>{least} to {most}</source>
         <translation>od {least} do {most}</translation>
     </message>
@@ -5029,7 +5029,7 @@
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="52"/>
+        <location filename="../plugin/imagery/messages.py" line="64"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -5544,37 +5544,37 @@
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="87"/>
+        <location filename="../plugin/imagery/messages.py" line="99"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="100"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="89"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <location filename="../plugin/imagery/messages.py" line="102"/>
         <source>The server of {name} does not answer ({why}); check the network, and try again.</source>
         <translation>Serwer pliku {name} nie odpowiada ({why}); sprawdź połączenie z siecią i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="91"/>
+        <location filename="../plugin/imagery/messages.py" line="103"/>
         <source>The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests.</source>
         <translation>Serwer pliku {name} wysyła tylko całe pliki; skopiuj go na dysk lokalny albo na serwer, który obsługuje żądania zakresu (Range).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="94"/>
+        <location filename="../plugin/imagery/messages.py" line="106"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="97"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address and GDAL&apos;s settings.</source>
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
@@ -6169,12 +6169,12 @@
         <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="99"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="100"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>the file there is something else</source>
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
@@ -8254,27 +8254,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="105"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>{name} says &apos;{key}&apos; twice in one object; leave one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="107"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <location filename="../plugin/imagery/messages.py" line="120"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="122"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="123"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -8389,7 +8389,7 @@
         <translation>Połową czego musi być amplituda: własnych pasków grupy względem gładkich przerw czy pełnej amplitudy najgrubszej grupy, co jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="114"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="115"/>
         <source>Full amplitude</source>
         <translation>Pełna amplituda</translation>
     </message>
@@ -8484,67 +8484,67 @@
         <translation>bilinear: średnia najbliższych pikseli danej barwy. malvar: ostrzej, bo barwa zarejestrowana w danym miejscu mówi, gdzie zmieniają się też pozostałe (Malvar, He i Cutler 2004). edge_aware: wzdłuż krawędzi, przez OpenCV, które musi być zainstalowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="48"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="49"/>
         <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
         <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu paskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek pasków każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej paski, a amplituda pasków względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy pasków względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Paski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="62"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="63"/>
         <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, &apos;visible&apos; or &apos;invisible&apos;, in the fields &apos;observer&apos;, &apos;observer_2&apos; and so on.</source>
         <translation>Jedna linia w poprzek pasków każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do pasków. Obok może być zapisane, co widzieli obserwatorzy, „visible” lub „invisible”, w polach „observer”, „observer_2” i tak dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="73"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="74"/>
         <source>How far either side of the line the profile is averaged; less where that is more than bars are long.</source>
         <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="93"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="94"/>
         <source>Of the reference group, centimetres on the ground: the width of what the next line says.</source>
         <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="97"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="98"/>
         <source>Distances are widths of</source>
         <translation>GRD to szerokość</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="97"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="98"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
         <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="114"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="115"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
         <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
         <source>Standard deviation along the flight (cm)</source>
         <translation>Odchylenie standardowe wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
         <source>Standard deviation across the flight (cm)</source>
         <translation>Odchylenie standardowe w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
         <source>Standard deviation of the mean (cm)</source>
         <translation>Odchylenie standardowe średniej (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
         <source>Distance along the flight that all observers see (cm)</source>
         <translation>GRD wzdłuż kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
         <source>Distance across the flight that all observers see (cm)</source>
         <translation>GRD w poprzek kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
         <source>Contrast of the target, bars to gaps</source>
         <translation>Kontrast testu, paski do przerw</translation>
     </message>
@@ -8604,77 +8604,77 @@
         <translation>odrzucono</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="29"/>
+        <location filename="../plugin/radiometry/words.py" line="30"/>
         <source>undecided</source>
         <translation>nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="33"/>
+        <location filename="../plugin/radiometry/words.py" line="34"/>
         <source>each band</source>
         <translation>każdy kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="34"/>
+        <location filename="../plugin/radiometry/words.py" line="35"/>
         <source>luminosity</source>
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="105"/>
+        <location filename="../plugin/radiometry/words.py" line="106"/>
         <source>The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}.</source>
         <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="119"/>
+        <location filename="../plugin/radiometry/words.py" line="120"/>
         <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
         <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}; {green:.1f}; {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="138"/>
+        <location filename="../plugin/radiometry/words.py" line="139"/>
         <source>{check} is {value}; the limit is {limit}.</source>
         <translation>{check}: {value}; granica: {limit}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="144"/>
+        <location filename="../plugin/radiometry/words.py" line="145"/>
         <source>Not measurable and required: {checks}.</source>
         <translation>Niemierzalne i wymagane: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="146"/>
+        <location filename="../plugin/radiometry/words.py" line="147"/>
         <source>Not measurable and not required: {checks}.</source>
         <translation>Niemierzalne i niewymagane: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="165"/>
+        <location filename="../plugin/radiometry/words.py" line="166"/>
         <source>The rules set no limit that it could be held against.</source>
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="162"/>
+        <location filename="../plugin/radiometry/words.py" line="163"/>
         <source>Beyond their limits: {images}; by {checks}.</source>
         <translation>Poza granicami: {images}; reguły: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="165"/>
+        <location filename="../plugin/radiometry/words.py" line="166"/>
         <source>Not measurable and required: {checks}; in {images}.</source>
         <translation>Niemierzalne i wymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="169"/>
+        <location filename="../plugin/radiometry/words.py" line="170"/>
         <source>Not looked at: {count}.</source>
         <translation>Nie sprawdzono: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="173"/>
+        <location filename="../plugin/radiometry/words.py" line="174"/>
         <source>Not measurable and not required: {checks}; in {images}.</source>
         <translation>Niemierzalne i niewymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="176"/>
+        <location filename="../plugin/radiometry/words.py" line="177"/>
         <source>All figures keep their limits.</source>
         <translation>Wszystkie wartości mieszczą się w granicach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="187"/>
+        <location filename="../plugin/radiometry/words.py" line="188"/>
         <source>{names} and {count} more</source>
         <translation>{names} i jeszcze {count}</translation>
     </message>
@@ -11122,6 +11122,46 @@
         <location filename="../plugin/toolkit/algorithms/ready_rules.py" line="12"/>
         <source>Seam Inspector&apos;s own</source>
         <translation>granica własna wtyczki Seam Inspector</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="10"/>
+        <source>{name} is a device, a pipe or memory, not a file; copy its data to a file.</source>
+        <translation>{name} jest urządzeniem, potokiem albo pamięcią, a nie plikiem; skopiuj dane do pliku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="11"/>
+        <source>{name} is a VRT that leads to {path}, which is no file; mend the VRT.</source>
+        <translation>{name} jest plikiem VRT, który prowadzi do {path}, a to nie jest plik; popraw plik VRT.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="12"/>
+        <source>{name} is a VRT of more than {most} files; make VRTs of parts of the block.</source>
+        <translation>{name} jest plikiem VRT złożonym z więcej niż {most} plików; utwórz pliki VRT z części bloku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="13"/>
+        <source>{name} has {count} bands and {most} are the most; take out those that are to be measured.</source>
+        <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, a może mieć najwyżej {most}; wydziel te, które mają być mierzone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="14"/>
+        <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles.</source>
+        <translation>Raster {name} jest zapisany w blokach {width} × {height} px, zbyt dużych do odczytu; zapisz go ponownie w kaflach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="17"/>
+        <source>{name} says it has {columns} x {rows} px, as no raster has; the file is damaged, so copy it anew.</source>
+        <translation>Raster {name} ma mieć {columns} × {rows} px, jakich nie ma żaden raster; plik jest uszkodzony, więc skopiuj go ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="18"/>
+        <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
+        <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="21"/>
+        <source>{name} is {columns} px wide and {most} are the most; cut it into sheets first.</source>
+        <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
     </message>
 </context>
 </TS>
