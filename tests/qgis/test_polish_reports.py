@@ -20,14 +20,14 @@ ENGLISH = re.compile(
     r"\b(the|of|and|with|is|are|was|were|not|none|unknown|yes|from|at most|at least|"
     r"significant|reduced|preserved|comparable|inspected|visible|invisible|unsure|judged|blur|feathering|resampled|sharpened|"
     r"compressed|clipping|dodging|shift|narrowed|balanced|unclear|missing|mosaic|source|sources|composite|orthoimage|"
-    r"luminance|luminosity|red|green|blue|near|infrared|band|level|detail|background|window|windows|seam|seams|low|moderate|"
+    r"luminance|luminosity|red|green|blue|near|infrared|band|level|detail|background|window|windows|seam|low|moderate|"
     r"strong|uncertain|grain|along|across|flight|resolved|group|bars|control|check|blunder|residual|mean|largest|accepted|"
     r"rejected|undecided|passed|failed|normal|tightened|higher|lower|measured|given|similarity|affine|projective|"
     r"correlation|cross|dot|ring|wedge|temporary|layer|file|image|size|bands|limit|threshold)\b",
     re.IGNORECASE,
 )
 NAMES = re.compile(
-    r"[\w/.\-]*\.(tif|gpkg|csv|json|xml|html|jpg|dat)|(warstwy|arkusze:|\d,) seams|/tmp/\S+|„[^”]*”|QGIS [\d.]+\S*|"
+    r"[\w/.\-]*\.(tif|gpkg|csv|json|xml|html|jpg|dat)|/tmp/\S+|„[^”]*”|QGIS [\d.]+\S*|"
     r"Seam Inspector [\d.]+|\b\w+_\w+\b|EPSG:\d+|WGS 84[^<|]*|JRC, Orthoimage[^:]*:|Arrêté.*\)|delimitedtext\S*|"
     r"\b(LOSS|PLAN|ROBUST|GEOID)\b",
 )
