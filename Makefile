@@ -9,6 +9,8 @@ SIDE_BY_SIDE := -n auto --maxprocesses 4 --dist loadfile
 ALSO_UNDER_QT6 := $(addprefix tests/qgis/,$(addprefix seams/desk/,images judging profile/test_profile_panel.py \
 	test_curves_panel.py test_windows_panel.py) $(addprefix toolkit/,test_attribute_values.py test_figure_files.py \
 	test_fitting_tool_bar.py test_latest_only.py test_numbers_in_words.py test_scroll_body.py test_theme.py))
+# Of Qt 5 or 6, whichever there is: the compiled file is the same
+LRELEASE = $(firstword $(shell command -v lrelease lrelease-qt5 lrelease-qt6 /usr/lib/qt6/bin/lrelease) lrelease)
 TRANSLATIONS := $(patsubst %.ts,%.qm,$(wildcard i18n/*.ts))
 
 # QGIS and Python find the package by its name, not by the checkout's
@@ -31,7 +33,7 @@ $(PACKAGE):
 	@ln -sfn ../.. $@
 
 %.qm: %.ts
-	lrelease -silent $< -qm $@
+	$(LRELEASE) -silent $< -qm $@
 
 lint: link ## Check style and types
 	$(PYTHON) -m ruff check .
@@ -104,9 +106,7 @@ fuzz: link ## Play broken inputs through every algorithm: MINUTES=10 SEED=1 ALGO
 		$(if $(ALGORITHM),--algorithm $(ALGORITHM)) $(if $(CASE),--case "$(CASE)")
 
 translate: link ## Collect new texts into the translations, then compile them
-	$(PYTHON) tools/template_texts.py resources > build/template_texts.py
-	pylupdate5 -noobsolete -tr-function Message $$(find plugin build/template_texts.py -name '*.py') \
-		-ts i18n/seam_inspector_pl.ts
+	$(PYTHON) -m tools.collect_translations i18n/seam_inspector_pl.ts
 	$(MAKE) link
 
 soak: link ## Inspect 5,000 windows and judge 500 in the real application, and tell what grows; FEWER=20 for a try

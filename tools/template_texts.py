@@ -1,4 +1,4 @@
-"""Print the texts of reports' templates, layers' styles, rules and models as Python, for the tool that collects them.
+"""The texts of reports' templates, layers' styles, rules and models, for the tool that collects them.
 
 Templates mark them by ``tr("...")``, styles by ``/*tr*/'...'``; the labels of a style are texts too, and of rules
 and models what people read of them.
@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import re
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from xml.etree.ElementTree import Element, fromstring
@@ -49,8 +48,3 @@ def _of_model(option: Element, is_help: bool) -> Iterator[str]:
         if value and (is_help or name in _MODEL_TEXTS) and name not in _MODEL_FACTS and one.get("type") == "QString":
             yield value
         yield from _of_model(one, is_help or name == "help")
-
-
-if __name__ == "__main__":
-    for text in dict.fromkeys(texts(Path(sys.argv[1]))):
-        print(f"tr({text!r})")
