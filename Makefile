@@ -82,6 +82,7 @@ demo: link ## Inspect a generated block, or with DATA=folder your own rasters; r
 		$(if $(SIDE),--side $(SIDE)) $(if $(SPACING),--spacing $(SPACING))
 	$(if $(DATA),,@$(PYTHON) -m demo.screenshot --block output/demo/block --output output/demo)
 
+.PHONY: demo-data
 demo-data: link ## Make all data that the examples of docs/algorithms take, in output/demo
 	QT_QPA_PLATFORM=offscreen $(PYTHON) -m demo.data output/demo
 

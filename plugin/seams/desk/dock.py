@@ -11,6 +11,7 @@ from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
     QGridLayout,
+    QHBoxLayout,
     QProgressBar,
     QTabWidget,
     QToolButton,
@@ -188,7 +189,7 @@ class InspectionDock(ToolDock):
     def _lay_out(self) -> None:
         steps = (self.steps.undo, self.steps.redo)
         actions = [self.draw, self.place, self.inspect, self.scan, self.inspect_selected, self.swiping.action]
-        toolbar = FittingToolBar([*actions, *steps, self.report, self.help], worded=[self.inspect, self.place])
+        toolbar = FittingToolBar([*actions, *steps, self.report], worded=[self.inspect, self.place])
         for action in (self.scan, self.swiping.action):
             toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         toolbar.widgetForAction(self.scan).addAction(self.worst)
@@ -196,11 +197,19 @@ class InspectionDock(ToolDock):
         for tab in self._tabs:
             tabs.setTabToolTip(tabs.addTab(ScrollBody(self.panels[tab.name]), tr(tab.title)), tr(tab.tooltip))
         tabs.setDocumentMode(True)
-        lost = QToolButton()  # in sight whatever tab is: it is for the map and the images alike
-        lost.setDefaultAction(self.lost.action)
-        lost.setAutoRaise(True)
-        tabs.setCornerWidget(lost)
-        QWidget.setTabOrder(tabs.tabBar(), lost)
+        corner = QWidget()  # in sight whatever tab is: lost detail is for the map and the images alike
+        row = QHBoxLayout(corner)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(0)
+        before: QWidget = tabs.tabBar()
+        for action in (self.lost.action, self.help):
+            button = QToolButton()
+            button.setDefaultAction(action)
+            button.setAutoRaise(True)
+            row.addWidget(button)
+            QWidget.setTabOrder(before, button)
+            before = button
+        tabs.setCornerWidget(corner)
         self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
         self.setWidget(self._body)
 
