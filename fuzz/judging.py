@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 
 from fuzz.running import Outcome
 
+UNBROKEN = "unbroken"
+"""How a case ends whose file its breakage can do nothing with."""
 MOST_BYTES = 2 * 2**30
 OF_QGIS = (
     "Could not load source layer for", "Could not create destination layer for", "Incorrect parameter value for",
@@ -25,7 +27,7 @@ class Report:
 
     case: str
     ended: str
-    """refused, failed, ran, crashed or hung."""
+    """refused, failed, ran, unbroken, crashed, hung or too much memory."""
     findings: list[str] = field(default_factory=list)
     said: list[str] = field(default_factory=list)
     stderr: str = ""

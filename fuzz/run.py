@@ -15,11 +15,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from fuzz.cases import SOUND, Case
-from fuzz.judging import Report, kind_of
+from fuzz.judging import UNBROKEN, Report, kind_of
 from fuzz.workers import Worker
 
 FRESH_AFTER = 500  # cases, so that what piles up in a process stays small
-ENDS = ("refused", "failed", "ran", "findings")
+ENDS = ("refused", "failed", "ran", UNBROKEN, "findings")
 
 
 def main() -> int:
@@ -47,14 +47,14 @@ def main() -> int:
         print("No such algorithm or breakage.")
         return 2
     print(f"seed {seed}, {len(kinds)} kinds of cases, {arguments.minutes:g} minutes")
-    session = Session(folder, _cases(kinds, seed), time.monotonic() + 60 * arguments.minutes, arguments.most)
+    session = Session(folder, endless_cases(kinds, seed), time.monotonic() + 60 * arguments.minutes, arguments.most)
     session.play(first, arguments.jobs)
     print_tables(session.reports)
     write_findings(session.reports, folder / "findings.txt")
     return int(any(report.findings for report in session.reports))
 
 
-def _cases(kinds: list[Case], seed: int) -> Iterator[Case]:
+def endless_cases(kinds: list[Case], seed: int) -> Iterator[Case]:
     """Each sound call, then without an end: algorithm by algorithm, each with its kinds in an order of chance."""
     yield from (kind for kind in kinds if kind.breakage == SOUND)
     chance = random.Random(seed)

@@ -19,7 +19,7 @@ from qgis.core import QgsApplication, QgsProject
 from seam_inspector.plugin.provider import SeamInspectorProvider
 
 from fuzz.cases import NOTHING, Case, kinds, values_of
-from fuzz.judging import MOST_BYTES, Report, judged
+from fuzz.judging import MOST_BYTES, UNBROKEN, Report, judged
 from fuzz.running import Outcome, outputs, run
 from fuzz.samples import make_samples
 from fuzz.watching import differences, state_of
@@ -50,8 +50,12 @@ class Player:
         said = open(folder / SAID, "w+b")  # noqa: SIM115 - stands for stdout and stderr, also when the process dies
         os.dup2(said.fileno(), 1)
         os.dup2(said.fileno(), 2)
-        with gdal_quiet():
-            values = values_of(case, self.samples, inputs, self._outside / "secret.txt")
+        try:
+            with gdal_quiet():
+                values = values_of(case, self.samples, inputs, self._outside / "secret.txt")
+        except Exception:  # such as a document that is no layer, which can't be broken as one
+            shutil.rmtree(folder, ignore_errors=True)
+            return Report(str(case), UNBROKEN)
         watched = (self.samples, inputs, self._here, self._outside)
         before = state_of(watched)
         _forget_peak()
@@ -67,6 +71,7 @@ class Player:
         changed = differences(before, state_of(watched))
         if case.algorithm in MODELS:  # QGIS itself loads a model's rasters, and keeps statistics of them
             changed = [one for one in changed if not one.endswith((".aux.xml", ".vrt"))]
+            report.stderr = ""  # and tries what cannot be opened as a mesh, aloud
         report.findings = judged(outcome, report.stderr) + changed
         if report.peak_bytes > MOST_BYTES:
             report.findings.append(f"took {report.peak_bytes / 2**30:.1f} GB")

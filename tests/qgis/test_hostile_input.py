@@ -1,12 +1,17 @@
 """`make fuzz` knows every algorithm and every file of theirs, and finds nothing in a few of its cases."""
 from __future__ import annotations
 
+from itertools import islice
+from pathlib import Path
+
 import pytest
 from qgis.core import QgsProcessingProvider
 
 from fuzz.breakages.broken import BREAKAGES
 from fuzz.calls import CALLS
 from fuzz.cases import NO_FILE, SOUND, kinds
+from fuzz.run import endless_cases
+from fuzz.workers import Worker
 from tests.qgis.runs import algorithm
 from tests.qgis.test_overwriting import INPUTS
 from tests.qgis.test_provider import NAMES
@@ -30,3 +35,38 @@ def test_every_breakage_is_played() -> None:
     assert set(BREAKAGES) <= {case.breakage for case in kinds()}
     assert len({str(case) for case in kinds()}) == len(kinds())
     assert sum(case.breakage == SOUND for case in kinds()) == len(CALLS)
+
+
+FOUND = (
+    "simulatebayer/mosaic/RASTER/vrt_of_memory/255174946",
+    "checknoise/windows/RASTERS/vrt_of_memory/372381571",
+    "inspectwindows/cells/SOURCES/a_pipe/706052501",
+    "placewindows/lines/SEAMLINES/a_pipe/1",
+    "orthorectify/frame/INTERIOR/a_device/134046355",
+    "acceptmosaic/rules/RULES/a_device/1",
+    "simulatebayer/big/RASTER/vrt_of_no_size/826561445",
+    "enhancephoto/gaussian/PHOTO/sparse/58338084",
+    "comparesensormodels/heights/GEOID/sparse/242540163",
+)
+"""Cases that crashed, hung or took all memory once."""
+QUICK = {
+    "placewindows", "inspectwindows", "planinspection", "predictloss", "minimumheight", "simulatebayer", "comparemarks",
+    "enhancephoto", "orthorectify", "report",
+}
+COUNT = 50
+
+
+def test_a_few_cases_find_nothing(tmp_path: Path) -> None:
+    """No crash, no hang, no traceback, nothing outside the outputs, no error without a sentence."""
+    broken = [case for case in kinds() if case.algorithm in QUICK and case.breakage != SOUND]
+    chosen = [*FOUND, *map(str, islice(endless_cases(broken, 1), COUNT))]
+    worker = Worker(tmp_path / "samples", tmp_path / "worker")
+    findings = {}
+    for case in chosen:
+        report = worker.play(case)
+        if report.findings:
+            findings[case] = report.findings
+        if worker.is_lost:
+            break
+    worker.close()
+    assert findings == {}

@@ -23,6 +23,7 @@ MAX_SIGMA_CHANGE = 0.1  # relative: the standard deviation of the points has set
 DEFAULT_SIGMA_PX = 0.5  # a point identified in an image
 
 
+@np.errstate(all="ignore")  # points that mean nothing are told by the fit that does not converge
 def fit_pushbroom(
     ground: np.ndarray,
     image: np.ndarray,
