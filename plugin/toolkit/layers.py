@@ -1,6 +1,7 @@
 """QGIS layers and Processing values -> the plain data that is measured."""
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from functools import lru_cache
 
@@ -117,12 +118,15 @@ def extent(geometry: QgsGeometry) -> Extent:
 def outline_extent(feature: QgsFeature, transform: QgsCoordinateTransform | None = None) -> Extent | None:
     """The bounding box of a feature, transformed where a transform is given; None when it has no outline.
 
-    Raises WindowError when it can't be transformed.
+    Raises WindowError when it can't be transformed, or its coordinates are no numbers.
     """
     geometry = feature.geometry()
     if geometry.isEmpty():
         return None
-    return extent(geometry if transform is None else _transformed(QgsGeometry(geometry), transform))
+    bounds = extent(geometry if transform is None else _transformed(QgsGeometry(geometry), transform))
+    if not all(map(math.isfinite, bounds)):
+        raise WindowError(messages.WINDOW_EMPTY())
+    return bounds
 
 
 def rectangle(bounds: Extent) -> QgsGeometry:

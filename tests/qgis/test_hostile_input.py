@@ -47,6 +47,7 @@ FOUND = (
     "simulatebayer/big/RASTER/vrt_of_no_size/826561445",
     "enhancephoto/gaussian/PHOTO/sparse/58338084",
     "comparesensormodels/heights/GEOID/sparse/242540163",
+    "acceptmosaic/limits/WINDOWS/shapes/483435043",
 )
 """Cases that crashed, hung or took all memory once."""
 QUICK = {
