@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Callable, Generic, TypeVar
 
+import numpy as np
 from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
 from .version_differences import field
@@ -31,7 +32,8 @@ class Column(Generic[Result]):
     def values(self, result: Result, levels: int) -> Sequence[object]:
         """Of the fields."""
         found = self.value(result)
-        return ([None] * levels if found is None else found) if self.by_level else [found]
+        listed = ([None] * levels if found is None else found) if self.by_level else [found]
+        return [value.item() if isinstance(value, np.generic) else value for value in listed]  # fields take no numpy's
 
 
 def column_fields(columns: Iterable[Column[Result]], levels: int = 0) -> QgsFields:

@@ -35,9 +35,15 @@ def test_a_stranger_installs_and_uses_it(package: Path, small_block: Path, tmp_p
     assert run.report["provider"]
     assert set(run.report["verdicts"]) & {"significant", "reduced", "preserved"}
     assert run.report["tooltip"] != ENGLISH
-    assert [line for line in run.report["noted"] if "seam" in line.lower() or "python" in line.lower()] == []
+    assert [line for line in run.report["noted"] if is_ours(line)] == []
     if PROGRAM is not None:
         use_from_the_command_line(PROGRAM, tmp_path / "profiles", small_block, tmp_path / "placed.gpkg")
+
+
+def is_ours(noted: str) -> bool:
+    """Whether a line of QGIS's log is about the plugin; with Python 3.14 QGIS's own installer is told of old ways."""
+    is_own_code = "plugins/seam_inspector/" in noted or noted.startswith("Seam Inspector")
+    return is_own_code or ("python" in noted.lower() and "DeprecationWarning" not in noted)
 
 
 def use_from_the_command_line(program: str, profiles: Path, block: Path, output: Path) -> None:

@@ -6,8 +6,8 @@ set -euo pipefail
 SUITE=$1 ROOT=$2 WHEELS=$3 MIRROR=${4:-}
 HERE=$(dirname "$(readlink -f "$0")")
 PACKAGES="qgis python3-qgis gdal-bin python3-gdal python3-numpy python3-pywt python3-scipy python3-matplotlib
-    python3-jinja2 python3-yaml python3-pytest python3-pytest-xdist python3-hypothesis python3-skimage python3-opencv
-    python3-distributed python3-hatchling python3-venv python3-pip git xvfb xauth libgl1-mesa-dri fonts-dejavu-core
+    python3-jinja2 python3-yaml python3-markdown-it python3-pytest python3-pytest-xdist python3-hypothesis python3-skimage
+    python3-opencv python3-distributed python3-hatchling python3-venv python3-pip git xvfb xauth libgl1-mesa-dri fonts-dejavu-core
     fonts-open-sans procps poppler-utils"
 
 if ! command -v debootstrap >/dev/null; then
