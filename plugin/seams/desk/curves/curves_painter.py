@@ -186,6 +186,6 @@ class ChartPainter:
         axes.set_xticks(range(levels + 1), level_labels(levels, in_two_rows))
         axes.xaxis.label.set_visible(roomy and not in_two_rows)  # they would meet
         axes.yaxis.label.set_visible(roomy)
-        axes.xaxis.set_label_coords(0.5, -(TICK_PX + line) / up)  # their own places take a third of the drawing
+        axes.xaxis.set_label_coords(1, -(TICK_PX + line) / up)  # their own places take a third of the drawing
         axes.yaxis.set_label_coords(-(left - 1.2 * line) / across, 0.5)
         set_font(axes, room)
