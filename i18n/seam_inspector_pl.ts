@@ -4,87 +4,87 @@
 <context>
     <name>@default</name>
     <message>
-        <location filename="../build/template_texts.py" line="279"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="45"/>
         <source>Inspect windows</source>
         <translation>Skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="59"/>
         <source>Windows</source>
         <translation>Okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="61"/>
         <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured is the rectangle around each, snapped to the mosaic&apos;s pixels.</source>
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="128"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="129"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="118"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="119"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="104"/>
         <source>Detail by direction</source>
         <translation>Detale według kierunków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="106"/>
         <source>Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level&apos;s detail. Takes several times as long as the curves alone.</source>
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="118"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="121"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="283"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="83"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="113"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="115"/>
         <source>The rectangles as measured, with their verdict and ratios: the largest over the sources.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="280"/>
+        <location filename="../plugin/desk_tabs.py" line="14"/>
         <source>Curves</source>
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="286"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="119"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="281"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="59"/>
         <source>Pairs</source>
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="287"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="123"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="131"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="133"/>
         <source>Windows with a significant loss</source>
         <translation>Okna z istotną stratą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="131"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="134"/>
         <source>Windows that can&apos;t be compared</source>
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="297"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="177"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -94,97 +94,97 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="300"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="71"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="291"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="72"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="308"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="88"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="77"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="82"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="306"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="91"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="89"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="94"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="298"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="103"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="290"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="48"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="111"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="112"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="40"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="41"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="284"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="31"/>
         <source>Place windows along seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="32"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="34"/>
         <source>Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window&apos;s side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had to be dropped.</source>
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="302"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="98"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="292"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="45"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="304"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="95"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="293"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="96"/>
         <source>What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="310"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="55"/>
         <source>Spacing (metres)</source>
         <translation>Odstęp okien (metry)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="296"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="56"/>
         <source>Distance between the centres of neighbouring windows, measured along the seam.</source>
         <translation>Odległość między środkami sąsiednich okien, mierzona wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="59"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="61"/>
         <source>The windows, with the number of their seam and their station along it in metres.</source>
         <translation>Okna z numerem linii mozaikowania i pikietażem wzdłuż niej w metrach.</translation>
     </message>
@@ -204,12 +204,12 @@
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="46"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="51"/>
+        <location filename="../plugin/imagery/messages.py" line="52"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
@@ -219,7 +219,7 @@
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="67"/>
+        <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
@@ -234,32 +234,32 @@
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="74"/>
+        <location filename="../plugin/imagery/messages.py" line="75"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="82"/>
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="85"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="89"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="91"/>
+        <location filename="../plugin/imagery/messages.py" line="92"/>
         <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -269,27 +269,27 @@
         <translation>Odstęp okien wynosi {spacing} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="29"/>
+        <location filename="../plugin/seams/measure/messages.py" line="30"/>
         <source>A window of {side} m has {pixels} px a side on this mosaic and {levels} levels need at least {fewest} px; give a side of {metres} m or more.</source>
         <translation>Okno o boku {side} m ma na tej ortofotomapie bok {pixels} px, a {levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} co najmniej {fewest} px; podaj bok {metres} m lub większy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="33"/>
+        <location filename="../plugin/seams/measure/messages.py" line="34"/>
         <source>The mosaic is {width:.1f} x {height:.1f} m, too small for a window of {side:.1f} m; give a shorter side.</source>
         <translation>Ortofotomapa ma {width:.1f} × {height:.1f} m i jest za mała na okno o boku {side:.1f} m; podaj krótszy bok.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="36"/>
+        <location filename="../plugin/seams/measure/messages.py" line="37"/>
         <source>Seam {seam} has no window at {station:.1f} m: it would stick out of the mosaic or hold too few valid pixels, and there is no room beside.</source>
         <translation>Linia mozaikowania {seam} nie ma okna na {station:.1f} m: wystawałoby poza ortofotomapę lub zawierało zbyt mało pikseli z danymi, a obok nie ma miejsca.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="40"/>
+        <location filename="../plugin/seams/measure/messages.py" line="41"/>
         <source>Seam {seam} has no windows from {start:.1f} to {end:.1f} m: they would stick out of the mosaic or hold too few valid pixels, and there is no room beside.</source>
         <translation>Linia mozaikowania {seam} nie ma okien od {start:.1f} do {end:.1f} m: wystawałyby poza ortofotomapę lub zawierały zbyt mało pikseli z danymi, a obok nie ma miejsca.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="44"/>
+        <location filename="../plugin/seams/measure/messages.py" line="45"/>
         <source>Left out because they would share more than half of their pixels with another window of the same seam: {count}.</source>
         <translation>Okna pominięte, ponieważ miałyby ponad połowę pikseli wspólnych z innym oknem tej samej linii mozaikowania: {count}.</translation>
     </message>
@@ -339,7 +339,7 @@
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="26"/>
+        <location filename="../plugin/imagery/messages.py" line="27"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy albo zapisz w pliku.</translation>
     </message>
@@ -354,12 +354,12 @@
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="60"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="32"/>
+        <location filename="../plugin/imagery/messages.py" line="33"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -369,7 +369,7 @@
         <translation>Największy stosunek wariancji przy istotnej stracie wynosi {ratio}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="18"/>
+        <location filename="../plugin/seams/measure/messages.py" line="19"/>
         <source>No sources are given; choose the orthoimages the mosaic was made from, or their index layer.</source>
         <translation>Nie podano ortoobrazów źródłowych; wybierz ortoobrazy, z których powstała ortofotomapa, albo warstwę ich indeksu.</translation>
     </message>
@@ -404,7 +404,7 @@
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="72"/>
+        <location filename="../plugin/seams/measure/messages.py" line="73"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
@@ -414,7 +414,7 @@
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="48"/>
+        <location filename="../plugin/imagery/messages.py" line="49"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
@@ -469,12 +469,12 @@
         <translation>{count} {count:okno bez własnego numeru otrzymało kolejny wolny numer|okna bez własnego numeru otrzymały kolejne wolne numery|okien bez własnego numeru otrzymało kolejne wolne numery}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="26"/>
+        <location filename="../plugin/toolkit/messages.py" line="27"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos; or leave the scheduler empty.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="29"/>
+        <location filename="../plugin/toolkit/messages.py" line="30"/>
         <source>The Dask scheduler at {address} does not answer ({error}); check the address or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres albo pozostaw pole puste.</translation>
     </message>
@@ -489,7 +489,7 @@
         <translation>istotna strata poniżej</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="73"/>
+        <location filename="../plugin/seams/charts/window_curves.py" line="79"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -499,22 +499,22 @@
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="71"/>
+        <location filename="../plugin/toolkit/charts/variance_axes.py" line="23"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="55"/>
+        <location filename="../plugin/plugin.py" line="59"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="36"/>
+        <location filename="../plugin/plugin.py" line="44"/>
         <source>Inspect how much detail a mosaic kept along its seams</source>
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/window_pictures.py" line="52"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="216"/>
         <source>Read pictures</source>
         <translation>Wczytaj obrazy</translation>
     </message>
@@ -524,7 +524,7 @@
         <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą; prawy przycisk myszy: więcej opcji</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="4"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="137"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
@@ -544,7 +544,7 @@
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="51"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="120"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -554,47 +554,47 @@
         <translation>źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="22"/>
+        <location filename="../plugin/seams/verdict_words.py" line="23"/>
         <source>significant</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="238"/>
+        <location filename="../plugin/seams/verdict_words.py" line="25"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="239"/>
+        <location filename="../plugin/seams/verdict_words.py" line="26"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="240"/>
+        <location filename="../plugin/seams/verdict_words.py" line="28"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="241"/>
+        <location filename="../plugin/seams/verdict_words.py" line="33"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="55"/>
+        <location filename="../plugin/seams/verdict_words.py" line="57"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="56"/>
+        <location filename="../plugin/seams/verdict_words.py" line="57"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="32"/>
+        <location filename="../plugin/seams/verdict_words.py" line="33"/>
         <source>Not inspected yet.</source>
         <translation>Okno nie było jeszcze kontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="27"/>
+        <location filename="../plugin/seams/verdict_words.py" line="30"/>
         <source>The mosaic could not be compared with a source here.</source>
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
@@ -654,7 +654,7 @@
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="242"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="163"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
@@ -664,22 +664,22 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="257"/>
+        <location filename="../plugin/radiometry/report.py" line="124"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="247"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="248"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="252"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="76"/>
         <source>new layer</source>
         <translation>nowa warstwa</translation>
     </message>
@@ -724,7 +724,7 @@
         <translation>brak: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/layer_box.py" line="56"/>
+        <location filename="../plugin/toolkit/desk/layer_box.py" line="57"/>
         <source>can&apos;t be used: {name}</source>
         <translation>nie można użyć: {name}</translation>
     </message>
@@ -744,7 +744,7 @@
         <translation>{count} {count:okno|okna|okien}: średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="242"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="149"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
@@ -754,7 +754,7 @@
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="149"/>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="48"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
@@ -769,7 +769,7 @@
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="155"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="233"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
@@ -779,32 +779,32 @@
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="158"/>
+        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="62"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="49"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="50"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="53"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="54"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="60"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="61"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="34"/>
         <source>Judge visible</source>
         <translation>Strata widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="36"/>
         <source>Judge invisible</source>
         <translation>Strata niewidoczna</translation>
     </message>
@@ -874,52 +874,52 @@
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="30"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="31"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="32"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="32"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="51"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="55"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="40"/>
         <source>Take judgement back</source>
         <translation>Wycofaj opinię</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="41"/>
         <source>The selected windows are not judged yet.</source>
         <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="48"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="49"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
@@ -929,42 +929,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="169"/>
+        <location filename="../plugin/seams/desk/dock.py" line="172"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="169"/>
+        <location filename="../plugin/seams/desk/dock.py" line="172"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="172"/>
+        <location filename="../plugin/seams/desk/dock.py" line="174"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="172"/>
+        <location filename="../plugin/seams/desk/dock.py" line="174"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -974,12 +974,12 @@
         <translation>Cofnij</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="11"/>
+        <location filename="../plugin/desk_tabs.py" line="25"/>
         <source>Images</source>
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="270"/>
+        <location filename="../plugin/seams/desk/dock.py" line="283"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -1014,62 +1014,62 @@
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="59"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="90"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="94"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="95"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="52"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="99"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="132"/>
         <source>src.</source>
         <translation>źr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="129"/>
         <source>sources</source>
         <translation>źródła</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="53"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="135"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="184"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="140"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="27"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="28"/>
         <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="94"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="95"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="130"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="136"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="127"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="141"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
@@ -1089,7 +1089,7 @@
         <translation>Oś logarytmiczna, która uwidacznia najdokładniejsze poziomy; po wyłączeniu: oś liniowa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/charts/chart_loader.py" line="25"/>
+        <location filename="../plugin/toolkit/charts/chart_loader.py" line="26"/>
         <source>The chart needs the Python package matplotlib: install python3-matplotlib with apt on Debian and Ubuntu, or run &apos;python -m pip install matplotlib&apos; in the OSGeo4W shell on Windows.</source>
         <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
     </message>
@@ -1134,52 +1134,52 @@
         <translation>Zapisz lub skopiuj to, co widać: jako obraz albo jako tabelę wszystkich wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="30"/>
         <source>The picture, for documents</source>
         <translation>Obraz do dokumentów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="29"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="31"/>
         <source>Save as SVG...</source>
         <translation>Zapisz jako SVG...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="29"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="31"/>
         <source>The picture, sharp at every size</source>
         <translation>Obraz ostry w każdej wielkości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="32"/>
         <source>Save as CSV...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="29"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="32"/>
         <source>All rasters and bands of the windows</source>
         <translation>Wszystkie rastry i kanały w oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="33"/>
         <source>Copy picture</source>
         <translation>Kopiuj obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="33"/>
         <source>To the clipboard</source>
         <translation>Do schowka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="34"/>
         <source>Copy values</source>
         <translation>Kopiuj wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="34"/>
         <source>To the clipboard, for a spreadsheet</source>
         <translation>Do schowka, do arkusza kalkulacyjnego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="53"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="44"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
@@ -1189,7 +1189,7 @@
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="59"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="52"/>
         <source>Table with commas</source>
         <translation>Tabela rozdzielana przecinkami</translation>
     </message>
@@ -1199,12 +1199,12 @@
         <translation>Zapisz krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="86"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="88"/>
         <source>The curves were not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano krzywych w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="86"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="87"/>
         <source>The curves were saved to {path}.</source>
         <translation>Zapisano krzywe w {path}.</translation>
     </message>
@@ -1224,7 +1224,7 @@
         <translation>Powiększ wszystkie obrazy (kółko, +)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="48"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="49"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
@@ -1244,7 +1244,7 @@
         <translation>Brak obrazu: w tym oknie nie można odczytać ani ortofotomapy, ani ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="145"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="215"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
     </message>
@@ -1259,17 +1259,17 @@
         <translation>{window}: bez pokrycia źródłami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="63"/>
+        <location filename="../plugin/seams/measure/messages.py" line="64"/>
         <source>No window layer can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy okien w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="9"/>
+        <location filename="../plugin/toolkit/messages.py" line="10"/>
         <source>The window layer {name} can&apos;t be edited; choose another one, or let a new one be made.</source>
         <translation>Warstwy okien {name} nie można edytować; wybierz inną albo pozwól utworzyć nową.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="6"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="7"/>
         <source>The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that layer elsewhere.</source>
         <translation>Okien warstwy {name} nie udało się zapisać razem z projektem ({error}); warstwa pozostaje w trybie edycji, więc zapisz ją w innym miejscu.</translation>
     </message>
@@ -1384,17 +1384,17 @@
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
+        <location filename="../plugin/seams/desk/curves/curves_export.py" line="30"/>
         <source>Save as PNG...</source>
         <translation>Zapisz jako PNG...</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layer.py" line="50"/>
+        <location filename="../plugin/plugin.py" line="50"/>
         <source>Bar groups</source>
         <translation>Grupy pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="36"/>
+        <location filename="../plugin/plugin.py" line="51"/>
         <source>Draw lines across the groups of a bar target and watch their profiles</source>
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
@@ -1434,12 +1434,12 @@
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="11"/>
+        <location filename="../plugin/desk_tabs.py" line="26"/>
         <source>The clips of the selected window side by side, to judge the loss by eye</source>
         <translation>Wycinki zaznaczonego okna obok siebie, do oceny straty okiem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="68"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
@@ -1449,27 +1449,27 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="61"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="123"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="122"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="124"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="154"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="156"/>
         <source>HTML files (*.html)</source>
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="49"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="49"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
@@ -1484,7 +1484,7 @@
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="83"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="84"/>
         <source>{count} of them have no curves in it, as these are not kept with the project; inspect them again to have them.</source>
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
@@ -1509,7 +1509,7 @@
         <translation>w poprzek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
         <source>Draw a line across the bars of the group: drag, or click at both ends.</source>
         <translation>Narysuj linię w poprzek pasków grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
@@ -1524,17 +1524,17 @@
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="82"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="86"/>
         <source>How many bars each group of the target has.</source>
         <translation>Ile pasków ma każda grupa testu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="88"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="92"/>
         <source>Number of the group whose distance is known. Higher numbers are finer.</source>
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="59"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="60"/>
         <source>Image</source>
         <translation>Obraz</translation>
     </message>
@@ -1579,37 +1579,37 @@
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="25"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="27"/>
         <source>Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its filter is kept, and the other two are interpolated from the neighbours. Fine lines get wider and coloured (Walczykowski and others 2009, section 5). An image of one band is taken as a grey scene.</source>
         <translation>Pokazuje, co z danego obrazu zarejestrowałaby kamera z jedną matrycą: z każdego piksela zostaje tylko barwa jego filtra, a dwie pozostałe są interpolowane z sąsiednich pikseli. Cienkie linie stają się szersze i barwne (Walczykowski i in. 2009, rozdział 5). Obraz jednokanałowy jest traktowany jako scena w odcieniach szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="33"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="35"/>
         <source>A colour image, or one of a single band, north-up or without georeference.</source>
         <translation>Obraz barwny albo jednokanałowy, zorientowany na północ lub bez georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="37"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="38"/>
         <source>Pattern</source>
         <translation>Wzór filtra</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="37"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="39"/>
         <source>Colours of the filter over the first two pixels of the first row, then of the second.</source>
         <translation>Barwy filtra nad pierwszymi dwoma pikselami pierwszego wiersza, a potem drugiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="41"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="42"/>
         <source>Interpolation</source>
         <translation>Interpolacja</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="49"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="50"/>
         <source>Seen by a single chip</source>
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="49"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="51"/>
         <source>Red, green and blue on the image&apos;s own pixels, in its data type.</source>
         <translation>Czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
@@ -1619,7 +1619,7 @@
         <translation>Porównaj modele sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="29"/>
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="31"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the vendor&apos;s RPC with a correction before quotients, polynomials for small and flat areas only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia go na punktach, których nie użyto do dopasowania: na punktach kontrolnych albo, gdy jest ich mniej niż pięć, przewidując każdy punkt z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza; zalecenie wynika z ich wniosków: najpierw model parametryczny, RPC dostawcy z poprawką przed modelami ilorazowymi, wielomiany tylko dla małych i płaskich obszarów.</translation>
     </message>
@@ -1639,22 +1639,22 @@
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="40"/>
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="41"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="40"/>
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="42"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="88"/>
         <source>Report</source>
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="44"/>
+        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="45"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
@@ -1679,57 +1679,57 @@
         <translation>Przewidź stratę wskutek wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="45"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="47"/>
         <source>Says before any mosaic is made how much detail feathering would cost in each window. Where two images are blended half and half, the part of their detail that they do not share cancels: with rho the agreement of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower.</source>
         <translation>Jeszcze przed wykonaniem ortofotomapy mówi, ile detali kosztowałoby wtapianie w każdym oknie. Gdzie dwa obrazy są mieszane pół na pół, znosi się ta część ich detali, która nie jest wspólna: przy zgodności rho ich współczynników detali zostaje (1 + rho) / 2 ich wariancji. Obrazy przesunięte względem siebie o 1 px mogą w ten sposób stracić połowę najdrobniejszych detali. Najmniejszy stosunek wariancji spośród par ortoobrazów źródłowych mówi, gdzie wtapianie zaszkodzi; można wtedy poprowadzić linię mozaikowania gdzie indziej, lepiej dopasować obrazy albo zwęzić pas wtapiania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="57"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="60"/>
         <source>Rectangles where seams are to run, in any reference system. What is measured is the rectangle around each, snapped to the pixels of the finest source that covers it.</source>
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
         <source>Width of the feather (metres)</source>
         <translation>Szerokość pasa wtapiania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="71"/>
         <source>Full width, from where the one image is all to where the other is. What such a feather would leave, in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle of the feather is foretold, where both images weigh the same.</source>
         <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="77"/>
         <source>Ramp of the feather</source>
         <translation>Przebieg wag w pasie wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="79"/>
         <source>How the weights of the two images change across the feather: in a straight line, as half a wave of the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of 0.02 to 0.98.</source>
         <translation>Jak w poprzek pasa wtapiania zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="84"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="87"/>
         <source>Lines along which the images are to be joined, or polygons with such borders, where they are known. Elsewhere the seam is assumed to run straight through the middle of its window, and what is foretold is the mean over the directions it may have.</source>
         <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="94"/>
         <source>Predicted windows</source>
         <translation>Okna z prognozą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="95"/>
         <source>The rectangles as measured, in the sources&apos; reference system, with the smallest ratio over the pairs.</source>
         <translation>Prostokąty w zmierzonych granicach, w układzie współrzędnych ortoobrazów źródłowych, z najmniejszym stosunkiem wariancji spośród par.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="98"/>
         <source>Source pairs</source>
         <translation>Pary ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="99"/>
         <source>Every two sources of a window: agreement of their detail, ratio to be expected, shift between them.</source>
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
@@ -1739,62 +1739,62 @@
         <translation>Raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="50"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="52"/>
         <source>The windows as &apos;Inspect windows&apos; leaves them, judged by an observer or not.</source>
         <translation>Okna takie, jakie zostawia „Skontroluj okna”, ocenione przez obserwatora lub nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="56"/>
         <source>The table of curves of the same windows; without it there are no relative variances and no charts.</source>
         <translation>Tabela krzywych tych samych okien; bez niej nie ma wariancji względnych ani wykresów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="60"/>
         <source>The table of pairs of the same windows: it tells absolute contrast, and which sources are shown.</source>
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="66"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="68"/>
         <source>The inspected mosaic; with it the report shows the clips and an overview below the map sketch.</source>
         <translation>Skontrolowana ortofotomapa; z nią raport pokazuje wycinki i podgląd pod szkicem mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="71"/>
         <source>The orthoimages that the mosaic was made from; their clips stand beside its own.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="75"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="76"/>
         <source>Heading of the page. Empty: the mosaics&apos; names.</source>
         <translation>Nagłówek strony. Puste pole: nazwy ortofotomap.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="84"/>
         <source>The limit drawn into the charts: that which the windows were inspected with.</source>
         <translation>Granica rysowana na wykresach: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="89"/>
         <source>The page, one file.</source>
         <translation>Strona, jeden plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="72"/>
         <source>Verdict against</source>
         <translation>Ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
         <source>Seam cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="83"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
@@ -1804,82 +1804,82 @@
         <translation>Zmierz terenową zdolność rozdzielczą (GRD)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="59"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="61"/>
         <source>The image of the target, north-up. One without georeference is taken as QGIS shows it.</source>
         <translation>Obraz testu, zorientowany na północ. Obraz bez georeferencji jest brany tak, jak pokazuje go QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="63"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="65"/>
         <source>Lines across the bars</source>
         <translation>Linie w poprzek pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="75"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="78"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="79"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="78"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="80"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="82"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="84"/>
         <source>Bars in a group</source>
         <translation>Liczba pasków w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="88"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="90"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="94"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="95"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="105"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="106"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="105"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="107"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="110"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="111"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="110"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="112"/>
         <source>Share of the full amplitude that the bars of a resolved group keep.</source>
         <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="123"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="124"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="123"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="125"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="128"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="129"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="128"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="130"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
@@ -1894,22 +1894,22 @@
         <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="133"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="134"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="137"/>
         <source>Distance along the flight (cm)</source>
         <translation>GRD wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="138"/>
         <source>Distance across the flight (cm)</source>
         <translation>GRD w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="139"/>
         <source>Geometric mean of both distances (cm)</source>
         <translation>Średnia geometryczna obu wartości GRD (cm)</translation>
     </message>
@@ -1924,7 +1924,7 @@
         <translation>Jakość obrazu</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="152"/>
+        <location filename="../plugin/noise/checknoise.py" line="56"/>
         <source>Rasters</source>
         <translation>Rastry</translation>
     </message>
@@ -1934,27 +1934,27 @@
         <translation>Mierzone obrazy, 8- lub 16-bitowe albo zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="57"/>
+        <location filename="../plugin/noise/checknoise.py" line="59"/>
         <source>Second group</source>
         <translation>Druga grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="57"/>
+        <location filename="../plugin/noise/checknoise.py" line="60"/>
         <source>Images of another camera, film or process, to be compared with the first. Pixel sizes may differ.</source>
         <translation>Obrazy z innej kamery, filmu lub procesu, do porównania z pierwszą grupą. Wielkości pikseli mogą się różnić.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="71"/>
+        <location filename="../plugin/noise/checknoise.py" line="73"/>
         <source>Rectangles in any reference system; each is measured on all rasters under it. Without windows up to 25 of 1024 px are chosen on each raster, spread over its valid part, the least saturated first.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest mierzony na wszystkich rastrach, które obejmuje. Bez okien na każdym rastrze wybieranych jest do 25 okien o boku 1024 px, rozłożonych na części z danymi, najpierw najmniej przesycone.</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="11"/>
+        <location filename="../plugin/desk_tabs.py" line="31"/>
         <source>Noise</source>
         <translation>Szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="94"/>
+        <location filename="../plugin/noise/checknoise.py" line="96"/>
         <source>The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.</source>
         <translation>Zakres każdej grupy z linią średniej oraz kanały jednego okna. PNG, SVG lub PDF.</translation>
     </message>
@@ -1964,17 +1964,17 @@
         <translation>Wszystkie wartości z wykresem na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="100"/>
+        <location filename="../plugin/noise/checknoise.py" line="101"/>
         <source>Windows with low noise</source>
         <translation>Okna z małym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="100"/>
+        <location filename="../plugin/noise/checknoise.py" line="103"/>
         <source>Windows with moderate noise</source>
         <translation>Okna z umiarkowanym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="100"/>
+        <location filename="../plugin/noise/checknoise.py" line="104"/>
         <source>Windows with strong noise</source>
         <translation>Okna z silnym szumem</translation>
     </message>
@@ -1984,7 +1984,7 @@
         <translation>Popraw czytelność zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="31"/>
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="33"/>
         <source>Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy.</source>
         <translation>Ułatwia oglądanie zdjęcia: tworzy negatyw, 8-bitowy obraz szary z barwnego lub z większej liczby bitów, filtr uśredniający lub Gaussa przeciw ziarnu, Laplace’a lub Sobela dla krawędzi. Zdjęcia dowolnej wielkości są przetwarzane pasami; położenie na mapie i piksele bez danych są zachowane. Znaczki mierzy się na samym zdjęciu, a nie na tej kopii.</translation>
     </message>
@@ -1999,22 +1999,22 @@
         <translation>Dowolny raster, który odczytuje GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="41"/>
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="42"/>
         <source>Operation</source>
         <translation>Operacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="41"/>
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="44"/>
         <source>negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel (length of the gradient) are floating point.</source>
         <translation>negative, mean i gaussian zachowują typ danych; grey jest 8-bitowy; laplace (druga pochodna) i sobel (długość gradientu) są zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="48"/>
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="50"/>
         <source>Size (px)</source>
         <translation>Wielkość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="48"/>
+        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="52"/>
         <source>Side of the mean&apos;s square (odd), or standard deviation of the Gaussian; of no meaning to the others.</source>
         <translation>Bok kwadratu średniej (nieparzysty) albo odchylenie standardowe filtra Gaussa; bez znaczenia dla pozostałych.</translation>
     </message>
@@ -2034,72 +2034,72 @@
         <translation>Kalibruj próg</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="38"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="40"/>
         <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
         <translation>Znajduje granicę istotnej straty, którą potwierdzają opinie obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) opinii wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0,5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 opiniach „widoczna” lub 5 „niewidoczna” nie ma liczby.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="61"/>
         <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
         <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny „contrast_1”: względem kompozycji, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>The measure that the numbers are of: the one the windows are judged by. Not set: &apos;kept_1&apos; where the judged windows have it, else &apos;ratio_1&apos;. The table and the chart hold all of them.</source>
         <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: „kept_1”, jeśli ocenione okna ją mają, w przeciwnym razie „ratio_1”. Tabela i wykres zawierają wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="65"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="66"/>
         <source>Measure</source>
         <translation>Miara</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="50"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="51"/>
         <source>Calibration</source>
         <translation>Kalibracja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="72"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="75"/>
         <source>For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
         <translation>Dla każdej miary podsumowanie z progiem do ustawienia, jego zakresem, polem i liczbą potrzebnych opinii, działanie progu standardowego oraz każdego innego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="79"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="80"/>
         <source>ROC curves with their areas, and the judged windows of each measure.</source>
         <translation>Krzywe ROC z ich polami i ocenione okna każdej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="83"/>
         <source>Threshold of the measure</source>
         <translation>Próg miary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="84"/>
         <source>Area under the ROC curve</source>
         <translation>Pole pod krzywą ROC</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="85"/>
         <source>Area, lower end of its interval</source>
         <translation>Pole, dolny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="86"/>
         <source>Area, upper end of its interval</source>
         <translation>Pole, górny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="87"/>
         <source>Visible verdicts</source>
         <translation>Opinie „widoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="88"/>
         <source>Invisible verdicts</source>
         <translation>Opinie „niewidoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="89"/>
         <source>Verdicts wanted</source>
         <translation>Potrzebne opinie</translation>
     </message>
@@ -2109,62 +2109,62 @@
         <translation>Minimalna wysokość lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="36"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="38"/>
         <source>Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each pass its height times the required distance over the one that was read, then the mean of each group of passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2).</source>
         <translation>Oblicza z przelotów nad testem paskowym, jak nisko może lecieć sensor, aby nie rozróżniał więcej, niż uzgodniono: dla każdego przelotu jego wysokość razy wymagana terenowa zdolność rozdzielcza przez odczytaną, a następnie średnią każdej grupy przelotów, jej rozrzut i odległość od wartości odniesienia (Walczykowski i in. 2009, wzory 1 i 2).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="45"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="46"/>
         <source>Observations</source>
         <translation>Obserwacje</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="53"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="54"/>
         <source>Required distance (cm)</source>
         <translation>Wymagana GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="53"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="55"/>
         <source>The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies.</source>
         <translation>Terenowa zdolność rozdzielcza, poniżej której nie wolno zejść: 30 cm dla kamer optycznych w Open Skies.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="57"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="58"/>
         <source>Reference height (metres)</source>
         <translation>Wysokość odniesienia (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="57"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="59"/>
         <source>The minimum height that the results are compared with, if there is one.</source>
         <translation>Minimalna wysokość, z którą porównywane są wyniki, jeśli taka istnieje.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="61"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="62"/>
         <source>Keep flying heights apart</source>
         <translation>Rozdziel wysokości lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="61"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="63"/>
         <source>Rows of different &apos;height&apos; make groups of their own, as in tables 4A and 4B of the paper.</source>
         <translation>Wiersze o różnym polu „height” tworzą osobne grupy, jak w tabelach 4A i 4B artykułu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="66"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="67"/>
         <source>Minimum heights</source>
         <translation>Minimalne wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="70"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="72"/>
         <source>Heights by pass</source>
         <translation>Wysokości z przelotów</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="70"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="74"/>
         <source>The observations that were used, each with its minimum height &apos;h_min&apos;.</source>
         <translation>Użyte obserwacje, każda ze swoją minimalną wysokością „h_min”.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="150"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="76"/>
         <source>Groups</source>
         <translation>Grupy</translation>
     </message>
@@ -2184,172 +2184,172 @@
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="37"/>
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="39"/>
         <source>Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to millimetres. A mark is found by normalised cross correlation and measured to a fraction of a pixel by the extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can&apos;t be trusted fails with the reason; point at it on the map and give that point as its position, with the measurement off.</source>
         <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany korelacją krzyżową i mierzony z podpikselową dokładnością jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="52"/>
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="53"/>
         <source>Root mean square of the residuals (um)</source>
         <translation>Średnia kwadratowa odchyłek (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="52"/>
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="54"/>
         <source>Marks measured or given</source>
         <translation>Znaczki zmierzone lub podane</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="52"/>
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="55"/>
         <source>Marks that failed</source>
         <translation>Znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="126"/>
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="127"/>
         <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um.</source>
         <translation>{marks} {marks:znaczek|znaczki|znaczków}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="50"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="53"/>
         <source>The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac&apos;s MeasuresCamera.xml. x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) are optional.</source>
         <translation>Znaczki kamery: plik CSV z kolumnami mark, x_mm i y_mm albo MeasuresCamera.xml z programu MicMac. Oś x w prawo, y w górę. Wiersze o nazwach principal_point, focal_length (w x_mm) i data_strip (miejsce w pasku danych) są opcjonalne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="58"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="59"/>
         <source>Template</source>
         <translation>Wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="66"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="67"/>
         <source>Positions</source>
         <translation>Położenia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="66"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="69"/>
         <source>Points with the field &apos;mark&apos;, digitised on the photo as QGIS shows it (without a world file x is the column and y the negative row). Without positions all of the photo is searched. A field &apos;measure&apos; with 0 says that a point is the mark itself.</source>
         <translation>Punkty z polem „mark”, zdigitalizowane na zdjęciu tak, jak pokazuje je QGIS (bez pliku world x to kolumna, a y to wiersz ze znakiem minus). Bez położeń przeszukiwane jest całe zdjęcie. Pole „measure” z wartością 0 oznacza, że punkt jest samym znaczkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="74"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="75"/>
         <source>Measure around the positions</source>
         <translation>Mierz wokół położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="81"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="82"/>
         <source>Kind of mark</source>
         <translation>Rodzaj znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="81"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="83"/>
         <source>What is drawn to look for, in the size that the photo has it; automatic tries all.</source>
         <translation>Jaki wzorzec jest rysowany do wyszukiwania, w wielkości takiej jak na zdjęciu; automatic próbuje wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="85"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="86"/>
         <source>Direction of the arms</source>
         <translation>Kierunek ramion</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="85"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="87"/>
         <source>Whether the arms of a cross, or the wedges, stand upright or diagonally.</source>
         <translation>Czy ramiona krzyża lub kliny są ustawione prosto, czy ukośnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="89"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="90"/>
         <source>Centre of the cross</source>
         <translation>Środek krzyża</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="89"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="91"/>
         <source>Whether a cross is open in the middle.</source>
         <translation>Czy krzyż jest otwarty w środku.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="93"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="94"/>
         <source>Tone of the mark</source>
         <translation>Ton znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="93"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="95"/>
         <source>Whether the mark is lighter than its ground, as on most positives, or darker.</source>
         <translation>Czy znaczek jest jaśniejszy od tła, jak na większości pozytywów, czy ciemniejszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="97"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="98"/>
         <source>Search (mm)</source>
         <translation>Zakres szukania (mm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="97"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="99"/>
         <source>How far around a position the mark is looked for.</source>
         <translation>Jak daleko wokół położenia szukany jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="101"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="103"/>
         <source>Smallest correlation</source>
         <translation>Najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="101"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="106"/>
         <source>A mark whose best correlation is smaller fails.</source>
         <translation>Znaczek, którego największa korelacja jest mniejsza, jest odrzucany.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="108"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="109"/>
         <source>Surface</source>
         <translation>Powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="108"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="111"/>
         <source>What the second-degree surface is laid through: the correlations around the best pixel, or the brightness of the photo as in the paper.</source>
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="103"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="116"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="115"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="117"/>
         <source>Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check.</source>
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="89"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="126"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="134"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="134"/>
         <source>JSON files (*.json)</source>
         <translation>Pliki JSON (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="132"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="136"/>
         <source>Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.</source>
         <translation>Oba kierunki transformacji, wielkość piksela, obrót, nieortogonalność osi, punkt główny i dokładność.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="138"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="140"/>
         <source>World file</source>
         <translation>Plik world</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="138"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="140"/>
         <source>World files (*.wld *.jgw *.tfw *.pgw *.bpw)</source>
         <translation>Pliki world (*.wld *.jgw *.tfw *.pgw *.bpw)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="138"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="143"/>
         <source>Saved beside the photo under its name, it lets QGIS open the photo in millimetres.</source>
         <translation>Zapisany obok zdjęcia pod jego nazwą pozwala otworzyć zdjęcie w QGIS w milimetrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="154"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="155"/>
         <source>A page with a picture of each mark and the place that was found.</source>
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
@@ -2364,32 +2364,32 @@
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="260"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="262"/>
         <source>Ground control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="86"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="87"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="86"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="88"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="274"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="276"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="63"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="89"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="63"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="66"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
@@ -2404,27 +2404,27 @@
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="75"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="78"/>
         <source>Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="83"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="84"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="91"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="94"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="91"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="94"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
@@ -2434,12 +2434,12 @@
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="52"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="54"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="190"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="61"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
@@ -2449,67 +2449,67 @@
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="64"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="66"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="64"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="68"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="70"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="71"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="70"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="72"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="74"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="75"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="74"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="76"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="217"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="81"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="80"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="52"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="85"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="85"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="85"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="88"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="108"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="109"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
@@ -2539,32 +2539,32 @@
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="118"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="119"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="207"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="120"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="215"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="258"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="195"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="258"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="259"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="260"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
@@ -2579,42 +2579,42 @@
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="64"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="65"/>
         <source>Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="75"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="76"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="100"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="104"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="105"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="104"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="106"/>
         <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="120"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="121"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="120"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="122"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="120"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="123"/>
         <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
@@ -2624,17 +2624,17 @@
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="52"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="54"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="56"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="57"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="56"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="58"/>
         <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
@@ -2644,92 +2644,92 @@
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="85"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="87"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="85"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="89"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="91"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="92"/>
         <source>Reference system</source>
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="91"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="93"/>
         <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="95"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="97"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="95"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="99"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="101"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="102"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="101"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="103"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="105"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="106"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="105"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="106"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="108"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="109"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="108"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="110"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="112"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="113"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="112"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="114"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="117"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="118"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="117"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="119"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="117"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="120"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="169"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="171"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
@@ -2739,57 +2739,57 @@
         <translation>Porównaj znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="51"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="52"/>
         <source>Marks with the field &apos;mark&apos;, and &apos;photo&apos; (or &apos;layer&apos;, as merged layers have) where there are several photos. Places are the fields column and row, or the points themselves.</source>
         <translation>Znaczki z polem „mark” oraz „photo” (lub „layer”, jak w warstwach złączonych), gdy zdjęć jest kilka. Miejsca podają pola column i row albo same punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="60"/>
         <source>First measurement</source>
         <translation>Pierwszy pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="61"/>
         <source>Second measurement</source>
         <translation>Drugi pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="77"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="79"/>
         <source>Pixel size (um)</source>
         <translation>Wielkość piksela (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="77"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="82"/>
         <source>Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="84"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="85"/>
         <source>Statistics</source>
         <translation>Statystyki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="97"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="99"/>
         <source>Differences</source>
         <translation>Różnice</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="97"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="101"/>
         <source>The difference of each mark, the second measurement less the first, in pixels.</source>
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="165"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="166"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
         <translation>{count} {count:znaczek|znaczki|znaczków}: średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="23"/>
+        <location filename="../plugin/seams/measure/messages.py" line="24"/>
         <source>The layer of seam cells has no field &apos;source&apos;; add one with the file names of the orthoimages.</source>
         <translation>Warstwa komórek ortofotomapy nie ma pola „source”; dodaj je i wpisz nazwy plików ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="52"/>
+        <location filename="../plugin/seams/measure/messages.py" line="53"/>
         <source>Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages.</source>
         <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania; miejsca bez okna: {notes}, opisane w dzienniku komunikatów.</translation>
     </message>
@@ -2804,7 +2804,7 @@
         <translation>Ortofotomapa jest jeszcze otwierana; spróbuj ponownie za chwilę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="15"/>
+        <location filename="../plugin/seams/measure/messages.py" line="16"/>
         <source>The mosaic was not opened, as the task was cancelled; choose another mosaic in the inputs, then this one again.</source>
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
@@ -2824,7 +2824,7 @@
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="121"/>
+        <location filename="../plugin/seams/measure/messages.py" line="122"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
@@ -2844,67 +2844,67 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="125"/>
+        <location filename="../plugin/seams/measure/messages.py" line="126"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="128"/>
+        <location filename="../plugin/seams/measure/messages.py" line="129"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/messages.py" line="136"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/messages.py" line="139"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola „contrast_1”, więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="177"/>
+        <location filename="../plugin/seams/measure/messages.py" line="178"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="173"/>
+        <location filename="../plugin/seams/measure/messages.py" line="174"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: opinie jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/messages.py" line="166"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="169"/>
+        <location filename="../plugin/seams/measure/messages.py" line="170"/>
         <source>{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} jest w każdym oknie z widoczną stratą niższy niż w jakimkolwiek innym, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="181"/>
+        <location filename="../plugin/seams/measure/messages.py" line="182"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="185"/>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="155"/>
+        <location filename="../plugin/seams/measure/messages.py" line="156"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
@@ -2934,7 +2934,7 @@
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="43"/>
+        <location filename="../plugin/toolkit/messages.py" line="44"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
@@ -2954,7 +2954,7 @@
         <translation>Raster {name} ma tu w kanale „{band}” zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="30"/>
+        <location filename="../plugin/noise/measure/messages.py" line="31"/>
         <source>The detail does not fall from level 1 to 2 but later: noise coarser than a pixel (grain, resampling, compression) or a texture of that size; look at the window.</source>
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
@@ -2974,7 +2974,7 @@
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="12"/>
+        <location filename="../plugin/noise/measure/messages.py" line="13"/>
         <source>{name} has no valid part of {fewest} x {fewest} px; draw windows, or choose a larger raster.</source>
         <translation>Raster {name} nie ma części z danymi o wielkości {fewest} × {fewest} px; narysuj okna albo wybierz większy raster.</translation>
     </message>
@@ -2984,17 +2984,17 @@
         <translation>Raster {name} nie ma części z danymi o wielkości {wanted} × {wanted} px; jego okna mają {side} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="16"/>
+        <location filename="../plugin/noise/measure/messages.py" line="17"/>
         <source>{share:.1%} of the window is invalid in one raster or another and {most:.0%} are allowed; move the window.</source>
         <translation>Część okna bez danych w jednym z rastrów wynosi {share:.1%}, a dopuszcza się {most:.0%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="20"/>
+        <location filename="../plugin/noise/measure/messages.py" line="21"/>
         <source>The two groups show no common ground, so each raster has windows of its own and nothing is compared pairwise.</source>
         <translation>Obie grupy nie pokazują wspólnego terenu, więc każdy raster ma własne okna i nic nie jest porównywane parami.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="24"/>
+        <location filename="../plugin/noise/measure/messages.py" line="25"/>
         <source>Pixel sizes differ ({first} and {second}), so a level does not mean the same size on the ground in both groups.</source>
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
@@ -3054,12 +3054,12 @@
         <translation>liczba pikseli z danymi wynosi {count}, a potrzeba co najmniej {least}; wybierz większą część.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="31"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="32"/>
         <source>fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such areas.</source>
         <translation>znaleziono mniej niż {least} jednorodnych obszarów {side} × {side} px o średnich tonach; narysuj okna na takich obszarach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="35"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="36"/>
         <source>the uniform areas do not vary at all; a photograph would, so check how the image was made.</source>
         <translation>obszary jednorodne wcale się nie zmieniają; na zdjęciu tak nie bywa, więc sprawdź, jak powstał obraz.</translation>
     </message>
@@ -3144,12 +3144,12 @@
         <translation>Linia przecina piksele rastra {name} bez danych; narysuj ją tam, gdzie jest obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="27"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="28"/>
         <source>The line is {length:.1f} px long, and {bars} bars with their gaps need {least} px at least; draw it from the ground on one side of the bars to that on the other.</source>
         <translation>Linia ma długość {length:.1f} px, a {bars} {bars:pasek|paski|pasków} z przerwami {bars:wymaga|wymagają|wymaga} co najmniej {least} px; narysuj ją od tła po jednej stronie pasków do tła po drugiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="31"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="32"/>
         <source>The line is {length:.0f} px long and {most} px are the most; draw it across the bars of one group only.</source>
         <translation>Linia ma długość {length:.0f} px, a największa dopuszczalna to {most} px; narysuj ją w poprzek pasków tylko jednej grupy.</translation>
     </message>
@@ -3164,7 +3164,7 @@
         <translation>Kierunek linii to „{direction}”; wpisz „along” lub „across”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="39"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="40"/>
         <source>Group {group} {direction} is drawn twice; the first line counts, so delete this one or correct its number.</source>
         <translation>Grupę {group} (kierunek „{direction}”) narysowano dwa razy; liczy się pierwsza linia, więc usuń tę albo popraw jej numer.</translation>
     </message>
@@ -3189,22 +3189,22 @@
         <translation>Amplituda wynosi {share:.0%} pełnej, a kryterium {criterion:.0%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="48"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="49"/>
         <source>The amplitude of {amplitude:.1f} DN does not exceed three times the noise of {noise:.1f} DN.</source>
         <translation>Amplituda {amplitude:.1f} DN nie przekracza trzykrotności szumu {noise:.1f} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="51"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="52"/>
         <source>A bar and a gap cover {cycle:.2f} px, fewer than two: what is seen there is aliasing and is not counted.</source>
         <translation>Pasek i przerwa zajmują {cycle:.2f} px, mniej niż dwa: to, co tam widać, to aliasing i nie jest liczone.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="55"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="56"/>
         <source>The bars seem {spacing:.1f} px apart, which can&apos;t be told from aliasing in an image without scale; draw lines across coarser groups too.</source>
         <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, czego w obrazie bez skali nie można odróżnić od aliasingu; narysuj linie także w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="59"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="60"/>
         <source>The bars seem {spacing:.1f} px apart and the group&apos;s are {cycle:.1f} px: what is seen is aliasing or another group, and is not counted.</source>
         <translation>Odstęp pasków wynosi pozornie {spacing:.1f} px, a w tej grupie powinien wynosić {cycle:.1f} px: to, co widać, to aliasing albo inna grupa i nie jest liczone.</translation>
     </message>
@@ -3214,22 +3214,22 @@
         <translation>Grubsza grupa {group} nie jest rozróżniona, więc ta to aliasing i nie jest liczona.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="64"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="65"/>
         <source>The bars are saturated at {value:g} DN, so the full amplitude is larger than measured; use an image with a shorter exposure.</source>
         <translation>Paski są przesycone przy {value:g} DN, więc pełna amplituda jest większa niż zmierzona; użyj obrazu o krótszej ekspozycji.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="69"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="70"/>
         <source>The bars are {ratio:.2f} times as far apart as their group numbers and the pixel size say; the bars themselves are taken, so check the reference group, its distance and the raster&apos;s pixel size.</source>
         <translation>Odstęp pasków jest {ratio:.2f} razy taki, jak wynika z numerów grup i wielkości piksela; przyjęto odstęp zmierzony, więc sprawdź grupę odniesienia, jej GRD i wielkość piksela rastra.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="73"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="74"/>
         <source>The bars get wider where the group numbers say that they get finer; set REVERSED for this target, or clear it.</source>
         <translation>Paski są coraz szersze tam, gdzie według numerów grup powinny być drobniejsze; włącz REVERSED dla tego testu albo wyłącz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="77"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="78"/>
         <source>No group {direction} the flight is resolved in {band}, so there is no ground resolved distance.</source>
         <translation>W kanale {band} żadna grupa w kierunku „{direction}” względem lotu nie jest rozróżniona, więc nie ma terenowej zdolności rozdzielczej.</translation>
     </message>
@@ -3264,12 +3264,12 @@
         <translation>Nie ma interpolacji „{demosaic}”; wybierz jedną z {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="126"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="127"/>
         <source>{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="17"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="18"/>
         <source>No layer of bar groups can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy grup pasków w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
@@ -3279,7 +3279,7 @@
         <translation>Nie wybrano obrazu testu paskowego; wybierz go powyżej, a potem narysuj linię w poprzek pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="50"/>
+        <location filename="../plugin/photos/measure/messages.py" line="51"/>
         <source>The template is {width} x {height} px and a side needs at least {fewest} px; cut it out with the whole mark in it.</source>
         <translation>Wzorzec ma {width} × {height} px, a bok musi mieć co najmniej {fewest} px; wytnij go tak, aby zawierał cały znaczek.</translation>
     </message>
@@ -3324,7 +3324,7 @@
         <translation>znaczek leży na brzegu zdjęcia i nie jest cały widoczny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="86"/>
+        <location filename="../plugin/photos/measure/messages.py" line="87"/>
         <source>parts of the mark differ by {shift:.1f} px and at most {most:.1f} px is trusted: dirt, a scratch or no mark</source>
         <translation>części znaczka różnią się o {shift:.1f} px, a dopuszcza się najwyżej {most:.1f} px: zabrudzenie, rysa albo to nie znaczek</translation>
     </message>
@@ -3334,7 +3334,7 @@
         <translation>Nie można odczytać kalibracji {path} ({error}); sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="14"/>
+        <location filename="../plugin/photos/measure/messages.py" line="15"/>
         <source>{name} is neither a CSV with the columns mark, x_mm and y_mm nor a MeasuresCamera.xml of MicMac; choose one of these.</source>
         <translation>Plik {name} nie jest ani plikiem CSV z kolumnami mark, x_mm i y_mm, ani plikiem MeasuresCamera.xml z programu MicMac; wybierz jeden z nich.</translation>
     </message>
@@ -3359,27 +3359,27 @@
         <translation>Plik {name} nie zawiera znaczków; kalibracja ma dla każdego jeden wiersz z mark, x_mm i y_mm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="22"/>
+        <location filename="../plugin/photos/measure/messages.py" line="23"/>
         <source>The marks of the calibration are {span:g} mm apart and a photo has {least:g} to {most:g} mm; give millimetres.</source>
         <translation>Odległość między znaczkami kalibracji wynosi {span:g} mm, a na zdjęciu jest to od {least:g} do {most:g} mm; podaj milimetry.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="25"/>
+        <location filename="../plugin/photos/measure/messages.py" line="26"/>
         <source>The calibration has too few marks: {count}, and the {model} model needs {least}; complete it or use another model.</source>
         <translation>Kalibracja ma za mało znaczków: {count}, a model {model} wymaga {least}; uzupełnij ją albo użyj innego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="28"/>
+        <location filename="../plugin/photos/measure/messages.py" line="29"/>
         <source>The marks &apos;{one}&apos; and &apos;{other}&apos; of the calibration are at one place; correct their coordinates.</source>
         <translation>Znaczki „{one}” i „{other}” kalibracji są w jednym miejscu; popraw ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="107"/>
+        <location filename="../plugin/photos/measure/messages.py" line="108"/>
         <source>Marks measured or given: {count}, and the {model} model needs {least}; measure the others by hand and give them as positions with their measurement off.</source>
         <translation>Znaczki zmierzone lub podane: {count}, a model {model} wymaga {least}; zmierz pozostałe ręcznie i podaj je jako położenia z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="111"/>
+        <location filename="../plugin/photos/measure/messages.py" line="112"/>
         <source>The marks are at one place or on one line, so the {model} model can&apos;t be determined; give further marks.</source>
         <translation>Znaczki są w jednym miejscu albo na jednej prostej, więc nie można wyznaczyć modelu {model}; podaj dalsze znaczki.</translation>
     </message>
@@ -3389,12 +3389,12 @@
         <translation>Wszystkie piksele rastra {name} są jednakowe, więc nie widać na nim znaczków; zeskanuj zdjęcie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="59"/>
+        <location filename="../plugin/photos/measure/messages.py" line="60"/>
         <source>No mark was found in {name} ({why}); give positions, another kind of template, or a template cut out of the photo.</source>
         <translation>Na zdjęciu {name} nie znaleziono znaczka ({why}); podaj położenia, inny rodzaj wzorca albo wzorzec wycięty ze zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="37"/>
+        <location filename="../plugin/photos/measure/messages.py" line="38"/>
         <source>The positions name a mark &apos;{mark}&apos; that the calibration does not have ({marks}); rename it.</source>
         <translation>Położenia wymieniają znaczek „{mark}”, którego kalibracja nie zawiera ({marks}); zmień jego nazwę.</translation>
     </message>
@@ -3404,27 +3404,27 @@
         <translation>Położenia „{one}” i „{other}” są w jednym miejscu; przesuń jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="45"/>
+        <location filename="../plugin/photos/measure/messages.py" line="46"/>
         <source>The positions lie up to {worst:.0f} mm from where the calibration wants them; check their names and the calibration.</source>
         <translation>Położenia leżą do {worst:.0f} mm od miejsc wynikających z kalibracji; sprawdź ich nazwy i kalibrację.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="40"/>
+        <location filename="../plugin/photos/measure/messages.py" line="41"/>
         <source>The position of &apos;{mark}&apos; lies outside the photo; digitise it on the photo as QGIS shows it without a world file, or with the one that the photo has.</source>
         <translation>Położenie „{mark}” leży poza zdjęciem; zdigitalizuj je na zdjęciu tak, jak pokazuje je QGIS bez pliku world albo z plikiem, który zdjęcie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="53"/>
+        <location filename="../plugin/photos/measure/messages.py" line="54"/>
         <source>The template is {side:.1f} mm wide and the search area {search:.1f} mm; cut it out smaller or search further.</source>
         <translation>Wzorzec ma szerokość {side:.1f} mm, a obszar szukania {search:.1f} mm; wytnij mniejszy wzorzec albo szukaj dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="62"/>
+        <location filename="../plugin/photos/measure/messages.py" line="63"/>
         <source>Marks were found in the photo, but not where the positions say; each was looked for on its own there.</source>
         <translation>Na zdjęciu znaleziono znaczki, ale nie tam, gdzie wskazują położenia; każdego szukano tam osobno.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="65"/>
+        <location filename="../plugin/photos/measure/messages.py" line="66"/>
         <source>Nothing tells how the photo lies in the scanner, so it is taken to lie upright and not mirrored; give the positions of three marks if that is wrong.</source>
         <translation>Nic nie mówi, jak zdjęcie leży w skanerze, więc przyjęto, że leży prosto i nie jest odbite lustrzanie; jeśli to błąd, podaj położenia trzech znaczków.</translation>
     </message>
@@ -3454,12 +3454,12 @@
         <translation>leży {worst:.2f} mm od miejsca wynikającego z pozostałych znaczków, a dopuszcza się najwyżej {limit:.2f} mm</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="102"/>
+        <location filename="../plugin/photos/measure/messages.py" line="103"/>
         <source>the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it can&apos;t be told which is wrong</source>
         <translation>znaczki leżą do {worst:.2f} mm od miejsc wynikających z kalibracji, dopuszcza się najwyżej {limit:.2f} mm i nie można ustalić, który jest błędny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="114"/>
+        <location filename="../plugin/photos/measure/messages.py" line="115"/>
         <source>The {model} model takes all of its {count} marks, so the residuals are 0 and say nothing about its accuracy; measure more marks or use a simpler model.</source>
         <translation>Model {model} wykorzystuje wszystkie swoje znaczki ({count}), więc odchyłki są zerowe i nic nie mówią o jego dokładności; zmierz więcej znaczków albo użyj prostszego modelu.</translation>
     </message>
@@ -3469,7 +3469,7 @@
         <translation>ekstremum powierzchni prowadzi z dala od miejsca, w którym znaleziono znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="92"/>
+        <location filename="../plugin/photos/measure/messages.py" line="93"/>
         <source>only {count} places that look like marks lie as the calibration says, and without positions {least} are needed</source>
         <translation>liczba miejsc podobnych do znaczków i zgodnych z kalibracją wynosi tylko {count}, a bez położeń potrzeba {least}</translation>
     </message>
@@ -3479,12 +3479,12 @@
         <translation>Nie ma transformacji do zapisania; podaj położenia większej liczby znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="119"/>
+        <location filename="../plugin/photos/measure/messages.py" line="120"/>
         <source>{name} has no transformation ({why}); its marks are in the output, but no parameters and no world file were written.</source>
         <translation>Raster {name} nie ma transformacji ({why}); jego znaczki są w wyniku, ale nie zapisano parametrów ani pliku world.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="32"/>
+        <location filename="../plugin/photos/measure/messages.py" line="33"/>
         <source>The layer of positions has no field &apos;mark&apos;; add one and write the names of the calibration&apos;s marks into it.</source>
         <translation>Warstwa położeń nie ma pola „mark”; dodaj je i wpisz do niego nazwy znaczków kalibracji.</translation>
     </message>
@@ -3504,7 +3504,7 @@
         <translation>Warstwa {layer} nie ma pola „mark”; wybierz warstwy ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="141"/>
+        <location filename="../plugin/photos/measure/messages.py" line="142"/>
         <source>The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the fields x_mm and y_mm.</source>
         <translation>Wielkość piksela nie jest znana, więc odległości podano tylko w pikselach; podaj wielkość piksela albo warstwy z polami x_mm i y_mm.</translation>
     </message>
@@ -3519,7 +3519,7 @@
         <translation>Bok średniej wynosi {size:g} px; podaj liczbę nieparzystą od 3 do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="8"/>
+        <location filename="../plugin/photos/measure/messages.py" line="9"/>
         <source>The standard deviation of the Gaussian is {size:g} px; give one above 0 and up to {most:g}.</source>
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
@@ -3529,12 +3529,12 @@
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="35"/>
+        <location filename="../plugin/imagery/messages.py" line="36"/>
         <source>Some points have no place in another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="9"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="10"/>
         <source>{name} is no points file of QGIS&apos;s georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose one, or a point layer with the fields column and row.</source>
         <translation>{name} nie jest plikiem punktów georeferencera QGIS (jego nagłówek nie zawiera mapX, mapY oraz sourceX lub pixelX); wybierz taki plik albo warstwę punktową z polami column i row.</translation>
     </message>
@@ -3544,12 +3544,12 @@
         <translation>Nie można odczytać wiersza {line} pliku {name}; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="21"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="22"/>
         <source>{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points&apos; reference system.</source>
         <translation>Plik {name} nie podaje układu współrzędnych, jak pliki sprzed QGIS 3.26; ustaw układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="24"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="25"/>
         <source>The point layer has no field &apos;{field}&apos;; it needs column and row, the place of each point in the image in pixels.</source>
         <translation>Warstwa punktów nie ma pola „{field}”; wymagane są column i row, miejsce każdego punktu na obrazie w pikselach.</translation>
     </message>
@@ -3584,82 +3584,82 @@
         <translation>Punkty wyłączone w georeferencerze i pominięte: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="75"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="76"/>
         <source>Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take polynomial_2d.</source>
         <translation>Niektóre punkty nie mają wysokości, której wymaga model {model}; dodaj pole z, wybierz NMT albo użyj polynomial_2d.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="79"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="80"/>
         <source>There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model with fewer unknowns.</source>
         <translation>{count:Jest|Są|Jest} {count} {count:fotopunkt|fotopunkty|fotopunktów}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="83"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
         <source>Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
         <translation>Z {total} {total:punktu|punktów|punktów} jako fotopunkty zostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="87"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="88"/>
         <source>The control points lie on one line, so the model {model} can&apos;t be fitted; add points to both sides of it.</source>
         <translation>Fotopunkty leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="90"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="91"/>
         <source>The control points lie on one plane, so the terms in Z of the model {model} can&apos;t be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
         <translation>Fotopunkty leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="94"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="95"/>
         <source>{count} control points contradict the others, and too few are left to fit the model {model}; check the points, above all that columns and rows are not interchanged.</source>
         <translation>{count} {count:fotopunkt jest sprzeczny|fotopunkty są sprzeczne|fotopunktów jest sprzecznych} z innymi, a pozostałych jest za mało, aby dopasować model {model}; sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="99"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="100"/>
         <source>Blunders found and left out of the errors: {count} ({names}); check those points and measure them again.</source>
         <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="102"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
         <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
         <translation>Fotopunkty leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="106"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="107"/>
         <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
         <translation>Fotopunkty pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="114"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="115"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="119"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="120"/>
         <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="123"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="124"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="132"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="133"/>
         <source>No line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
         <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="135"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
         <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or let blunders be looked for.</source>
         <translation>Nie można dopasować modelu parametrycznego do tych punktów; sprawdź, czy współrzędne nie są zamienione lub wysokości błędne, albo włącz szukanie błędów grubych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="139"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="140"/>
         <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
         <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="150"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="151"/>
         <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
@@ -3679,7 +3679,7 @@
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="155"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
@@ -3689,7 +3689,7 @@
         <translation>RPC jest samym modelem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="163"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
@@ -3699,42 +3699,42 @@
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="170"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="38"/>
+        <location filename="../plugin/imagery/messages.py" line="39"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="230"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="231"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="234"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="235"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="258"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="259"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="262"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="266"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="249"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
@@ -3779,67 +3779,64 @@
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="305"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="306"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="309"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="310"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="313"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="314"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="317"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="318"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="321"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="322"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m), ale wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="325"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="326"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="329"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="330"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="68"/>
+        <location filename="../plugin/noise/report.py" line="135"/>
         <source>window</source>
         <translation>okno</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="69"/>
         <source>verdict, cause, observer</source>
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="75"/>
+        <location filename="../plugin/seams/desk/windows/column_choice.py" line="72"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="70"/>
+        <location filename="../plugin/noise/report.py" line="135"/>
         <source>raster</source>
         <translation>raster</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="72"/>
         <source>detail, level</source>
         <translation>detale, poziom</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="67"/>
         <source>Relative variances</source>
         <translation>Wariancje względne</translation>
     </message>
@@ -3859,17 +3856,17 @@
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/charts.py" line="34"/>
+        <location filename="../plugin/sensors/charts.py" line="37"/>
         <source>Blunders</source>
         <translation>Błędy grube</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="221"/>
+        <location filename="../plugin/sensors/charts.py" line="62"/>
         <source>Column (px)</source>
         <translation>Kolumna (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="222"/>
+        <location filename="../plugin/sensors/charts.py" line="63"/>
         <source>Row (px)</source>
         <translation>Wiersz (px)</translation>
     </message>
@@ -3894,47 +3891,40 @@
         <translation>silny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="128"/>
+        <location filename="../plugin/noise/noise_summary.py" line="23"/>
         <source>not measurable</source>
         <translation>niemierzalne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="147"/>
         <source>Random noise</source>
         <translation>Szum losowy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="148"/>
         <source>Windows by their random noise: {counts}.</source>
         <translation>Okna według szumu losowego: {counts}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="149"/>
         <source>Relative variance of the details by level, 1 the finest. It rises from level to level in an image with little random noise; noise lifts level 1 above level 2 and, where it is strong, level 2 above level 3.</source>
         <translation>Wariancja względna detali według poziomów, poziom 1 jest najdokładniejszy. W obrazie o małym szumie losowym rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2, a gdy jest silny, także poziom 2 ponad poziom 3.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="153"/>
+        <location filename="../plugin/noise/report.py" line="62"/>
         <source>group</source>
         <translation>grupa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="118"/>
         <source>pixel</source>
         <translation>piksel</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="154"/>
         <source>least sigma (DN)</source>
         <translation>najmniejsza sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="155"/>
         <source>mean</source>
         <translation>średnia</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="156"/>
         <source>largest</source>
         <translation>największa</translation>
     </message>
@@ -3969,7 +3959,6 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="158"/>
         <source>Sigma is the median absolute value of the finest diagonal component divided by 0.6745, in DN. Fine texture adds to it, so compare it between images of the same ground.</source>
         <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
@@ -3979,177 +3968,159 @@
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="246"/>
+        <location filename="../plugin/seams/cause_words.py" line="51"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="245"/>
+        <location filename="../plugin/seams/cause_words.py" line="64"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="255"/>
+        <location filename="../plugin/seams/cause_words.py" line="78"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="253"/>
+        <location filename="../plugin/seams/cause_words.py" line="85"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="251"/>
+        <location filename="../plugin/seams/cause_words.py" line="94"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="254"/>
+        <location filename="../plugin/seams/cause_words.py" line="102"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="244"/>
+        <location filename="../plugin/seams/cause_words.py" line="109"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="19"/>
+        <location filename="../plugin/seams/cause_words.py" line="183"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="50"/>
+        <location filename="../plugin/seams/cause_words.py" line="53"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="63"/>
+        <location filename="../plugin/seams/cause_words.py" line="65"/>
         <source>Images that do not fit were blended along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, które do siebie nie pasują.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="77"/>
+        <location filename="../plugin/seams/cause_words.py" line="79"/>
         <source>Grey values were pressed together by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="84"/>
+        <location filename="../plugin/seams/cause_words.py" line="86"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="93"/>
+        <location filename="../plugin/seams/cause_words.py" line="95"/>
         <source>Highlights or shadows were driven into the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="101"/>
+        <location filename="../plugin/seams/cause_words.py" line="103"/>
         <source>The channels were corrected one by one, so that colours turned.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="108"/>
+        <location filename="../plugin/seams/cause_words.py" line="110"/>
         <source>The mosaic does not lie where its sources do.</source>
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="177"/>
+        <location filename="../plugin/seams/cause_words.py" line="179"/>
         <source>No step of production is found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="182"/>
+        <location filename="../plugin/seams/cause_words.py" line="184"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="101"/>
         <source>Pictures</source>
         <translation>Obrazy znaczków</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="88"/>
         <source>Interior orientation of {name}</source>
         <translation>Orientacja wewnętrzna: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="90"/>
         <source>Mark</source>
         <translation>Znaczek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="91"/>
         <source>Column, px</source>
         <translation>Kolumna, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="92"/>
         <source>Row, px</source>
         <translation>Wiersz, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="93"/>
         <source>x, mm</source>
         <translation>x, mm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="94"/>
         <source>y, mm</source>
         <translation>y, mm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="95"/>
         <source>Residual x, um</source>
         <translation>Odchyłka x, µm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="96"/>
         <source>Residual y, um</source>
         <translation>Odchyłka y, µm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="97"/>
         <source>Correlation</source>
         <translation>Korelacja</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="98"/>
         <source>Status</source>
         <translation>Stan</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="99"/>
         <source>Reason</source>
         <translation>Przyczyna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="100"/>
         <source>Pixel centres are at .5: the first pixel reaches from 0 to 1. Millimetres: x to the right, y upwards.</source>
         <translation>Środki pikseli mają końcówkę ,5: pierwszy piksel sięga od 0 do 1. Milimetry: x w prawo, y w górę.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="108"/>
         <source>to millimetres</source>
         <translation>na milimetry</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="109"/>
         <source>to pixels</source>
         <translation>na piksele</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="104"/>
         <source>Model: {model}, marks: {marks}, degrees of freedom: {redundancy}.</source>
         <translation>Model {model}, znaczki: {marks}, stopnie swobody: {redundancy}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="105"/>
         <source>The photo lies turned by {turned} degrees clockwise{mirrored}, as known by: {evidence}.</source>
         <translation>Zdjęcie jest obrócone o {turned}° zgodnie z ruchem wskazówek zegara{mirrored}, co ustalono na podstawie {evidence}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="106"/>
         <source> and mirrored</source>
         <translation> i odbite lustrzanie</translation>
     </message>
@@ -4184,12 +4155,12 @@
         <translation>próg {value:g}: {hits} z {seen}, niepotrzebnie {vain} z {unseen}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/calibration_chart.py" line="81"/>
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="82"/>
         <source>visible ({count})</source>
         <translation>widoczne ({count})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/calibration_chart.py" line="81"/>
+        <location filename="../plugin/seams/charts/calibration_chart.py" line="83"/>
         <source>invisible ({count})</source>
         <translation>niewidoczne ({count})</translation>
     </message>
@@ -4249,12 +4220,12 @@
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="107"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="109"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="79"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="104"/>
         <source>{name} (mosaic)</source>
         <translation>{name} (ortofotomapa)</translation>
     </message>
@@ -4319,22 +4290,21 @@
         <translation>skok na liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="135"/>
+        <location filename="../plugin/radiometry/words.py" line="25"/>
         <source>contrast beside the seams</source>
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="81"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="127"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="81"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="123"/>
         <source>Radiometric acceptance</source>
         <translation>Odbiór radiometryczny</translation>
     </message>
@@ -4344,27 +4314,23 @@
         <translation>{name}, okno {window}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="124"/>
+        <location filename="../plugin/noise/report.py" line="42"/>
         <source>image</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="130"/>
         <source>Tonal balancing and feathering lower the step at the seams and take contrast away with it, so both have to be looked at together.</source>
         <translation>Wyrównanie tonalne i wtapianie zmniejszają skok na liniach mozaikowania, ale odbierają przy tym kontrast, więc oba trzeba oceniać razem.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="129"/>
         <source>Tonal unity and contrast</source>
         <translation>Jednolitość tonalna i kontrast</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="132"/>
         <source>largest step at a seam</source>
         <translation>największy skok na linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="137"/>
         <source>Available range: {low:g} to {high:g} DN.</source>
         <translation>Dostępny zakres: od {low:g} do {high:g} DN.</translation>
     </message>
@@ -4374,12 +4340,11 @@
         <translation>między kanałami</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="139"/>
+        <location filename="../plugin/sensors/report.py" line="47"/>
         <source>check</source>
         <translation>kontrola</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="5"/>
         <source>result</source>
         <translation>wynik</translation>
     </message>
@@ -4399,27 +4364,22 @@
         <translation>co najmniej {least}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="144"/>
         <source>Signal to noise: areas of {side} x {side} px, spread over the image, whose mean lies in the middle half of the range and whose four quadrants have the same mean as far as their noise lets one tell; the quarter with the least noise, mean over standard deviation.</source>
         <translation>Stosunek sygnału do szumu: obszary {side} × {side} px, rozłożone na obrazie, których średnia leży w środkowej połowie zakresu, a cztery ćwiartki mają tę samą średnią, o ile pozwala to stwierdzić ich szum; z ćwierci obszarów o najmniejszym szumie, średnia podzielona przez odchylenie standardowe.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="146"/>
         <source>Step at the seams: difference of the means {near} to {far} px on either side for every {station} px of seam, their median along each seam, the largest of all seams as a share of the image&apos;s largest value. Contrast beside the seams is the standard deviation of the same pixels, as a share of the range.</source>
         <translation>Skok na liniach mozaikowania: różnica średnich od {near} do {far} px po obu stronach, co {station} px linii, mediana wzdłuż każdej linii, największa ze wszystkich linii jako część największej wartości obrazu. Kontrast przy liniach mozaikowania to odchylenie standardowe tych samych pikseli jako część zakresu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="203"/>
         <source>Property</source>
         <translation>Właściwość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="204"/>
         <source>Value</source>
         <translation>Wartość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="205"/>
         <source>Unknowns</source>
         <translation>Niewiadome</translation>
     </message>
@@ -4459,147 +4419,121 @@
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="206"/>
         <source>Iterations</source>
         <translation>Iteracje</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="208"/>
         <source>Standard deviation of a control point</source>
         <translation>Odchylenie standardowe fotopunktu</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="209"/>
         <source>Image outside the control points&apos; outline</source>
         <translation>Część obrazu poza obrysem fotopunktów</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="210"/>
         <source>Accuracy</source>
         <translation>Dokładność</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="211"/>
         <source>Points</source>
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="212"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="78"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="191"/>
         <source>Mean X (m)</source>
         <translation>Średni X (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="192"/>
         <source>Mean Y (m)</source>
         <translation>Średni Y (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="193"/>
         <source>Largest X (m)</source>
         <translation>Największy X (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="194"/>
         <source>Largest Y (m)</source>
         <translation>Największy Y (m)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="213"/>
         <source>Mean column (px)</source>
         <translation>Średni kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="214"/>
         <source>Mean row (px)</source>
         <translation>Średni wiersza (px)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="216"/>
         <source>Mean errors are root mean squares. Only check points, which took no part in the fit, say how accurate the image becomes.</source>
         <translation>Błędy średnie to błędy średniokwadratowe. Tylko punkty kontrolne, które nie brały udziału w dopasowaniu, mówią, jak dokładny będzie obraz.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="218"/>
         <source>Model minus measured in the image, enlarged; the shaded outline holds what is not extrapolated.</source>
         <translation>Model minus pomiar na obrazie, w powiększeniu; zacieniony obrys obejmuje to, co nie jest ekstrapolowane.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="219"/>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="220"/>
         <source>Role</source>
         <translation>Rola</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="223"/>
         <source>Blunder</source>
         <translation>Błąd gruby</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="28"/>
+        <location filename="../plugin/sensors/report.py" line="47"/>
         <source>control</source>
         <translation>fotopunkt</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="28"/>
+        <location filename="../plugin/sensors/report.py" line="50"/>
         <source>yes</source>
         <translation>tak</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="202"/>
         <source>Sensor model: {name}</source>
         <translation>Model sensora: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="197"/>
         <source>Each point was predicted by a fit to all others (leave-one-out), since check points are few.</source>
         <translation>Każdy punkt przewidziano z dopasowania do wszystkich pozostałych (leave-one-out), ponieważ punktów kontrolnych jest mało.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="198"/>
         <source>Errors are those of check points, which took no part in the fit.</source>
         <translation>Błędy są błędami punktów kontrolnych, które nie brały udziału w dopasowaniu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="188"/>
         <source>The recommended model stands out.</source>
         <translation>Zalecany model jest wyróżniony.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="189"/>
         <source>Table</source>
         <translation>Tabela</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="196"/>
         <source>Judged on</source>
         <translation>Podstawa oceny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="199"/>
         <source>Mean errors are root mean squares.</source>
         <translation>Błędy średnie to błędy średniokwadratowe.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="200"/>
         <source>Not fitted, or not to be trusted</source>
         <translation>Niedopasowane lub niewiarygodne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="201"/>
         <source>Why</source>
         <translation>Dlaczego</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="187"/>
         <source>Sensor models compared</source>
         <translation>Porównanie modeli sensora</translation>
     </message>
@@ -4659,7 +4593,7 @@
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="22"/>
+        <location filename="../plugin/seams/verdict_words.py" line="23"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
@@ -4684,97 +4618,97 @@
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="50"/>
+        <location filename="../plugin/seams/cause_words.py" line="57"/>
         <source>blur to {value} % of their sharpness explains it</source>
         <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="50"/>
+        <location filename="../plugin/seams/cause_words.py" line="58"/>
         <source>it is blurred to {value} % of their sharpness</source>
         <translation>jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="63"/>
+        <location filename="../plugin/seams/cause_words.py" line="71"/>
         <source>feathering of images {value} px apart explains it</source>
         <translation>wyjaśnia to wtapianie obrazów odsuniętych o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="63"/>
+        <location filename="../plugin/seams/cause_words.py" line="72"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="77"/>
+        <location filename="../plugin/seams/cause_words.py" line="81"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="84"/>
+        <location filename="../plugin/seams/cause_words.py" line="88"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="93"/>
+        <location filename="../plugin/seams/cause_words.py" line="97"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="101"/>
+        <location filename="../plugin/seams/cause_words.py" line="105"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="108"/>
+        <location filename="../plugin/seams/cause_words.py" line="112"/>
         <source>the mosaic lies {value} px off its sources</source>
         <translation>ortofotomapa leży {value} px obok swoich ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="50"/>
+        <location filename="../plugin/seams/cause_words.py" line="55"/>
         <source>blur explains it</source>
         <translation>wyjaśnia to rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="50"/>
+        <location filename="../plugin/seams/cause_words.py" line="55"/>
         <source>it is blurred</source>
         <translation>jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="63"/>
+        <location filename="../plugin/seams/cause_words.py" line="67"/>
         <source>feathering explains it</source>
         <translation>wyjaśnia to wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="63"/>
+        <location filename="../plugin/seams/cause_words.py" line="68"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="77"/>
+        <location filename="../plugin/seams/cause_words.py" line="80"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="84"/>
+        <location filename="../plugin/seams/cause_words.py" line="87"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="93"/>
+        <location filename="../plugin/seams/cause_words.py" line="96"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="101"/>
+        <location filename="../plugin/seams/cause_words.py" line="104"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="108"/>
+        <location filename="../plugin/seams/cause_words.py" line="111"/>
         <source>the mosaic does not lie where its sources do</source>
         <translation>ortofotomapa nie leży tam, gdzie jej ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="182"/>
+        <location filename="../plugin/seams/cause_words.py" line="185"/>
         <source>the cause is unclear: its detail is not that of the sources</source>
         <translation>przyczyna jest niejasna: jej detale nie są detalami ortoobrazów</translation>
     </message>
@@ -4789,67 +4723,55 @@
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="161"/>
         <source>Ground resolved distance: {name}</source>
         <translation>Terenowa zdolność rozdzielcza: {name}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="175"/>
         <source>direction</source>
         <translation>kierunek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="140"/>
+        <location filename="../plugin/noise/report.py" line="135"/>
         <source>band</source>
         <translation>kanał</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="162"/>
         <source>distance, cm</source>
         <translation>GRD, cm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="168"/>
         <source>The target</source>
         <translation>Test</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="171"/>
         <source>Profiles</source>
         <translation>Profile</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="174"/>
         <source>Measurements</source>
         <translation>Pomiary</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="177"/>
         <source>bars</source>
         <translation>paski</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="178"/>
         <source>amplitude, DN</source>
         <translation>amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="180"/>
         <source>full amplitude, DN</source>
         <translation>pełna amplituda, DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="181"/>
         <source>modulation</source>
         <translation>modulacja</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="182"/>
         <source>shift, px</source>
         <translation>przesunięcie, px</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="183"/>
         <source>Reasons</source>
         <translation>Powody</translation>
     </message>
@@ -4859,12 +4781,10 @@
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="76"/>
         <source>Flagged windows</source>
         <translation>Oznaczone okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="77"/>
         <source>None: no window has a significant loss, and in none did the observer see one.</source>
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
@@ -4874,27 +4794,24 @@
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="39"/>
+        <location filename="../plugin/noise/report.py" line="62"/>
         <source>windows</source>
         <translation>okna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="60"/>
         <source>Causes</source>
         <translation>Przyczyny</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="64"/>
         <source>of them flagged</source>
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="65"/>
         <source>Map</source>
         <translation>Mapa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="66"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="177"/>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -4904,7 +4821,6 @@
         <translation>okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="84"/>
         <source>Relative variance: the share of a clip&apos;s variance that lies in the details of each level, finest first, and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic&apos;s share at level 1 divided by a source&apos;s; a window&apos;s ratio is the largest over its sources.</source>
         <translation>Wariancja względna: część wariancji wycinka przypadająca na detale każdego poziomu, od najdrobniejszych, i na pozostałe tło (dekompozycja falkowa; Pyka 2010). Stosunek 1 to udział ortofotomapy na poziomie 1 podzielony przez udział źródła; stosunek okna jest największym ze stosunków do jego źródeł.</translation>
     </message>
@@ -4929,7 +4845,7 @@
         <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/packages.py" line="55"/>
+        <location filename="../plugin/toolkit/packages.py" line="56"/>
         <source>Run &apos;{command}&apos; with the Python that QGIS uses, or install what requirements.txt in the plugin&apos;s folder names, then restart QGIS.</source>
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS, albo zainstaluj to, co wymienia requirements.txt w katalogu wtyczki, a potem uruchom ponownie QGIS.</translation>
     </message>
@@ -4939,7 +4855,7 @@
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="47"/>
+        <location filename="../plugin/radiometry/charts.py" line="48"/>
         <source>where the peak should lie</source>
         <translation>gdzie powinno leżeć maksimum</translation>
     </message>
@@ -4964,12 +4880,12 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="173"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="11"/>
+        <location filename="../plugin/desk_tabs.py" line="32"/>
         <source>How much random noise the mosaic, or a source, has in the selected window</source>
         <translation>Ile szumu losowego ma ortofotomapa albo ortoobraz źródłowy w zaznaczonym oknie</translation>
     </message>
@@ -5024,7 +4940,7 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="76"/>
+        <location filename="../plugin/seams/measure/messages.py" line="77"/>
         <source>No source explains the mosaic&apos;s fine detail here, so their composite is no reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
     </message>
@@ -5034,62 +4950,62 @@
         <translation>{what}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="147"/>
         <source>affine</source>
         <translation>transformacji afinicznej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="147"/>
         <source>similarity</source>
         <translation>transformacji przez podobieństwo</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="147"/>
         <source>projective</source>
         <translation>transformacji rzutowej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="148"/>
         <source>Measured</source>
         <translation>Zmierzony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="148"/>
         <source>Given</source>
         <translation>Podany</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="148"/>
         <source>Failed</source>
         <translation>Odrzucony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="149"/>
         <source>positions</source>
         <translation>podanych położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="149"/>
         <source>dots</source>
         <translation>kropek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="149"/>
         <source>data strip</source>
         <translation>paska danych</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="149"/>
         <source>residuals</source>
         <translation>odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="150"/>
         <source>marks</source>
         <translation>układu znaczków</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="150"/>
         <source>assumed</source>
         <translation>założenia</translation>
     </message>
@@ -5104,7 +5020,7 @@
         <translation>Okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="119"/>
+        <location filename="../plugin/seams/window_summary.py" line="120"/>
         <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
@@ -5149,7 +5065,7 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="224"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="165"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
@@ -5164,22 +5080,22 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="98"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="101"/>
         <source>What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first.</source>
         <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="105"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="106"/>
         <source>kept</source>
         <translation>zachow.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="50"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="52"/>
         <source>By the seam, a loss is significant when at most this share of the finest detail is kept along it</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="54"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="56"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
@@ -5199,7 +5115,7 @@
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="62"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="63"/>
         <source>What the verdict is taken by: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
@@ -5244,187 +5160,187 @@
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="243"/>
+        <location filename="../plugin/seams/cause_words.py" line="117"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="116"/>
+        <location filename="../plugin/seams/cause_words.py" line="119"/>
         <source>A part of the mosaic is from an orthoimage that is not among the sources; add that one.</source>
         <translation>Część ortofotomapy pochodzi z ortoobrazu, którego nie ma wśród źródłowych; dodaj go.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="116"/>
+        <location filename="../plugin/seams/cause_words.py" line="121"/>
         <source>a part of it is from none of these sources</source>
         <translation>jej część nie pochodzi z żadnego z tych ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="116"/>
+        <location filename="../plugin/seams/cause_words.py" line="122"/>
         <source>{value} % of it are from none of these sources</source>
         <translation>{value} % jej pikseli nie pochodzi z żadnego z tych ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="247"/>
+        <location filename="../plugin/seams/cause_words.py" line="127"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <location filename="../plugin/seams/cause_words.py" line="129"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <location filename="../plugin/seams/cause_words.py" line="131"/>
         <source>resampling explains it</source>
         <translation>wyjaśnia to przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <location filename="../plugin/seams/cause_words.py" line="131"/>
         <source>it was resampled</source>
         <translation>została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <location filename="../plugin/seams/cause_words.py" line="133"/>
         <source>resampling, {value} px off the sources&apos; pixels, explains it</source>
         <translation>wyjaśnia to przepróbkowanie z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="126"/>
+        <location filename="../plugin/seams/cause_words.py" line="134"/>
         <source>it was resampled, {value} px off the sources&apos; pixels</source>
         <translation>została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="248"/>
+        <location filename="../plugin/seams/cause_words.py" line="140"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="139"/>
+        <location filename="../plugin/seams/cause_words.py" line="141"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="139"/>
+        <location filename="../plugin/seams/cause_words.py" line="142"/>
         <source>it was sharpened</source>
         <translation>została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="139"/>
+        <location filename="../plugin/seams/cause_words.py" line="143"/>
         <source>it was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="249"/>
+        <location filename="../plugin/seams/cause_words.py" line="148"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="147"/>
+        <location filename="../plugin/seams/cause_words.py" line="149"/>
         <source>Compression with loss, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="147"/>
+        <location filename="../plugin/seams/cause_words.py" line="150"/>
         <source>it was compressed with loss</source>
         <translation>została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="147"/>
+        <location filename="../plugin/seams/cause_words.py" line="151"/>
         <source>it was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="250"/>
+        <location filename="../plugin/seams/cause_words.py" line="156"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="155"/>
+        <location filename="../plugin/seams/cause_words.py" line="157"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="155"/>
+        <location filename="../plugin/seams/cause_words.py" line="158"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="155"/>
+        <location filename="../plugin/seams/cause_words.py" line="159"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="252"/>
+        <location filename="../plugin/seams/cause_words.py" line="164"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="163"/>
+        <location filename="../plugin/seams/cause_words.py" line="165"/>
         <source>Brightness was evened out by a tone that changes from place to place.</source>
         <translation>Jasność wyrównano tonacją, która zmienia się z miejsca na miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="163"/>
+        <location filename="../plugin/seams/cause_words.py" line="166"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="256"/>
+        <location filename="../plugin/seams/cause_words.py" line="169"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="168"/>
+        <location filename="../plugin/seams/cause_words.py" line="171"/>
         <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="168"/>
+        <location filename="../plugin/seams/cause_words.py" line="173"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="168"/>
+        <location filename="../plugin/seams/cause_words.py" line="174"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="177"/>
+        <location filename="../plugin/seams/cause_words.py" line="180"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="8"/>
+        <location filename="../plugin/seams/measure/messages.py" line="9"/>
         <source>The smallest share of detail that a seam has to keep is {kept}; give a number between 0 and 1.</source>
         <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="80"/>
+        <location filename="../plugin/seams/measure/messages.py" line="81"/>
         <source>The mosaic follows one source all over the window, so there is no seam here; the verdict is that of the sharpness alone.</source>
         <translation>W całym oknie ortofotomapa podąża za jednym ortoobrazem źródłowym, więc nie ma tu linii mozaikowania; ocena jest oceną samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="85"/>
+        <location filename="../plugin/seams/measure/messages.py" line="86"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="89"/>
+        <location filename="../plugin/seams/measure/messages.py" line="90"/>
         <source>{share:.0f} % of the window is from none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing.</source>
         <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych ortoobrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="93"/>
+        <location filename="../plugin/seams/measure/messages.py" line="94"/>
         <source>{share:.0f} % of the window is from none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing.</source>
         <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="97"/>
+        <location filename="../plugin/seams/measure/messages.py" line="98"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/messages.py" line="102"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
@@ -5434,92 +5350,85 @@
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="106"/>
+        <location filename="../plugin/seams/measure/messages.py" line="107"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="110"/>
+        <location filename="../plugin/seams/measure/messages.py" line="111"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="192"/>
+        <location filename="../plugin/seams/measure/messages.py" line="193"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="46"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="48"/>
         <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where 70 % or less is kept along the seam, reduced where surely less than all is. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
         <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii mozaikowania zachowano 70 % lub mniej, a kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
         <source>seam: what is kept along the seam, against the hard-cut composite of the sources and the ground around. composite: the whole window against that composite. sources: the whole clip of each source, as in the paper; that verdict is always in the field &apos;paper_verdict&apos;, too.</source>
         <translation>seam: to, co zachowano wzdłuż linii mozaikowania, względem kompozycji ortoobrazów źródłowych z ostrym cięciem i terenu wokół. composite: całe okno względem tej kompozycji. sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule; ta ocena jest zawsze także w polu „paper_verdict”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="90"/>
         <source>Least share kept along the seam</source>
         <translation>Najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="92"/>
         <source>A window is significant when this share of the finest detail, or less, is kept along its seam. 0.5 is what a 50:50 blend of two images leaves that have nothing in common.</source>
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="99"/>
         <source>By the paper&apos;s rule a window is significant when its ratio at level 1 is this or less.</source>
         <translation>Według reguły z artykułu okno otrzymuje ocenę „istotna strata” (significant), gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="282"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="127"/>
         <source>Seam profiles</source>
         <translation>Profile linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="288"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="129"/>
         <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="62"/>
         <source>main cause in</source>
         <translation>główna przyczyna w</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="63"/>
         <source>took part in</source>
         <translation>udział w</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="80"/>
         <source>share, level</source>
         <translation>część, poziom</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="82"/>
         <source>Kept: the share of the sources&apos; detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
         <translation>Zachowane: część detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="83"/>
         <source>Verdicts by the seam: significant, where 70 % or less is kept (or what the inspection was set to), or the whole window is blurred badly; reduced, where surely less than all is; else preserved. The paper&apos;s rule looks at ratio 1 in whole clips: significant up to 0.5, reduced below 1. Observer: what the operator saw at 2x magnification.</source>
         <translation>Oceny według linii mozaikowania: istotna strata, gdy zachowano 70 % lub mniej (albo tyle, ile ustawiono przy kontroli) lub całe okno jest mocno rozmyte; osłabione, gdy na pewno zachowano mniej niż wszystko; w innym razie zachowane. Reguła z artykułu patrzy na stosunek 1 w całych wycinkach: istotna strata do 0,5, osłabione poniżej 1. Obserwator: co operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="54"/>
         <source>median</source>
         <translation>mediana</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="58"/>
         <source>kept 1</source>
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="138"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="139"/>
         <source>On or below this line a loss is significant by curves: against the sources (paper), or their composite</source>
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
@@ -5534,12 +5443,12 @@
         <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="34"/>
+        <location filename="../plugin/toolkit/messages.py" line="35"/>
         <source>The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} od {seconds:.0f} s nie ma procesów roboczych; uruchom je, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="37"/>
+        <location filename="../plugin/toolkit/messages.py" line="38"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
@@ -5564,12 +5473,12 @@
         <translation>Serwer pliku {name} nie odpowiada ({why}); sprawdź połączenie z siecią i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="103"/>
+        <location filename="../plugin/imagery/messages.py" line="104"/>
         <source>The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests.</source>
         <translation>Serwer pliku {name} wysyła tylko całe pliki; skopiuj go na dysk lokalny albo na serwer, który obsługuje żądania zakresu (Range).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="106"/>
+        <location filename="../plugin/imagery/messages.py" line="107"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
@@ -5579,22 +5488,22 @@
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="160"/>
+        <location filename="../plugin/seams/desk/dock.py" line="163"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="160"/>
+        <location filename="../plugin/seams/desk/dock.py" line="163"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="165"/>
+        <location filename="../plugin/seams/desk/dock.py" line="168"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="165"/>
+        <location filename="../plugin/seams/desk/dock.py" line="168"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5609,22 +5518,22 @@
         <translation>Obraz strat (częściowy)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="75"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="76"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="63"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="55"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
@@ -5694,12 +5603,12 @@
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_message.py" line="27"/>
+        <location filename="../plugin/seams/desk/scan/scan_message.py" line="29"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="32"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="33"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken against, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
@@ -5714,7 +5623,7 @@
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="74"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="75"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
@@ -5759,12 +5668,12 @@
         <translation>Obraz strat nie może mieć komórek o boku {cell} pikseli; podaj jedną z wartości: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="36"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="37"/>
         <source>{name} has no {band} band, which the mosaic is measured by, so it takes no part.</source>
         <translation>Raster {name} nie ma kanału „{band}”, według którego mierzona jest ortofotomapa, więc nie bierze udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="40"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="41"/>
         <source>{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic and are left out.</source>
         <translation>Z {given:.0f} m linii mozaikowania {outside:.0f} m leży poza ortofotomapą i zostało pominięte.</translation>
     </message>
@@ -5784,7 +5693,7 @@
         <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="91"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="92"/>
         <source>{path} is damaged; the blocks before are kept ({done}), and the others are measured again.</source>
         <translation>Plik {path} jest uszkodzony; bloki sprzed uszkodzenia są zachowane ({done}), a pozostałe są mierzone ponownie.</translation>
     </message>
@@ -5794,12 +5703,12 @@
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="95"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="96"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="98"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="99"/>
         <source>{path} can&apos;t be kept to one scan on this disk ({error}); choose an output on a local disk.</source>
         <translation>Na tym dysku nie można zastrzec pliku {path} dla jednego badania ({error}); wybierz plik wyniku na dysku lokalnym.</translation>
     </message>
@@ -5809,12 +5718,12 @@
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="102"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="103"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="106"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="107"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
@@ -5849,7 +5758,7 @@
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="122"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="123"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
@@ -5864,137 +5773,137 @@
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="44"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="45"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="47"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="48"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="51"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="52"/>
         <source>The seamline layer names no orthoimages; what lies beside its seams is called by its dates, of the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów; to, co leży po obu stronach linii, jest nazywane według dat z pola „{field}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="55"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="56"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="59"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="60"/>
         <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="62"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="63"/>
         <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
         <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="65"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="66"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="68"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="69"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="72"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="73"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all ({names} first of all); which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="76"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="77"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="80"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="81"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} ({names} first of all).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="83"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="84"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="143"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="144"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="146"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="147"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="150"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="151"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="155"/>
         <source>Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep {low:.0f} to {high:.0f} %.</source>
         <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="51"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="52"/>
         <source>{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.</source>
         <translation>Raster {name} to ortofotomapa o większych pikselach, czyli jej podgląd, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="19"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="20"/>
         <source>Neither orthoimages nor seamlines are given; add the orthoimages, or the seamlines to scan the mosaic alone.</source>
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="159"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="162"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="163"/>
         <source>Without orthoimages a piece of seam can be judged on this mosaic from some {length:.0f} m on.</source>
         <translation>Bez ortoobrazów źródłowych odcinek linii mozaikowania można na tej ortofotomapie ocenić od długości około {length:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="166"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="22"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="23"/>
         <source>The mosaic has {width} x {height} pixels and a scan needs {fewest} at least; inspect it in windows instead.</source>
         <translation>Ortofotomapa ma {width} × {height} pikseli, a bok badanej ortofotomapy musi mieć ich co najmniej {fewest}; skontroluj ją w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="25"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="26"/>
         <source>No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from.</source>
         <translation>Żaden z podanych ortoobrazów (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych albo podaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="32"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="33"/>
         <source>More than {most} orthoimages lie one above the other in parts of the mosaic (blocks: {count}); there the {most} that cover most of a block are taken.</source>
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="117"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="118"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="28"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="29"/>
         <source>None of the orthoimages can be used, for the reasons that are told; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="125"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="126"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -6004,112 +5913,112 @@
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="56"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="58"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="73"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="79"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="83"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="90"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="95"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="101"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="105"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="108"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="110"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="108"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="112"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="118"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="121"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="125"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="129"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="133"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="137"/>
         <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="104"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
         <source>Length with a significant loss (metres)</source>
         <translation>Długość z istotną stratą (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="142"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="139"/>
         <source>{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
         <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
     </message>
@@ -6124,37 +6033,37 @@
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="47"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="48"/>
         <source>{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} wszędzie jest taki jak ortofotomapa, jest więc jej kopią albo ortofotomapą, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako ortoobraz źródłowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="54"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="55"/>
         <source>{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, the scan tells nothing, so give the orthoimages that the mosaic was made from.</source>
         <translation>{name} wszędzie jest taki jak ortofotomapa i nie ma innego ortoobrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc ortoobrazy źródłowe, z których ortofotomapa powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="130"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="15"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="16"/>
         <source>Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can&apos;t be measured.</source>
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="136"/>
         <source>{metres:.0f} of {all:.0f} m of seam have no verdict; the field &apos;reason&apos; of the seams says why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie ma oceny; pole „reason” mówi dlaczego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="12"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="13"/>
         <source>The corridor counts only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała ortofotomapa.</translation>
     </message>
@@ -6164,7 +6073,7 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="255"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="256"/>
         <source>Relative variance of the details by level, 1 the finest. Only the bold curve is judged. The red bar at a level stands as high as the bold curve does one level before: in an image with little noise the curve rises above it. Where the bold curve is in the red, below the bar, noise lifted the finer level.</source>
         <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
     </message>
@@ -6179,27 +6088,27 @@
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="226"/>
+        <location filename="../plugin/seams/loss_colours.py" line="16"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="227"/>
+        <location filename="../plugin/seams/loss_colours.py" line="17"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="228"/>
+        <location filename="../plugin/seams/loss_colours.py" line="18"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="229"/>
+        <location filename="../plugin/seams/loss_colours.py" line="19"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="230"/>
+        <location filename="../plugin/seams/loss_colours.py" line="20"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
@@ -6224,7 +6133,7 @@
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="57"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="61"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -6254,7 +6163,7 @@
         <translation>Kurtyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="46"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="47"/>
         <source>Compare the mosaic with a source on the map: drag the handle, X exchanges the sides, Esc ends</source>
         <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
     </message>
@@ -6284,7 +6193,7 @@
         <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe.py" line="86"/>
+        <location filename="../plugin/seams/desk/swipe/swipe.py" line="87"/>
         <source>Open {name}</source>
         <translation>Otwórz {name}</translation>
     </message>
@@ -6314,7 +6223,7 @@
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/judging/notes_row.py" line="64"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
@@ -6324,32 +6233,32 @@
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="29"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="32"/>
         <source>First operator</source>
         <translation>Pierwszy operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="29"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="32"/>
         <source>What is said goes to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="29"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="33"/>
         <source>Second operator</source>
         <translation>Drugi operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="29"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="33"/>
         <source>What is said goes to the field &apos;observer_2&apos;, beside the first one&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="39"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="40"/>
         <source>Blind</source>
         <translation>W ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="39"/>
+        <location filename="../plugin/seams/desk/judging/operator_button.py" line="41"/>
         <source>Hides what the tool found, and what the other operator said: in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
@@ -6384,17 +6293,17 @@
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="57"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="58"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="58"/>
         <source>It can&apos;t be said. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="60"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="62"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
@@ -6499,62 +6408,62 @@
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="58"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="59"/>
         <source>as sorted</source>
         <translation>jak w tabeli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="58"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="60"/>
         <source>As the table is sorted by one of its columns.</source>
         <translation>Według kolumny, po której posortowano tabelę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="64"/>
         <source>along the seam</source>
         <translation>wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="65"/>
         <source>Seam by seam and along each, as the windows were placed.</source>
         <translation>Linia po linii i wzdłuż każdej z nich, tak jak rozmieszczono okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="68"/>
         <source>worst first</source>
         <translation>najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="69"/>
         <source>The least kept detail first.</source>
         <translation>Najpierw okna, w których zachowano najmniej detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="63"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="72"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="73"/>
         <source>First the windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
         <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="67"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="77"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="62"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="78"/>
         <source>First the windows where the two operators disagree.</source>
         <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="35"/>
+        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="37"/>
         <source>{judged} of {count} judged, {left} to go</source>
         <translation>{judged} z {count}, zostało {left}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="41"/>
+        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="44"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
     </message>
@@ -6609,7 +6518,7 @@
         <translation>Porównaj duży obraz z {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="36"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="37"/>
         <source>All pictures side by side, or one large one</source>
         <translation>Wszystkie obrazy obok siebie albo jeden duży</translation>
     </message>
@@ -6619,32 +6528,32 @@
         <translation>Pokaż cały obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="74"/>
         <source>As delivered</source>
         <translation>Oryginał</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="75"/>
         <source>8 bit as it is, 16 bit by its range of values: the same in all windows</source>
         <translation>8 bitów bez zmian, 16 bitów według zakresu wartości: tak samo we wszystkich oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="76"/>
         <source>One stretch</source>
         <translation>Wspólnie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="77"/>
         <source>More contrast: the mosaic&apos;s darkest and brightest 2 % cut off, the same in all windows</source>
         <translation>Większy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli ortofotomapy, tak samo we wszystkich oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="78"/>
         <source>Each window</source>
         <translation>Każde okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="73"/>
+        <location filename="../plugin/seams/desk/images/images_bar.py" line="79"/>
         <source>Most contrast: each window&apos;s darkest and brightest 2 % cut off. Windows look unlike each other, and grey may look coloured.</source>
         <translation>Największy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli każdego okna. Okna wyglądają różnie, a szarość może wydawać się barwna.</translation>
     </message>
@@ -6704,7 +6613,7 @@
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="186"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="136"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
@@ -6719,7 +6628,7 @@
         <translation>Zapisz lub skopiuj profil linii mozaikowania: jako obraz albo jako tabelę wszystkich poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="37"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="39"/>
         <source>All levels and distances</source>
         <translation>Wszystkie poziomy i odległości</translation>
     </message>
@@ -6729,12 +6638,12 @@
         <translation>Zapisz profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="75"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="77"/>
         <source>The seam profile was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano profilu linii mozaikowania w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="75"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="76"/>
         <source>The seam profile was saved to {path}.</source>
         <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
@@ -6749,7 +6658,7 @@
         <translation>Profil linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="96"/>
+        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="97"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
@@ -6784,12 +6693,12 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/found_message.py" line="29"/>
+        <location filename="../plugin/seams/desk/keeping/found_message.py" line="30"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/found_message.py" line="29"/>
+        <location filename="../plugin/seams/desk/keeping/found_message.py" line="31"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
@@ -6799,22 +6708,22 @@
         <translation>Przywróć okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="57"/>
+        <location filename="../plugin/seams/desk/dock.py" line="63"/>
         <source>Click: selects the window that is there, with Shift it too; else makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="249"/>
+        <location filename="../plugin/seams/desk/dock.py" line="262"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="255"/>
+        <location filename="../plugin/seams/desk/dock.py" line="268"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="259"/>
+        <location filename="../plugin/seams/desk/dock.py" line="272"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -6824,7 +6733,7 @@
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="31"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="32"/>
         <source>Show where detail was lost, over the map and the images (L). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L). Jedna skala dla wszystkich okien</translation>
     </message>
@@ -6844,47 +6753,47 @@
         <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="24"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="25"/>
         <source>{share:.1f} % of the mosaic is empty there</source>
         <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
         <source>east</source>
         <translation>wschód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
         <source>north-east</source>
         <translation>północny wschód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
         <source>north</source>
         <translation>północ</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
         <source>north-west</source>
         <translation>północny zachód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
         <source>west</source>
         <translation>zachód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
         <source>south-west</source>
         <translation>południowy zachód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
         <source>south</source>
         <translation>południe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="43"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
         <source>south-east</source>
         <translation>południowy wschód</translation>
     </message>
@@ -6939,137 +6848,137 @@
         <translation>{metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="51"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="52"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="56"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="57"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="60"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="61"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="64"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="67"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="68"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="75"/>
         <source>kept from</source>
         <translation>zach. od</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="76"/>
         <source>Lower end of the 95 % interval of what is kept along the seam.</source>
         <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="79"/>
         <source>kept to</source>
         <translation>zach. do</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="80"/>
         <source>Upper end of the 95 % interval of what is kept along the seam.</source>
         <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="84"/>
         <source>Width of the band along the seam in which detail was lost.</source>
         <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="87"/>
         <source>sharpness</source>
         <translation>ostrość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="88"/>
         <source>Sharpness of the whole window against the composite of its sources.</source>
         <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="91"/>
         <source>added</source>
         <translation>dodane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="92"/>
         <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
         <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="95"/>
         <source>explained</source>
         <translation>wyjaśnione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="96"/>
         <source>Share of the pixels whose detail the given sources explain.</source>
         <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="99"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="100"/>
         <source>All that happened to the contrast, strongest first.</source>
         <translation>Wszystko, co stało się z kontrastem, od najsilniejszego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="103"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="104"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="107"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="73"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="108"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="76"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="77"/>
         <source>Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
         <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
@@ -7089,7 +6998,7 @@
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="63"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="65"/>
         <source>Windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
@@ -7104,37 +7013,37 @@
         <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="38"/>
         <source>Judge not sure</source>
         <translation>Strata niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="43"/>
         <source>Copy rows</source>
         <translation>Kopiuj wiersze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="44"/>
         <source>The selected rows with their headings, for a spreadsheet.</source>
         <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="45"/>
         <source>Save as CSV ...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="46"/>
         <source>All windows that are shown, with all of their numbers.</source>
         <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="114"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="115"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="114"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="117"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict was taken by.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
@@ -7174,7 +7083,7 @@
         <translation>{asked:.1f} m to za mało dla tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
         <source>{asked:.1f} m is too large for this mosaic</source>
         <translation>{asked:.1f} m to za dużo dla tej ortofotomapy</translation>
     </message>
@@ -7189,17 +7098,17 @@
         <translation>Sprawdź ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="80"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="81"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="80"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="81"/>
         <source>Check the rasters that may be sources of this mosaic, and no others</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="84"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="85"/>
         <source>The orthoimages that the mosaic was made from. What is left out says why; check it to take it all the same. Uncheck a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -7214,7 +7123,7 @@
         <translation>{bits}-bitowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="55"/>
+        <location filename="../plugin/seams/measure/messages.py" line="56"/>
         <source>Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are ready.</source>
         <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania; miejsca, które już miały swoje okno: {there}. Skontroluj okna, gdy zechcesz.</translation>
     </message>
@@ -7224,7 +7133,7 @@
         <translation>Nie umieszczono żadnego okna: wszystkie miejsca wzdłuż linii mozaikowania (liczba: {there}) mają już swoje okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="10"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="11"/>
         <source>Until the project is saved its windows are in {path}; they move beside the project then.</source>
         <translation>Dopóki projekt nie zostanie zapisany, jego okna są w {path}; potem zostaną przeniesione obok projektu.</translation>
     </message>
@@ -7234,32 +7143,32 @@
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="14"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="15"/>
         <source>The windows stay in {old}, as they can&apos;t be moved to {folder} ({error}); export them from there.</source>
         <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="17"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="18"/>
         <source>QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.</source>
         <translation>QGIS zakończył działanie, zanim zapisano projekt z oknami; są one w {path}. Otwórz jego rastry, a potem okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="24"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="25"/>
         <source>QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.</source>
         <translation>QGIS zakończył działanie bez zapisu; przywrócono zmiany {count} {count:okna|okien|okien} w {name}. Zapisz warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="27"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="28"/>
         <source>What is judged is safe only once you save the layer: it can&apos;t be kept in {path} meanwhile ({error}).</source>
         <translation>Opinie będą bezpieczne dopiero po zapisaniu warstwy: do tego czasu nie można ich przechować w {path} ({error}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="30"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="31"/>
         <source>Curves and pictures of the windows can&apos;t be kept in {path} ({error}); without them windows are measured again after the project was closed.</source>
         <translation>Krzywych i obrazów okien nie można przechować w {path} ({error}); bez nich po zamknięciu projektu okna są mierzone od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="35"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="36"/>
         <source>The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a GeoPackage to keep them.</source>
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
@@ -7271,7 +7180,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="143"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
-        <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = 'feathering'.</translation>
+        <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="149"/>
@@ -7279,7 +7188,7 @@
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="152"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -7329,7 +7238,7 @@
         <translation>To znów ortofotomapa: taka sama wszędzie, gdzie je porównano. Ukryłaby każdą stratę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="21"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
         <source>A part of the mosaic again: alike wherever they were compared, though other sources lie there.</source>
         <translation>To znów część ortofotomapy: taka sama wszędzie, gdzie je porównano, choć leżą tam inne ortoobrazy.</translation>
     </message>
@@ -7359,7 +7268,7 @@
         <translation>Pokazuje co innego niż ortofotomapa: mapę albo inny czas.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="29"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
         <source>Covers the whole mosaic, as another mosaic would; check it if it is one of the orthoimages.</source>
         <translation>Pokrywa całą ortofotomapę, jak inna ortofotomapa; zaznacz go, jeśli jest jednym z ortoobrazów.</translation>
     </message>
@@ -7369,67 +7278,59 @@
         <translation>Nie można porównać z ortofotomapą: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="34"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="35"/>
         <source>The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z {name} w żadnym z okien, w których brał on udział (liczba: {count}): czy to jeden z jej ortoobrazów?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="38"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="39"/>
         <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="42"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
         <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
         <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="50"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="53"/>
         <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; is no verdict), and the measures &apos;kept_1&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
         <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="231"/>
         <source>90 % and more: even ground</source>
         <translation>90 % i więcej: jak teren wokół</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="233"/>
         <source>at most half of the finest detail would stay</source>
         <translation>zostałaby najwyżej połowa najdrobniejszych detali</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="234"/>
         <source>up to three quarters</source>
         <translation>do trzech czwartych</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="235"/>
         <source>more than three quarters</source>
         <translation>ponad trzy czwarte</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="236"/>
         <source>nothing to be feathered, or not comparable</source>
         <translation>nic do wtapiania albo nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="237"/>
         <source>significant loss</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="225"/>
         <source>width of the band</source>
         <translation>szerokość pasa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="242"/>
         <source>Window</source>
         <translation>Okno</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="11"/>
+        <location filename="../plugin/desk_tabs.py" line="17"/>
         <source>How the variance of the selected windows spreads over the levels of detail, and how much detail is kept by the distance from the seam</source>
         <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
@@ -7439,7 +7340,7 @@
         <translation>Nie ma takiej zmiany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="105"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="109"/>
         <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
@@ -7459,7 +7360,7 @@
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="21"/>
+        <location filename="../plugin/seams/desk/keeping/messages.py" line="22"/>
         <source>{name} beside this project holds {count} windows that the project does not know.</source>
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
@@ -7484,7 +7385,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="208"/>
+        <location filename="../plugin/seams/desk/dock.py" line="221"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -7499,7 +7400,7 @@
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="146"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>The filter knows no geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
@@ -7509,7 +7410,7 @@
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="17"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="18"/>
         <source>Like the mosaic wherever they were compared: the mosaic again, or the one orthoimage that it was made from; check it if it is that.</source>
         <translation>Taki sam jak ortofotomapa wszędzie, gdzie je porównano: znów ortofotomapa albo jedyny ortoobraz, z którego powstała; zaznacz go, jeśli to ten ortoobraz.</translation>
     </message>
@@ -7544,47 +7445,47 @@
         <translation>ziarno (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="42"/>
+        <location filename="../plugin/noise/checknoise.py" line="44"/>
         <source>Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as land use or scale.</source>
         <translation>Mówi, ile szumu losowego ma obraz, niezależnie od tego, czy pochodzi on z filmu, skanowania czy sensora. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (moderate), a gdy jest silny, także poziom 2 ponad poziom 3 (Pyka 2009). Ziarno grubsze niż piksel jest wyszukiwane w widmie najspokojniejszego terenu; gdzie mogłaby je ukryć tekstura, ocena jest niepewna (uncertain). Zdjęcia i skany nie muszą mieć położenia na mapie. Można porównać dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno jest mierzone na obu, z pominięciem tych samych pikseli. Okna są grupowane według swojego pola, np. użytkowania terenu lub skali.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="63"/>
+        <location filename="../plugin/noise/checknoise.py" line="64"/>
         <source>Name of the rasters</source>
         <translation>Nazwa rastrów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="63"/>
+        <location filename="../plugin/noise/checknoise.py" line="65"/>
         <source>What the first group is called in chart and report. Empty: its file&apos;s name, or group 1.</source>
         <translation>Nazwa pierwszej grupy na wykresie i w raporcie. Puste: nazwa jej pliku albo grupa 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="67"/>
+        <location filename="../plugin/noise/checknoise.py" line="68"/>
         <source>Name of the second group</source>
         <translation>Nazwa drugiej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="67"/>
+        <location filename="../plugin/noise/checknoise.py" line="69"/>
         <source>What the second group is called. Empty: its file&apos;s name, or group 2.</source>
         <translation>Nazwa drugiej grupy. Puste: nazwa jej pliku albo grupa 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="77"/>
+        <location filename="../plugin/noise/checknoise.py" line="79"/>
         <source>Group windows by</source>
         <translation>Grupuj okna według</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="77"/>
+        <location filename="../plugin/noise/checknoise.py" line="81"/>
         <source>A field of the windows, as land use, scale or film: chart and report compare its values.</source>
         <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="86"/>
+        <location filename="../plugin/noise/checknoise.py" line="89"/>
         <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, the most that grain can be, and the verdict low, uncertain, moderate or strong.</source>
         <translation>Jeden wiersz na okno, raster i kanał: wariancje względne, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN, najwyższa możliwa wartość ziarna oraz ocena low, uncertain, moderate lub strong.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="100"/>
+        <location filename="../plugin/noise/checknoise.py" line="102"/>
         <source>Windows whose texture could hide grain</source>
         <translation>Okna, których tekstura może skrywać ziarno</translation>
     </message>
@@ -7594,7 +7495,7 @@
         <translation>grupa {group}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/window_classes.py" line="25"/>
+        <location filename="../plugin/noise/desk/window_classes.py" line="26"/>
         <source>Field that windows are grouped by, as land use or scale: the range of all windows with the selected window&apos;s value stands behind its curves. Empty: no groups.</source>
         <translation>Pole, według którego grupowane są okna, np. użytkowanie terenu lub skala: za krzywymi zaznaczonego okna widać zakres wszystkich okien z tą samą wartością. Puste pole: bez grup.</translation>
     </message>
@@ -7649,7 +7550,7 @@
         <translation>Silny szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="8"/>
+        <location filename="../plugin/noise/measure/messages.py" line="9"/>
         <source>Windows are grouped by a field of theirs; give WINDOWS, or leave GROUP_FIELD empty.</source>
         <translation>Okna są grupowane według ich pola; podaj WINDOWS albo pozostaw GROUP_FIELD puste.</translation>
     </message>
@@ -7659,17 +7560,17 @@
         <translation>Okna nie mają pola {field}; wybierz jedno z pól, które mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="34"/>
+        <location filename="../plugin/noise/measure/messages.py" line="35"/>
         <source>The quiet ground has the spectrum of grain, noise coarser than a pixel; the curve alone does not show it.</source>
         <translation>Spokojny teren ma widmo ziarna, czyli szumu grubszego niż piksel; sama krzywa tego nie pokazuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="37"/>
+        <location filename="../plugin/noise/measure/messages.py" line="38"/>
         <source>The curve rises, but noise coarser than a pixel (grain) can hide in this texture; measure smoother ground.</source>
         <translation>Krzywa rośnie, ale w tej teksturze może się kryć szum grubszy niż piksel (ziarno); zmierz gładszy teren.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/measure/messages.py" line="40"/>
+        <location filename="../plugin/noise/measure/messages.py" line="41"/>
         <source>The curve rises, but the window is too small to tell noise coarser than a pixel (grain) from texture; draw a larger one.</source>
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
     </message>
@@ -7679,7 +7580,7 @@
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="137"/>
+        <location filename="../plugin/noise/charts.py" line="138"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
@@ -7709,12 +7610,12 @@
         <translation>około {size:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="10"/>
+        <location filename="../plugin/sensors/model_titles.py" line="11"/>
         <source>quotients of order 2 at most, with the terms left out that the points do not speak for</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="28"/>
+        <location filename="../plugin/sensors/report.py" line="31"/>
         <source>reference system of the points</source>
         <translation>układ współrzędnych punktów</translation>
     </message>
@@ -7724,7 +7625,7 @@
         <translation>Nie ma już punktów do dopasowania modelu: {why} Popraw warstwę albo wybierz inną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="13"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="14"/>
         <source>{name} holds no ground control points itself; choose a layer or a file of points.</source>
         <translation>{name} nie zawiera fotopunktów; wybierz warstwę albo plik z punktami.</translation>
     </message>
@@ -7734,7 +7635,7 @@
         <translation>Fotopunkt zapisany w pliku {name} nie jest liczbą; wybierz warstwę albo plik z punktami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="17"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="18"/>
         <source>The points are of the images {names}; choose one of them, since a file that names images is read for one.</source>
         <translation>Punkty należą do obrazów {names}; wybierz jeden z nich, ponieważ plik, który podaje nazwy obrazów, jest czytany dla jednego.</translation>
     </message>
@@ -7744,52 +7645,52 @@
         <translation>nie ma wysokości, a inne mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="35"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="36"/>
         <source>The points are said to be in degrees, and one is at {x:.10g}, {y:.10g}; set the reference system that their coordinates are in.</source>
         <translation>Punkty mają być w stopniach, a jeden leży w {x:.10g}, {y:.10g}; ustaw układ współrzędnych, w którym podano ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="39"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="40"/>
         <source>Point {name} is {height:.6g} m high, as no place on earth is; give heights in metres.</source>
         <translation>Punkt {name} ma wysokość {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj wysokości w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="42"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="43"/>
         <source>By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that their coordinates are in.</source>
         <translation>Według punktów piksel ma w terenie {size:.2g} m; sprawdź, czy ich układ współrzędnych jest tym, w którym podano współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="46"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="47"/>
         <source>The points&apos; rows are negative, as QGIS&apos;s georeferencer shows them; give them from the upper edge downwards, all positive, or the .points file itself.</source>
         <translation>Wiersze punktów są ujemne, jak pokazuje je georeferencer QGIS; podaj je od górnej krawędzi w dół, wszystkie dodatnie, albo podaj sam plik .points.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="50"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="51"/>
         <source>The points lie in the image only with columns and rows interchanged; interchange the two fields.</source>
         <translation>Punkty leżą na obrazie tylko przy zamienionych kolumnach i wierszach; zamień te dwa pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="53"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="54"/>
         <source>{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose their image.</source>
         <translation>Poza obrazem {columns} × {rows} px {count:leży|leżą|leży} {count} {count:punkt|punkty|punktów} ({names}); popraw je lub usuń albo wybierz właściwy obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="57"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="58"/>
         <source>{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image&apos;s RPC holds for {first:.0f} to {last:.0f} m, so errors and recommendation mean nothing if the heights are wrong; check them and their unit.</source>
         <translation>Wysokości punktów ({count}: {names}) wynoszą od {low:.0f} do {high:.0f} m, a RPC obrazu obowiązuje od {first:.0f} do {last:.0f} m, więc błędy i zalecenie nic nie znaczą, jeśli wysokości są złe; sprawdź je i ich jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="62"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="63"/>
         <source>The image&apos;s RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, their reference system and heights, and that it is the RPC of this image.</source>
         <translation>Według RPC punkty leżą {distance:.3g} px poza obrazem; sprawdź, czy x i y nie są zamienione, ich układ współrzędnych i wysokości oraz czy jest to RPC tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="66"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="67"/>
         <source>By the image&apos;s RPC the points&apos; columns and rows are interchanged; interchange the two fields.</source>
         <translation>Według RPC obrazu kolumny i wiersze punktów są zamienione; zamień oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="69"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="70"/>
         <source>By the image&apos;s RPC the points are measured in a mirrored or turned image; count columns and rows from the upper left corner of the image that the RPC belongs to.</source>
         <translation>Według RPC obrazu punkty zmierzono na obrazie odbitym lub obróconym; licz kolumny i wiersze od lewego górnego narożnika obrazu, do którego należy RPC.</translation>
     </message>
@@ -7799,7 +7700,7 @@
         <translation>Udział punktów kontrolnych wynosi {share:g}; podaj liczbę od 0 do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="110"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="111"/>
         <source>{count} points miss the model by far more than the others ({names}); check them, or let blunders be looked for (ROBUST).</source>
         <translation>Punkty odbiegające od modelu znacznie bardziej niż pozostałe: {count} ({names}); sprawdź je albo włącz szukanie błędów grubych (ROBUST).</translation>
     </message>
@@ -7809,87 +7710,87 @@
         <translation>Zachowane wyrazy, licznik / mianownik współrzędnych przeskalowanych: {terms}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="128"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
         <source>The fit to these points runs away from them all; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="146"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="147"/>
         <source>The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it is worst; the model corrects that.</source>
         <translation>RPC jest przesunięte w środku obrazu o {columns:.2f} kolumny i {rows:.2f} wiersza, a w najgorszym miejscu o {most:.2f} px; model to koryguje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="161"/>
         <source>No image with the RPC is written: there is no image to copy; choose it.</source>
         <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="174"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="175"/>
         <source>{name} holds no interior orientation that can be read; choose a YAML file of orthority or an AutoCal XML of MicMac.</source>
         <translation>Plik {name} nie zawiera orientacji wewnętrznej, którą można odczytać; wybierz plik YAML z orthority albo plik XML AutoCal z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="178"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="179"/>
         <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
         <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="186"/>
         <source>By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
         <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
         <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the orthoimage lies.</source>
         <translation>Wszystkie kąty w {name} są mniejsze od 3,15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="192"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="193"/>
         <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
         <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="195"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="196"/>
         <source>The camera of {name} has a distortion that is not known here ({kind}); pinhole and Brown cameras of orthority and MicMac&apos;s radial distortion are.</source>
         <translation>Kamera z pliku {name} ma dystorsję, która nie jest tu znana ({kind}); znane są kamery pinhole i Brown programu orthority oraz dystorsja radialna programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="199"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
         <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa (degrees), a GeoJSON of orthority or an Orientation XML of MicMac.</source>
         <translation>Plik {name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa (stopnie), GeoJSON z orthority albo plik XML Orientation z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
         <source>{name} does not name the image {image} just once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="206"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
         <source>An interior and an exterior orientation are needed together; give the one that is missing.</source>
         <translation>Orientacja wewnętrzna i zewnętrzna są potrzebne razem; podaj tę, której brakuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="209"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
         <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
         <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="212"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="213"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="216"/>
         <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="224"/>
         <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
@@ -7904,12 +7805,12 @@
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="238"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="239"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="242"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
         <source>{name} is no grid of the geoid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
@@ -7934,47 +7835,47 @@
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
         <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, as no place on earth has; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
         <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
         <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="279"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="289"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="292"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="293"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="295"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="296"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="298"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="299"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="301"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="302"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
@@ -7984,272 +7885,272 @@
         <translation>Zaplanuj fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="45"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="47"/>
         <source>Tells what accuracy to expect from number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. A planning figure: check points of your own say how accurate the image became.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="55"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="57"/>
         <source>The sensor model that is going to be fitted, with its order or form. rpc_bias needs an RPC.</source>
         <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="59"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="60"/>
         <source>Numbers of control points</source>
         <translation>Liczby fotopunktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="59"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="61"/>
         <source>One row of the table for each, such as 6, 10, 20. Check points are not counted.</source>
         <translation>Jeden wiersz tabeli na każdą z nich, na przykład 6, 10, 20. Punktów kontrolnych się nie wlicza.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="63"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="64"/>
         <source>Spread</source>
         <translation>Rozmieszczenie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="63"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="65"/>
         <source>grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner.</source>
         <translation>grid: po jednym punkcie w każdym oczku siatki na obrazie; random: gdziekolwiek; corner: wszystkie w jednym narożniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="67"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="68"/>
         <source>Share of the corner</source>
         <translation>Część obrazu w narożniku</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="67"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="69"/>
         <source>Of the image&apos;s area, for the spread corner.</source>
         <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="71"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="72"/>
         <source>Standard deviation on the ground (metres)</source>
         <translation>Odchylenie standardowe w terenie (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="71"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="73"/>
         <source>Of each of a point&apos;s three ground coordinates, as they are going to be surveyed.</source>
         <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="75"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="76"/>
         <source>Standard deviation in the image (pixels)</source>
         <translation>Odchylenie standardowe na obrazie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="75"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="77"/>
         <source>Of a point&apos;s column and row: how well it is identified.</source>
         <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="79"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="80"/>
         <source>Lowest terrain (metres)</source>
         <translation>Najniższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="79"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="81"/>
         <source>Highest terrain (metres)</source>
         <translation>Najwyższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="83"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="85"/>
         <source>Height above the ellipsoid. Every point lies anywhere between the lowest and the highest.</source>
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="88"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="90"/>
         <source>An RPC whose geometry is taken for true. Without it and without IMAGE: a nominal line scanner.</source>
         <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="95"/>
         <source>Of the nominal scanner, and for the model pushbroom.</source>
         <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="97"/>
         <source>Angle of the view (degrees)</source>
         <translation>Kąt wychylenia (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="97"/>
         <source>From the vertical; nominal scanner.</source>
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="98"/>
         <source>Pixel size (metres)</source>
         <translation>Wielkość piksela (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="98"/>
         <source>On the ground; nominal scanner.</source>
         <translation>W terenie; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="99"/>
         <source>Side of the image (km)</source>
         <translation>Bok obrazu (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="92"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="99"/>
         <source>The image is square; nominal scanner.</source>
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="37"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="39"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="102"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="104"/>
         <source>The same number gives the same draws.</source>
         <translation>Ta sama liczba daje te same losowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="107"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="108"/>
         <source>Expected accuracy</source>
         <translation>Oczekiwana dokładność</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="107"/>
+        <location filename="../plugin/sensors/algorithms/planpoints.py" line="110"/>
         <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="102"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="103"/>
         <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
         <translation>Kąt wychylenia od pionu w środku obrazu (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="102"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="104"/>
         <source>Azimuth that the image was taken from (degrees)</source>
         <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="102"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="105"/>
         <source>What the error of terrain heights moves the middle of the image by (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="260"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="265"/>
         <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, a GeoJSON of orthority, or a TIFF that holds such points. Empty: those inside the image.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS, GeoJSON programu orthority lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="285"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="288"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="297"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="298"/>
         <source>Error of terrain heights (metres)</source>
         <translation>Błąd wysokości terenu (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="297"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="299"/>
         <source>What an error of this size moves the orthoimage by is told, from the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="305"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="306"/>
         <source>Grid of the geoid</source>
         <translation>Siatka geoidy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="305"/>
+        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="307"/>
         <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="89"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="90"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="94"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="95"/>
         <source>GeoTIFF files (*.tif *.TIF)</source>
         <translation>Pliki GeoTIFF (*.tif *.TIF)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="96"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="100"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="101"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="102"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="121"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="117"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="122"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="42"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="44"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="60"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="62"/>
         <source>The camera of an aerial photo: a YAML file of orthority, or MicMac&apos;s AutoCal XML.</source>
         <translation>Kamera zdjęcia lotniczego: plik YAML programu orthority albo AutoCal XML programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="64"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="65"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="64"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="67"/>
         <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa (degrees), a GeoJSON of orthority, or MicMac&apos;s Orientation XML.</source>
         <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa (stopnie), GeoJSON z orthority albo plik XML Orientation z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="71"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="72"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="71"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="73"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="76"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="77"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="76"/>
+        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="78"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
@@ -8379,17 +8280,17 @@
         <translation>GRD grupy odniesienia: szerokość tego, co wybrano obok.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="33"/>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="34"/>
         <source>What a distance is the width of: a bar and a gap together, as resolution is defined, or one bar, as some targets and reports count.</source>
         <translation>Czego szerokością jest wymiar: paska i przerwy razem, zgodnie z definicją rozdzielczości, czy jednego paska, jak w niektórych testach i raportach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="37"/>
+        <location filename="../plugin/resolution/desk/target_settings.py" line="38"/>
         <source>What the amplitude has to be half of: the group&apos;s own bars against plain gaps, or the full amplitude of the coarsest group, which is stricter.</source>
         <translation>Połową czego musi być amplituda: własnych pasków grupy względem gładkich przerw czy pełnej amplitudy najgrubszej grupy, co jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="115"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="116"/>
         <source>Full amplitude</source>
         <translation>Pełna amplituda</translation>
     </message>
@@ -8419,32 +8320,32 @@
         <translation>Wartość GRD nie może dotyczyć „{word}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="36"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="37"/>
         <source>Group {group} is too far from the reference group {reference} to have a width; correct one of the numbers.</source>
         <translation>Grupa {group} jest za daleko od grupy odniesienia {reference}, by mieć szerokość; popraw jeden z numerów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="80"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="81"/>
         <source>Bars and gaps of the coarsest group differ by a factor of {contrast:.1f} and the method asks for {least:g} at least, so the distance may be coarser than the sensor&apos;s best; haze and a low sun lower the contrast.</source>
         <translation>Paski i przerwy najgrubszej grupy różnią się {contrast:.1f} razy, a metoda wymaga co najmniej {least:g}, więc GRD może być gorsza od najlepszej dla tego sensora; zamglenie i niskie słońce obniżają kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="84"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="85"/>
         <source>No plain place of the target tells the full amplitude, so the groups may seem better resolved than they are; draw lines across coarser groups too.</source>
         <translation>Żadne jednolite miejsce testu nie wyznacza pełnej amplitudy, więc grupy mogą wydawać się lepiej rozróżnione, niż są; narysuj też linie w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="88"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="89"/>
         <source>None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each across the bars of one group, on the image.</source>
         <translation>Żadna z narysowanych linii (liczba: {count}) nie pokazuje pasków, które można zmierzyć, więc nie ma terenowej zdolności rozdzielczej; narysuj każdą na obrazie w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="93"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="94"/>
         <source>The required distance is {grd:g} cm; give a positive number of centimetres from {least:g} to {most:g}.</source>
         <translation>Wymagana GRD wynosi {grd:g} cm; podaj dodatnią liczbę centymetrów od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="96"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="97"/>
         <source>The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty.</source>
         <translation>Wysokość odniesienia wynosi {height:g} m; podaj dodatnią liczbę metrów do {highest:g} albo pozostaw pole puste.</translation>
     </message>
@@ -8454,112 +8355,112 @@
         <translation>„{word}” nie jest liczbą; podaj metry i centymetry.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="103"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="104"/>
         <source>Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to {highest:g} and centimetres from {least:g} to {most:g}.</source>
         <translation>Z wysokości {height:g} m i GRD {grd:g} cm nie można obliczyć minimalnej wysokości; podaj liczby dodatnie: metry do {highest:g} i centymetry od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="107"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="108"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; &apos;height&apos; is in metres and &apos;grd&apos; in centimetres, so check whether both are interchanged.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest gorsza niż jakiejkolwiek kamery; „height” jest w metrach, a „grd” w centymetrach, sprawdź więc, czy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="111"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="112"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; &apos;grd&apos; is in centimetres, so check whether it holds metres.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest lepsza niż jakiejkolwiek kamery na samolocie; „grd” jest w centymetrach, sprawdź więc, czy nie zawiera metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="119"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="120"/>
         <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych „python -m pip install opencv-python-headless”); zainstaluj ją albo wybierz malvar lub bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="123"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="124"/>
         <source>The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz malvar lub bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="41"/>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="44"/>
         <source>bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that is seen there says where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by OpenCV, which has to be installed.</source>
         <translation>bilinear: średnia najbliższych pikseli danej barwy. malvar: ostrzej, bo barwa zarejestrowana w danym miejscu mówi, gdzie zmieniają się też pozostałe (Malvar, He i Cutler 2004). edge_aware: wzdłuż krawędzi, przez OpenCV, które musi być zainstalowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="49"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="51"/>
         <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
         <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu paskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek pasków każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej paski, a amplituda pasków względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy pasków względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Paski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="63"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="68"/>
         <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, &apos;visible&apos; or &apos;invisible&apos;, in the fields &apos;observer&apos;, &apos;observer_2&apos; and so on.</source>
         <translation>Jedna linia w poprzek pasków każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do pasków. Obok może być zapisane, co widzieli obserwatorzy, „visible” lub „invisible”, w polach „observer”, „observer_2” i tak dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="74"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="76"/>
         <source>How far either side of the line the profile is averaged; less where that is more than bars are long.</source>
         <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="94"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="96"/>
         <source>Of the reference group, centimetres on the ground: the width of what the next line says.</source>
         <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="98"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="99"/>
         <source>Distances are widths of</source>
         <translation>GRD to szerokość</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="98"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="101"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
         <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="115"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="118"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
         <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="140"/>
         <source>Standard deviation along the flight (cm)</source>
         <translation>Odchylenie standardowe wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="141"/>
         <source>Standard deviation across the flight (cm)</source>
         <translation>Odchylenie standardowe w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="142"/>
         <source>Standard deviation of the mean (cm)</source>
         <translation>Odchylenie standardowe średniej (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="143"/>
         <source>Distance along the flight that all observers see (cm)</source>
         <translation>GRD wzdłuż kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="144"/>
         <source>Distance across the flight that all observers see (cm)</source>
         <translation>GRD w poprzek kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="145"/>
         <source>Contrast of the target, bars to gaps</source>
         <translation>Kontrast testu, paski do przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="45"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="48"/>
         <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres), several observers&apos; in &apos;grd&apos;, &apos;grd_2&apos;, &apos;grd_3&apos; and so on: their heights are averaged within the pass. Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
         <translation>Jeden wiersz na przelot z polami „height” (metry nad testem) i „grd” (centymetry), a dla kilku obserwatorów „grd”, „grd_2”, „grd_3” i tak dalej: ich wysokości są uśredniane w ramach przelotu. Wiersze zgodne w polach „sensor”, „image_type” i „direction”, o ile takie pola istnieją, tworzą grupę.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="66"/>
+        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="68"/>
         <source>One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it.</source>
         <translation>Jeden wiersz na grupę: liczba, średnia i rozrzuty (metry), tolerancja (%) oraz uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="36"/>
+        <location filename="../plugin/resolution/distance_words.py" line="37"/>
         <source>seen by all observers {direction}: {grd:.2f} cm</source>
         <translation>widoczne dla wszystkich obserwatorów {direction}: {grd:.2f} cm</translation>
     </message>
@@ -8619,12 +8520,12 @@
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="106"/>
+        <location filename="../plugin/radiometry/words.py" line="107"/>
         <source>The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}.</source>
         <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="120"/>
+        <location filename="../plugin/radiometry/words.py" line="122"/>
         <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
         <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}; {green:.1f}; {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
@@ -8644,7 +8545,7 @@
         <translation>Niemierzalne i niewymagane: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="166"/>
+        <location filename="../plugin/radiometry/words.py" line="149"/>
         <source>The rules set no limit that it could be held against.</source>
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
     </message>
@@ -8679,52 +8580,52 @@
         <translation>{names} i jeszcze {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="53"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="55"/>
         <source>Holds images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="71"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="72"/>
         <source>Ready rules</source>
         <translation>Gotowe reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="68"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="71"/>
         <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
         <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum i kontrast histogramu jasności. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="75"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
         <source>A JSON file of your own with the limits and where they come from, instead of the ready rules; the documentation has one to start from.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast gotowych reguł; dokumentacja zawiera plik wyjściowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="84"/>
         <source>Range of values</source>
         <translation>Zakres wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="86"/>
         <source>The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged.</source>
         <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="91"/>
         <source>Grey areas</source>
         <translation>Szare obszary</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="93"/>
         <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since no pixel tells a cast from the colour of the ground.</source>
         <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="108"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="110"/>
         <source>What may be grey</source>
         <translation>Obszary, które mogą być szare</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="108"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="113"/>
         <source>Uniform areas with little colour, where no grey areas are given: look at them, delete what is not grey, and give the others as grey areas.</source>
         <translation>Jednorodne obszary o słabej barwie, gdy nie podano obszarów szarych: obejrzyj je, usuń to, co nie jest szare, a pozostałe podaj jako obszary szare.</translation>
     </message>
@@ -8759,7 +8660,7 @@
         <translation>{place} w pliku {name}: „{check}” jest liczone między czerwonym, zielonym i niebieskim i nie ma „band”.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="10"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="11"/>
         <source>{place} in {name}: &apos;band&apos; has to be luminosity, each, or the name of a band such as red, nir or band_4.</source>
         <translation>{place} w pliku {name}: „band” musi mieć wartość luminosity, each albo nazwę kanału, np. red, nir lub band_4.</translation>
     </message>
@@ -8774,32 +8675,32 @@
         <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="18"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="19"/>
         <source>values of type {data_type} have no range of their own; give the range of values, or &apos;value_range&apos; in the rules file.</source>
         <translation>wartości typu {data_type} nie mają własnego zakresu; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="22"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="23"/>
         <source>the files do not say how many bits their values have. The largest value of all such images ({count}) is {largest}, so {possible} bits are possible. Give the range of values, as 0 to 4095 for 12 bits, or &apos;value_range&apos; in the rules file.</source>
         <translation>pliki nie podają, ile bitów mają ich wartości. Największa wartość wszystkich takich obrazów ({count}) wynosi {largest}, więc możliwa liczba bitów to {possible}. Podaj zakres wartości, np. od 0 do 4095 dla 12 bitów, albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="27"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="28"/>
         <source>the file says that its values have {bits} bits and holds values up to {largest}; give the range of values, or &apos;value_range&apos; in the rules file.</source>
         <translation>według pliku liczba bitów jego wartości to {bits}, a zawiera on wartości do {largest}; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="38"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="39"/>
         <source>no grey areas are given, and none that may be grey were found; draw roads or roofs and give them as grey areas.</source>
         <translation>nie podano obszarów szarych i nie znaleziono takich, które mogą być szare; narysuj drogi lub dachy i podaj je jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="42"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="43"/>
         <source>no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near {x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which a cast can do and the colour of the ground as well. Look at them and give those that are grey.</source>
         <translation>nie podano obszarów szarych. Znaleziono obszary 16 px, które mogą być szare: {count} ({share:.1%} obejrzanych, w pobliżu {x:.1f}, {y:.1f}); ich kanały czerwony, zielony i niebieski różnią się o {difference:.1%}, co może powodować zarówno dominanta barwna, jak i barwa terenu. Obejrzyj je i podaj te, które są szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="47"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="48"/>
         <source>the grey areas show fewer than {least} valid pixels of it that are neither too dark nor too bright; draw more.</source>
         <translation>w obszarach szarych jest mniej niż {least} jego pikseli z danymi, które nie są ani zbyt ciemne, ani zbyt jasne; narysuj więcej obszarów.</translation>
     </message>
@@ -8819,7 +8720,7 @@
         <translation>{name}: to, co zależy od zakresu wartości, nie jest oceniane: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="58"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="59"/>
         <source>{name}: {share:.2%} of the pixels lie beyond the range of {low:g} to {high:g} that was given, and count as clipped; check the range.</source>
         <translation>{name}: {share:.2%} pikseli leży poza podanym zakresem od {low:g} do {high:g} i liczy się jako obcięte; sprawdź zakres.</translation>
     </message>
@@ -8859,22 +8760,22 @@
         <translation>Wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="40"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="42"/>
         <source>Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged window (a significant loss, or one that the observer saw) what it keeps by distance from the seam, where it lost detail, its curves, its clips at 2x, cause and observer.</source>
         <translation>Zapisuje jedną stronę HTML, która otwiera się wszędzie bez sieci i dobrze drukuje się na A4: podsumowanie według ortofotomap, szkic mapy z oknami według ocen, ich wariancje względne jak w tabeli 1 pracy Pyka 2010, a dla każdego oznaczonego okna (strata istotna lub zauważona przez obserwatora) to, co zachowuje ono w zależności od odległości od linii mozaikowania, miejsce straty detali, krzywe, wycinki 2×, przyczynę i obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="62"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="64"/>
         <source>The table of seam profiles of the same windows: how much detail is kept by distance from the seam.</source>
         <translation>Tabela profili linii mozaikowania tych samych okien: ile detali zachowano w zależności od odległości od linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="78"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="80"/>
         <source>The limit drawn into the seam profiles: that which the windows were inspected with.</source>
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
@@ -8914,17 +8815,17 @@
         <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="6"/>
+        <location filename="../plugin/acceptance/paper/messages.py" line="7"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="9"/>
+        <location filename="../plugin/acceptance/paper/messages.py" line="10"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="12"/>
+        <location filename="../plugin/acceptance/paper/messages.py" line="13"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
@@ -8934,17 +8835,17 @@
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="16"/>
+        <location filename="../plugin/acceptance/paper/messages.py" line="17"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="19"/>
+        <location filename="../plugin/acceptance/paper/messages.py" line="20"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic. Seams there are in no figure unless seamlines were given; scan again with the orthoimages that are missing.</source>
         <translation>{name}: badanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy. Tamtejszych linii mozaikowania nie ma w żadnej liczbie, chyba że podano linie; zbadaj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="23"/>
+        <location filename="../plugin/acceptance/paper/messages.py" line="24"/>
         <source>{name}: the scan found the seams in the pixels, not all of which show theirs where a feather is wide. With the producer&apos;s SEAMLINES metres and lengths are those of all seams.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
@@ -8954,42 +8855,42 @@
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/messages.py" line="29"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="69"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="73"/>
         <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
         <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="75"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="77"/>
         <source>As the scan wrote it: the XML refers to it, and it says how the seams were measured.</source>
         <translation>Taki, jaki zapisało badanie: XML się do niego odwołuje, a on sam mówi, jak zmierzono linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="22"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="86"/>
         <source>Failures</source>
         <translation>Usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="84"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="89"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="93"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="94"/>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="97"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="99"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="97"/>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="101"/>
         <source>The figures and the decision as a catalogue reads them: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
@@ -9049,7 +8950,7 @@
         <translation>nie da się określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="45"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="50"/>
         <source>Acceptance of an orthophoto mosaic: {names}</source>
         <translation>Odbiór ortofotomapy: {names}</translation>
     </message>
@@ -9094,7 +8995,7 @@
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="118"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
@@ -9109,7 +9010,7 @@
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
@@ -9149,7 +9050,7 @@
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
@@ -9184,7 +9085,7 @@
         <translation>Po lewej: szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
         <source>Left: a part of it, {across} across</source>
         <translation>Po lewej: jego część, szerokość {across}</translation>
     </message>
@@ -9234,7 +9135,7 @@
         <translation>przyjęcie do</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
         <source>{count} failed pieces in the sample</source>
         <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
@@ -9274,22 +9175,22 @@
         <translation>pierwszy obserwator i narzędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="93"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="94"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="93"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="94"/>
         <source>Whether the delivery keeps to the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="93"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="95"/>
         <source>All rules together: the delivery is accepted where none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="104"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="105"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
@@ -9299,22 +9200,22 @@
         <translation>Każdy odcinek linii mozaikowania: co operator widział w jego oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="115"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="117"/>
         <source>Length of the pieces of seam that failed, by the length that was measured.</source>
         <translation>Długość niezgodnych odcinków względem długości zmierzonej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="126"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="128"/>
         <source>Length of the longest row of failed pieces that follow each other without a break, across sheets too.</source>
         <translation>Długość najdłuższego nieprzerwanego ciągu niezgodnych odcinków, także przez granice arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="140"/>
         <source>Share of the finest detail of the orthoimages that is left in the piece of seam that kept least.</source>
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="149"/>
         <source>ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql}, code letter {letter}; accepted up to {most} failed pieces.</source>
         <translation>ISO 2859-1, plan jednostopniowy: poziom kontroli {level}, {severity}, AQL {aql}, znak literowy {letter}; liczba kwalifikująca (niezgodne odcinki): {most}.</translation>
     </message>
@@ -9324,7 +9225,7 @@
         <translation>Wylosowano z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="157"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="159"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
@@ -9334,22 +9235,22 @@
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="164"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="166"/>
         <source>Pieces of seam in the sample that failed.</source>
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="169"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="170"/>
         <source>risks of the plan of sampling</source>
         <translation>ryzyka planu kontroli wyrywkowej</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="169"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="172"/>
         <source>Producer&apos;s risk: probability that a delivery as good as the AQL is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of 10 % (consumer&apos;s risk).</source>
         <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy o jakości równej AQL. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem 10 % (ryzyko odbiorcy).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="169"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="177"/>
         <source>producer&apos;s risk; limiting quality</source>
         <translation>ryzyko dostawcy; jakość graniczna</translation>
     </message>
@@ -9359,62 +9260,62 @@
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="185"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="187"/>
         <source>Length of seam that could be measured, by the length of all seams.</source>
         <translation>Długość linii mozaikowania, którą można było zmierzyć, do długości wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="195"/>
         <source>95 % interval of the share that failed</source>
         <translation>przedział ufności 95 % udziału niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="196"/>
         <source>Where the share of failed metres lies with a confidence of 95 %.</source>
         <translation>Gdzie z ufnością 95 % leży udział niezgodnych metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="194"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="197"/>
         <source>lower end; upper end</source>
         <translation>dolny koniec; górny koniec</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="202"/>
         <source>agreement of two observers (kappa)</source>
         <translation>zgodność dwóch obserwatorów (kappa)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="203"/>
         <source>agreement of the observer with the measurement (kappa)</source>
         <translation>zgodność obserwatora z pomiarem (kappa)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="210"/>
         <source>Cohen&apos;s kappa of {count} windows that both judged: 1 where both always agree, 0 where they do as often as by chance.</source>
         <translation>Kappa Cohena dla {count} {count:okna ocenionego|okien ocenionych|okien ocenionych} przez obu: 1, gdy obaj zawsze są zgodni, 0, gdy są zgodni tak często jak przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="213"/>
         <source>Windows judged by eye at 2x magnification.</source>
         <translation>Okna oceniane okiem w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="214"/>
         <source>Windows as they were placed on the seams.</source>
         <translation>Okna tak, jak rozmieszczono je na liniach mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="214"/>
         <source>Windows on the seams of the delivery.</source>
         <translation>Okna na liniach mozaikowania dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="207"/>
+        <location filename="../plugin/acceptance/paper/quality_elements.py" line="217"/>
         <source>kappa; lower end; upper end (95 %)</source>
         <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="110"/>
         <source>AQL {aql} %: rejected in {risk} % (producer&apos;s risk)</source>
         <translation>AQL {aql} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
     </message>
@@ -9429,22 +9330,22 @@
         <translation>prawdopodobieństwo przyjęcia (%)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="11"/>
+        <location filename="../plugin/acceptance/sheet_index.py" line="39"/>
         <source>Sheets</source>
         <translation>Arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/sheet_index.py" line="37"/>
+        <location filename="../plugin/acceptance/sheet_index.py" line="42"/>
         <source>Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says.</source>
         <translation>Obrysy arkuszy, gdy wszystkie zbadano jako jedną ortofotomapę: skorowidz w postaci, którą zapisuje gdaltindex, albo poligony z polem sheet lub name. Puste pole: arkuszem jest każda warstwa linii mozaikowania albo to, co podaje jej pole sheet.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="7"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="8"/>
         <source>The layer of sheets says nowhere what they are called; it needs one of the fields {fields}.</source>
         <translation>Warstwa arkuszy nie podaje ich nazw; potrzebuje jednego z pól {fields}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="10"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="11"/>
         <source>No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system.</source>
         <translation>W żadnym arkuszu nie leży ani jeden odcinek linii mozaikowania; wybierz skorowidz tej dostawy i sprawdź jego układ współrzędnych.</translation>
     </message>
@@ -9464,7 +9365,7 @@
         <translation>W pliku {name} nie ma nic o tym, ile odcinek musi zachować; dodaj regułę z kontrolą „kept”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="17"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="18"/>
         <source>{name} has nothing to decide by; add a rule &apos;failed_share&apos;, &apos;longest_failure&apos; or &apos;sampling&apos;.</source>
         <translation>W pliku {name} nie ma niczego, według czego można zdecydować; dodaj regułę „failed_share”, „longest_failure” lub „sampling”.</translation>
     </message>
@@ -9484,7 +9385,7 @@
         <translation>{place} w pliku {name}: AQL „{aql}” nie należy do wartości normy; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="23"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="24"/>
         <source>{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.</source>
         <translation>{parameter} wynosi {value}, a reguły w pliku {name} podają: {ruled}; wpisz tę wartość do pliku albo nie podawaj pliku.</translation>
     </message>
@@ -9509,22 +9410,22 @@
         <translation>Liczność partii wynosi {size}, a plan kontroli wymaga co najmniej 2; skontroluj całą partię.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="31"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="32"/>
         <source>The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is given.</source>
         <translation>Liczność partii wynosi {size}, a liczba odcinków w warstwach {given}; podaj liczność całej partii albo 0, aby wziąć to, co podano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="36"/>
         <source>Lots with {good:g} % failing pieces are to be accepted and with {bad:g} % rejected; the first has to be smaller, both between 0 and 100.</source>
         <translation>Partie z {good:g} % niezgodnych odcinków mają być przyjmowane, a z {bad:g} % odrzucane; pierwsza liczba musi być mniejsza, a obie między 0 a 100.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="39"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="40"/>
         <source>The producer&apos;s risk is {producers:g} % and the consumer&apos;s {consumers:g} %; both have to lie between 0 and 100.</source>
         <translation>Ryzyko dostawcy wynosi {producers:g} %, a odbiorcy {consumers:g} %; oba muszą leżeć między 0 a 100.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="42"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
         <source>No plan tells {good:g} % from {bad:g} % with these risks; take them farther apart, or larger risks.</source>
         <translation>Żaden plan nie odróżni {good:g} % od {bad:g} % przy tych ryzykach; podaj wartości bardziej od siebie odległe albo większe ryzyka.</translation>
     </message>
@@ -9539,12 +9440,12 @@
         <translation>Okna są rozmieszczane na pikselach ortofotomapy; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="47"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="48"/>
         <source>The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.</source>
         <translation>Ortofotomapa jest mniejsza niż okno o boku {pixels} px, potędze dwójki, która obejmuje {side:g} m; podaj krótszy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="50"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
         <source>A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.</source>
         <translation>Okno o boku {side:g} m ma {pixels} px, a potrzeba co najmniej {least}; podaj dłuższy bok (SIDE).</translation>
     </message>
@@ -9564,27 +9465,27 @@
         <translation>Żadna z linii mozaikowania nie leży na ortofotomapie; sprawdź układy współrzędnych obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="56"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
         <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail (ISO 2859-1, level {level}, AQL {aql}, code letter {letter}): of lots with {allowed} failing pieces, the AQL, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted.</source>
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} (ISO 2859-1, poziom {level}, AQL {aql}, znak literowy {letter}): z partii o liczbie niezgodnych odcinków {allowed}, czyli przy AQL, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="62"/>
         <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail: with {good:.2%} failing pieces a lot is rejected with {producers:.1%}, with {bad:.2%} accepted with {consumers:.1%}.</source>
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance}: partia z {good:.2%} niezgodnych jest odrzucana z prawdopodobieństwem {producers:.1%}, a partia z {bad:.2%} przyjmowana z prawdopodobieństwem {consumers:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="65"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
         <source>Pieces of one seam are alike by {correlation:.2f}, which makes the sample {effect:.2f} times as large; the risks are those of a production that such lots come from.</source>
         <translation>Podobieństwo odcinków jednej linii wynosi {correlation:.2f}, co powiększa próbę {effect:.2f} razy; ryzyka dotyczą produkcji, z której pochodzą takie partie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="69"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
         <source>The lot is too small for risks of {producers:.1%} and {consumers:.1%}: not even all {lot} pieces keep both, since pieces of one seam are alike and there are few seams; plan for more seams at once, or take larger risks.</source>
         <translation>Partia jest za mała na ryzyka {producers:.1%} i {consumers:.1%}: nawet wszystkie odcinki ({lot}) nie zapewniają obu, bo odcinki jednej linii są podobne, a linii jest mało; zaplanuj więcej linii naraz albo przyjmij większe ryzyka.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="73"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="74"/>
         <source>The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.</source>
         <translation>Plan wymaga odcinków w liczbie {size}, a warstwy zawierają {drawn}; wylosuj pozostałe z reszty partii.</translation>
     </message>
@@ -9634,7 +9535,7 @@
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
         <source>only {value:.1%} of the metres were measured and {limit:.1%} have to be, so it can&apos;t be told</source>
         <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
     </message>
@@ -9644,37 +9545,37 @@
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="91"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may (ISO 2859-1, lot of {lot}, code letter {letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted)</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} (ISO 2859-1, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {allowed}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may (ISO 2859-1, lot of {lot}, code letter {letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected)</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} (ISO 2859-1, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {allowed}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
         <source>As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is accepted, and the next one is inspected normally.</source>
         <translation>Liczba niezgodnych odcinków leży między Ac {acceptance} a Re {rejection} kontroli ulgowej: ta partia jest przyjęta, a następna podlega kontroli normalnej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="104"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be told</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}, 95 % interval {low:.2%} to {high:.2%} for seams made in the same way.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}, przedział ufności 95 % od {low:.2%} do {high:.2%} dla linii mozaikowania wykonanych w ten sam sposób.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
         <source>{metres:.1f} m can&apos;t be told apart from the limit of {limit:g}: their 95 % intervals hold it.</source>
         <translation>Odcinki o łącznej długości {metres:.1f} m nie dają się odróżnić od granicy {limit:g}: zawierają ją ich przedziały ufności 95 %.</translation>
     </message>
@@ -9684,22 +9585,22 @@
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
         <source>So many seams failed and meet that not every way through them was tried; a longer failure may be there.</source>
         <translation>Tyle linii jest niezgodnych i styka się ze sobą, że nie sprawdzono każdej drogi przez nie; może istnieć dłuższa usterka.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="122"/>
         <source>Where failures begin and end inside the pieces is estimated from what these kept: the longest is known to some {longest:.0f} m, all failed metres to some {all:.0f} m.</source>
         <translation>Początki i końce usterek wewnątrz odcinków oszacowano z tego, co te zachowały: najdłuższą zna się z dokładnością do około {longest:.0f} m, wszystkie niezgodne metry do około {all:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
         <source>The longest failure, {low:.0f} to {high:.0f} m, can&apos;t be told apart from the limit of {limit:.1f} m; scan with a shorter PIECE to know it better.</source>
         <translation>Najdłuższej usterki, od {low:.0f} do {high:.0f} m, nie da się odróżnić od granicy {limit:.1f} m; zbadaj krótszymi odcinkami (PIECE), by poznać ją lepiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
         <source>The failed share, {low:.2%} to {high:.2%} of the measured metres, can&apos;t be told apart from the limit of {limit:.2%}; scan with a shorter PIECE to know it better.</source>
         <translation>Udziału niezgodnego, od {low:.2%} do {high:.2%} zmierzonych metrów, nie da się odróżnić od granicy {limit:.2%}; zbadaj krótszymi odcinkami (PIECE), by poznać go lepiej.</translation>
     </message>
@@ -9714,17 +9615,17 @@
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="135"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
         <source>A piece fails when it keeps less than 0, which none can: what was measured passes whatever it kept.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="139"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="143"/>
         <source>The limits are for all metres of a delivery, and here they speak of the sample alone; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
@@ -9744,7 +9645,7 @@
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="151"/>
         <source>None of the {count} windows was judged; judge them in the dock and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
@@ -9754,32 +9655,32 @@
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
         <source>The windows in {name} were neither inspected nor judged: they lend the failures no cause and no remark.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
         <source>The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="163"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="166"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
         <source>Both operators judged {count} windows and agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="170"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="171"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
@@ -9829,22 +9730,22 @@
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="189"/>
         <source>{count} pieces of seam are given twice, the same line that kept the same; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="192"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
         <source>kept_1 of {count} pieces of {name} is no number (&apos;{value}&apos;, say; a decimal point is a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
@@ -9854,12 +9755,12 @@
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); check whether they are shares.</source>
         <translation>kept_1 jest większe, niż może zachować linia mozaikowania (odcinki w {name}: {count}, największe {value:g}); sprawdź, czy to udziały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="206"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>The field length of {count} pieces of {name} says something else than their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
@@ -9869,7 +9770,7 @@
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="211"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
@@ -9899,112 +9800,112 @@
         <translation>Przyjmij lub odrzuć dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="43"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="45"/>
         <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of it. A piece of seam fails when it kept less than is asked for. What could not be measured never counts as passed.</source>
         <translation>Rozstrzyga o dostawie według linii mozaikowania z jednego badania albo z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy i czy według reguł lub planu ISO 2859-1 dostawa jest przyjęta, wraz z ryzykiem tej decyzji. Odcinek linii mozaikowania jest niezgodny, gdy zachował mniej, niż jest wymagane. To, czego nie można było zmierzyć, nigdy nie liczy się jako zgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="54"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="57"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm „Zaplanuj kontrolę”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="68"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="64"/>
         <source>Plan</source>
         <translation>Plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="63"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="66"/>
         <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lot.</source>
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="71"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="73"/>
         <source>Rules that come with the plugin, instead of the limits above; these then stay as they are.</source>
         <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="75"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="78"/>
         <source>A JSON file of your own with limits and where they come from, instead of the limits above; these then stay as they are. The documentation shows one.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="82"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="85"/>
         <source>Windows that were inspected, and judged perhaps: their causes and remarks go to the failures in them, and the agreement of operators and tool is told.</source>
         <translation>Okna skontrolowane, ewentualnie z opiniami: ich przyczyny i uwagi trafiają do usterek, które w nich leżą, a zgodność operatorów i narzędzia jest podawana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="89"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="90"/>
         <source>Who judges</source>
         <translation>Kto ocenia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="89"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="92"/>
         <source>tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what nobody judged counts as not measured.</source>
         <translation>tool: o niezgodności odcinka decyduje to, co zachował. observer: decyduje to, co operator widział w oknie na odcinku; czego nikt nie ocenił, liczy się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="99"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="100"/>
         <source>The plan&apos;s operating characteristic; without a plan how many metres kept how much.</source>
         <translation>Krzywa operacyjno-charakterystyczna planu; bez planu: ile metrów zachowało ile detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="103"/>
         <source>Accepted (1) or not (0)</source>
         <translation>Przyjęta (1) lub nie (0)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="105"/>
         <source>Length that was measured (metres)</source>
         <translation>Długość zmierzona (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="106"/>
         <source>Length that failed (metres)</source>
         <translation>Długość niezgodna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="102"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="107"/>
         <source>Share of the measured length that failed (%)</source>
         <translation>Udział niezgodnych w zmierzonej długości (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="181"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="108"/>
         <source>Longest failure without a break (metres)</source>
         <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="178"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="172"/>
         <source>Least share of detail kept</source>
         <translation>Najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="171"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="173"/>
         <source>A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.</source>
         <translation>Odcinek linii mozaikowania jest niezgodny, gdy jego kept_1 jest mniejsze; odcinek, który zachowuje dokładnie tyle, jest zgodny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="175"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="177"/>
         <source>Largest share that may fail (%)</source>
         <translation>Największy udział niezgodnych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="175"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="179"/>
         <source>Of the metres of seam that were measured.</source>
         <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="181"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="185"/>
         <source>Failed pieces that follow each other, across seams and sheets where they touch.</source>
         <translation>Niezgodne odcinki, które następują po sobie, także na kolejnych liniach mozaikowania i arkuszach, jeśli się stykają.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="187"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="189"/>
         <source>Least share that has to be measured (%)</source>
         <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="187"/>
+        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="192"/>
         <source>With less of the metres measured a delivery is not accepted.</source>
         <translation>Jeśli zmierzono mniejszą część metrów, dostawa nie jest przyjmowana.</translation>
     </message>
@@ -10014,82 +9915,82 @@
         <translation>Zaplanuj kontrolę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="54"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="56"/>
         <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the dock to be judged. The same seed draws the same sample.</source>
         <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859-1, jak wymagają podane ryzyka albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="63"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="65"/>
         <source>Layers &apos;Seams&apos; of scans, a sheet each, or plain seamlines: these are cut into pieces first.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="68"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="71"/>
         <source>How many: iso2859, as the standard&apos;s tables say for the lot; risk, as few as keep the risks below; count, as many as you say.</source>
         <translation>Liczność próby: iso2859 – według tablic normy dla danej partii; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="76"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="80"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
         <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="83"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="84"/>
         <source>Unit</source>
         <translation>Jednostka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="83"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="85"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
         <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="87"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="90"/>
         <source>What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same seed, windows and pieces are one sample.</source>
         <translation>Na czym rozmieszczane są okna; odcinki, które na niej nie leżą, nie należą do partii. Z nią i przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="98"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="99"/>
         <source>Length of a piece (metres)</source>
         <translation>Długość odcinka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="98"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="100"/>
         <source>Plain seamlines are cut into pieces of about this length; those of a scan stay as they are.</source>
         <translation>Zwykłe linie mozaikowania są dzielone na odcinki mniej więcej tej długości; odcinki z badania pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="102"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="103"/>
         <source>Field of the sheets</source>
         <translation>Pole arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="102"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="104"/>
         <source>Whose values the sample is drawn from in proportion. Empty: layer by layer.</source>
         <translation>Pole, którego wartości są w próbie reprezentowane proporcjonalnie. Puste: warstwa po warstwie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="107"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="108"/>
         <source>Sample</source>
         <translation>Próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="107"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="109"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; says of how many.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="111"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="112"/>
         <source>Pieces in the sample</source>
         <translation>Odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="111"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="113"/>
         <source>How many of them may fail</source>
         <translation>Ile z nich może być niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="111"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="114"/>
         <source>Pieces in the lot</source>
         <translation>Odcinki w partii</translation>
     </message>
@@ -10109,12 +10010,12 @@
         <translation>Dobra: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="159"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="160"/>
         <source>Producer&apos;s risk (%)</source>
         <translation>Ryzyko dostawcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="159"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="161"/>
         <source>How often a lot that is good may be rejected.</source>
         <translation>Jak często może być odrzucona partia, która jest dobra.</translation>
     </message>
@@ -10124,27 +10025,27 @@
         <translation>Zła: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="165"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="166"/>
         <source>Consumer&apos;s risk (%)</source>
         <translation>Ryzyko odbiorcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="165"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="167"/>
         <source>How often a lot that is bad may be accepted.</source>
         <translation>Jak często może być przyjęta partia, która jest zła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="170"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="171"/>
         <source>Likeness along a seam</source>
         <translation>Podobieństwo wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="170"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="173"/>
         <source>How much alike pieces of one seam are, 0 to 1 (intraclass correlation); the sample grows with it. Empty: as a scan&apos;s kept_1 says, or 0.3 without one.</source>
         <translation>Jak bardzo odcinki jednej linii mozaikowania są do siebie podobne, od 0 do 1 (korelacja wewnątrzklasowa); próba rośnie wraz z nią. Puste pole: według kept_1 z badania albo 0,3, gdy badania nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="178"/>
+        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="180"/>
         <source>What counts as failed where likeness along seams is taken from a scan.</source>
         <translation>Co liczy się jako niezgodne, gdy podobieństwo odcinków wzdłuż linii mozaikowania jest brane z badania.</translation>
     </message>
@@ -10159,67 +10060,67 @@
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="20"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="21"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="20"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="22"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="24"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="25"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="24"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="26"/>
         <source>The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="28"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="29"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="28"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="30"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="32"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="33"/>
         <source>Inspection</source>
         <translation>Kontrola</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="32"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="34"/>
         <source>Normal; tightened after two of five lots were rejected; reduced after ten that were accepted.</source>
         <translation>Normalna; obostrzona po odrzuceniu dwóch z pięciu partii; ulgowa po przyjęciu dziesięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="37"/>
+        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="41"/>
         <source>Of the drawing: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="52"/>
+        <location filename="../plugin/photos/report.py" line="55"/>
         <source>photo</source>
         <translation>zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="70"/>
+        <location filename="../plugin/photos/report.py" line="71"/>
         <source>marks measured</source>
         <translation>znaczki zmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="70"/>
+        <location filename="../plugin/photos/report.py" line="71"/>
         <source>marks given</source>
         <translation>znaczki podane</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="70"/>
+        <location filename="../plugin/photos/report.py" line="72"/>
         <source>marks failed</source>
         <translation>znaczki odrzucone</translation>
     </message>
@@ -10284,7 +10185,7 @@
         <translation>powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="136"/>
+        <location filename="../plugin/photos/report.py" line="137"/>
         <source>farthest that a mark may be off</source>
         <translation>największe dopuszczalne odchylenie znaczka</translation>
     </message>
@@ -10294,17 +10195,17 @@
         <translation>odrzucony; powinien być tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="69"/>
+        <location filename="../plugin/photos/measure/messages.py" line="70"/>
         <source>The mark &apos;{mark}&apos; stands out: the others, which agree well, want it {worst:.2f} mm elsewhere; look at its picture.</source>
         <translation>Znaczek „{mark}” odstaje: pozostałe, które są ze sobą zgodne, wskazują miejsce odległe o {worst:.2f} mm; obejrzyj jego obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="73"/>
+        <location filename="../plugin/photos/measure/messages.py" line="74"/>
         <source>No mark of {name} can be trusted ({why}); check the positions, their names and the calibration.</source>
         <translation>Żadnemu znaczkowi z {name} nie można ufać ({why}); sprawdź położenia, nazwy znaczków i kalibrację.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="98"/>
+        <location filename="../plugin/photos/measure/messages.py" line="99"/>
         <source>the given place lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most; check it and its name</source>
         <translation>podane miejsce leży {worst:.2f} mm od tego, na które wskazują pozostałe znaczki, a dopuszczalne jest {limit:.2f} mm; sprawdź je i jego nazwę</translation>
     </message>
@@ -10329,147 +10230,147 @@
         <translation>Katalog {path} nie istnieje; wybierz katalog ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="128"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>The folder {path} holds no measured marks: neither layers with a field &apos;mark&apos; nor MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Katalog {path} nie zawiera zmierzonych znaczków: ani warstw z polem „mark”, ani plików MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="131"/>
+        <location filename="../plugin/photos/measure/messages.py" line="132"/>
         <source>Marks that only one of the measurements has, so that they are not compared: {count} ({names}).</source>
         <translation>Znaczki, które ma tylko jeden z pomiarów i które nie są porównywane: {count} ({names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="135"/>
+        <location filename="../plugin/photos/measure/messages.py" line="136"/>
         <source>A measurement has the mark &apos;{mark}&apos; twice{where}; give both layers a field &apos;photo&apos; that tells photos apart.</source>
         <translation>Pomiar zawiera znaczek „{mark}” dwa razy{where}; dodaj w obu warstwach pole „photo”, które rozróżnia zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="138"/>
+        <location filename="../plugin/photos/measure/messages.py" line="139"/>
         <source>The two measurements have no mark in common ({first}; {second}); check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
         <translation>Oba pomiary nie mają wspólnego znaczka ({first}; {second}); sprawdź ich pola „mark” i „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="150"/>
         <source>correlation</source>
         <translation>korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="150"/>
         <source>brightness</source>
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="151"/>
         <source>cross</source>
         <translation>krzyż</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="151"/>
         <source>dot</source>
         <translation>kropka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="151"/>
         <source>ring with dot</source>
         <translation>pierścień z kropką</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="151"/>
         <source>ring with cross</source>
         <translation>pierścień z krzyżem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="146"/>
+        <location filename="../plugin/photos/measure/messages.py" line="152"/>
         <source>wedge</source>
         <translation>klin</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="43"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="46"/>
         <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey value though the file calls it nodata.</source>
         <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości. Czerń jest wartością szarości, choćby plik oznaczał ją jako brak danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="58"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="61"/>
         <source>A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by 180 degrees is measured by its own centre, else by its middle.</source>
         <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół. Służy najpierw do pomiaru swojego znaczka; znaczki o innym wyglądzie są mierzone wzorcami rysowanymi. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="74"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="77"/>
         <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured. One that lies off by more than a thousandth of the frame fails as a measured mark does.</source>
         <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone. Znaczek odległy o więcej niż jedną tysięczną ramki jest odrzucany tak samo jak zmierzony.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="125"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="128"/>
         <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in um, correlation, status, reason and the photo&apos;s name.</source>
         <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="145"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="147"/>
         <source>MicMac measurement</source>
         <translation>Pomiar MicMac</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="145"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="147"/>
         <source>XML files (*.xml)</source>
         <translation>Pliki XML (*.xml)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="145"/>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="150"/>
         <source>The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, with the photo&apos;s whole file name, as in MeasuresIm-114.jpg.xml.</source>
         <translation>Zmierzone i podane znaczki w postaci, którą odczytuje MicMac: zapisz jako Ori-InterneScan/MeasuresIm-PHOTO.xml, z pełną nazwą pliku zdjęcia, jak w MeasuresIm-114.jpg.xml.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="40"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="42"/>
         <source>Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do, and whether the mean is within a limit. Two operators differed there by 0.25 px, so a program has to stay within that. Many photos are compared in one run: give folders, or merged layers with a field &apos;photo&apos;.</source>
         <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r., oraz czy średnia mieści się w granicy. Dwaj operatorzy różnili się tam o 0,25 px, więc program musi się w tym zmieścić. Wiele zdjęć porównuje się za jednym razem: podaj katalogi albo połączone warstwy z polem „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="55"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="56"/>
         <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo in their field &apos;photo&apos;, else of the one that the file is called like) and MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Zamiast warstwy: wszystkie pliki tego katalogu, warstwy z polem „mark” (dla zdjęcia z ich pola „photo”, a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="60"/>
         <source>First measurement, a folder</source>
         <translation>Pierwszy pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="59"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="61"/>
         <source>Second measurement, a folder</source>
         <translation>Drugi pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="70"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="72"/>
         <source>Largest mean distance (px)</source>
         <translation>Największa średnia odległość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="70"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="75"/>
         <source>The verdict is &apos;within&apos; where the mean distance is at most that; in the paper 0.25 px.</source>
         <translation>Ocena brzmi „within”, gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="84"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="87"/>
         <source>Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a row for each unit.</source>
         <translation>Liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, granica i ocena, po jednym wierszu na jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="91"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="93"/>
         <source>Photos</source>
         <translation>Zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="91"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="95"/>
         <source>Count, mean, maximum (px) and verdict of each photo.</source>
         <translation>Liczba, średnia, maksimum (px) i ocena każdego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="105"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="106"/>
         <source>Marks in both measurements</source>
         <translation>Znaczki w obu pomiarach</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="105"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="107"/>
         <source>1 where the mean distance is within the limit, else 0</source>
         <translation>1, gdy średnia odległość mieści się w granicy, w przeciwnym razie 0</translation>
     </message>
@@ -10479,457 +10380,368 @@
         <translation>Średnia odległość mieści się w granicy {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="170"/>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="171"/>
         <source>The mean distance is beyond the limit of {limit:g} px.</source>
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="1"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="2"/>
         <source>rule</source>
         <translation>reguła</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="3"/>
         <source>value</source>
         <translation>wartość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="6"/>
         <source>inspected by</source>
         <translation>osoba kontrolująca</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="7"/>
         <source>decided by</source>
         <translation>osoba decydująca</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="8"/>
         <source>Where the seams failed</source>
         <translation>Gdzie linie mozaikowania są niezgodne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="9"/>
         <source>The pieces of seam of the sample; numbers are those of the failures below.</source>
         <translation>Odcinki linii z próby; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="10"/>
         <source>The seams of all sheets; numbers are those of the failures below.</source>
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="12"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="13"/>
         <source>seams</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="14"/>
         <source>measured</source>
         <translation>zmierzono</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="15"/>
         <source>metres failed</source>
         <translation>metry niezgodne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="16"/>
         <source>share failed</source>
         <translation>udział niezgodnych</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="17"/>
         <source>longest failure</source>
         <translation>najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="18"/>
         <source>pieces failed</source>
         <translation>niezgodne odcinki</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="20"/>
         <source>Shares are of the metres that were measured. The longest failure of a sheet ends at its edge.</source>
         <translation>Udziały odnoszą się do zmierzonych metrów. Najdłuższa usterka arkusza kończy się na jego brzegu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="21"/>
         <source>Unclear: pieces whose 95 % interval holds the limit; they are counted by their value.</source>
         <translation>Niejasne: odcinki, których 95 % przedział ufności obejmuje granicę; liczą się według swojej wartości.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="23"/>
         <source>None: no piece of seam that was measured failed.</source>
         <translation>Brak: żaden zmierzony odcinek nie jest niezgodny.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="24"/>
         <source>no.</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="25"/>
         <source>length</source>
         <translation>długość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="26"/>
         <source>kept (95 %)</source>
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="27"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="28"/>
         <source>orthoimages (dates)</source>
         <translation>ortoobrazy (daty)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="29"/>
         <source>place</source>
         <translation>miejsce</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="30"/>
         <source>cause, remark</source>
         <translation>przyczyna, uwaga</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="31"/>
         <source>The longest {shown} of {count} failures; all of them are in the layer of failures.</source>
         <translation>Najdłuższe usterki: {shown} z {count}; wszystkie są w warstwie usterek.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="32"/>
         <source>A failure is a row of failed pieces without a break. Kept and the orthoimages are those of its piece that kept least, the width of the band is its widest.</source>
         <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków. Zachowanie detali i ortoobrazy dotyczą tego odcinka, który zachował najmniej, a szerokość pasa jest największą w ciągu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="33"/>
         <source>Pictures of the failures</source>
         <translation>Obrazy usterek</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="34"/>
         <source>Pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy najdłuższych usterek: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="35"/>
         <source>The plan of sampling and its risk</source>
         <translation>Plan kontroli i jego ryzyko</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="36"/>
         <source>Operating characteristic: how likely a delivery is accepted by its share of failed pieces.</source>
         <translation>Krzywa operacyjno-charakterystyczna: prawdopodobieństwo przyjęcia dostawy w zależności od udziału niezgodnych odcinków.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="37"/>
         <source>Agreement of the observers</source>
         <translation>Zgodność obserwatorów</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="38"/>
         <source>who</source>
         <translation>kto</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="40"/>
         <source>agreed</source>
         <translation>zgodne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="41"/>
         <source>both saw a loss</source>
         <translation>obaj widzieli stratę</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="42"/>
         <source>first alone</source>
         <translation>tylko pierwszy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="43"/>
         <source>second alone</source>
         <translation>tylko drugi</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="44"/>
         <source>kappa (95 %)</source>
         <translation>kappa (95 %)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="45"/>
         <source>Kappa is the agreement beyond chance: 1 where both always agree, 0 where they agree as often as by chance.</source>
         <translation>Kappa to zgodność ponad przypadkową: 1, gdy obaj zawsze są zgodni, 0, gdy są zgodni tak często jak przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="46"/>
         <source>seams read from</source>
         <translation>linie mozaikowania wczytane z</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="47"/>
         <source>And {count} more.</source>
         <translation>I jeszcze: {count}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="48"/>
         <source>Kept: the share of the orthoimages&apos; finest detail that is left in the strip along a piece of seam, relative to the ground around it, so that what was done to the whole mosaic does not count; with its 95 % interval.</source>
         <translation>Zachowane: część najdrobniejszych detali ortoobrazów, która pozostała w pasie wzdłuż odcinka linii mozaikowania, w odniesieniu do terenu obok, więc to, co zrobiono z całą ortofotomapą, się nie liczy; z 95 % przedziałem ufności.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="49"/>
         <source>Windows: {count}, flagged: {flagged}</source>
         <translation>Okna: {count}, oznaczone: {flagged}</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="50"/>
         <source>Flagged is a significant loss, or one that the observer saw.</source>
         <translation>Oznaczona jest strata istotna lub zauważona przez obserwatora.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="78"/>
         <source>lost detail over the mosaic; in the frame the clips</source>
         <translation>strata detali na tle ortofotomapy; w ramce wycinki</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="81"/>
         <source>detail that is kept</source>
         <translation>zachowane detale</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="85"/>
         <source>Seam profile: the share of the detail that is kept by distance from the seam, level 1 the finest, with its 95 % interval; where it drops below the dashed line, the loss is significant.</source>
         <translation>Profil linii mozaikowania: część zachowanych detali w zależności od odległości od linii, poziom 1 najdrobniejszy, z 95 % przedziałem ufności; gdzie opada poniżej linii przerywanej, strata jest istotna.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="86"/>
         <source>Lost detail: the colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
         <translation>Utracone detale: barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="87"/>
         <source>The clips show, all stretched alike, the part of the window where the mosaic lost most of the finest detail. JPEG takes a little of it from all of them.</source>
         <translation>Wycinki pokazują, z jednakowym rozciągnięciem, część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="102"/>
         <source>The cross stands where the mark was found, of a failed one where the others put it: column, row.</source>
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="107"/>
         <source>element</source>
         <translation>element</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="110"/>
         <source>How it was measured</source>
         <translation>Jak przebiegał pomiar</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="111"/>
         <source>date</source>
         <translation>data</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="112"/>
         <source>software</source>
         <translation>oprogramowanie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="113"/>
         <source>name and office</source>
         <translation>nazwisko i stanowisko</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="114"/>
         <source>place and date</source>
         <translation>miejsce i data</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="115"/>
         <source>signature</source>
         <translation>podpis</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="116"/>
         <source>file</source>
         <translation>plik</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="117"/>
         <source>size</source>
         <translation>wielkość</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="119"/>
         <source>bands</source>
         <translation>kanały</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="121"/>
         <source>Picture of losses: the share of detail that is kept, cell by cell.</source>
         <translation>Obraz strat: część zachowanych detali, komórka po komórce.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="122"/>
         <source>How the quality was measured, by {software}.</source>
         <translation>Jak zmierzono jakość, program {software}.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="125"/>
         <source>decision</source>
         <translation>decyzja</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="131"/>
         <source>number</source>
         <translation>numer</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="133"/>
         <source>where</source>
         <translation>gdzie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="134"/>
         <source>coordinates</source>
         <translation>współrzędne</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="136"/>
         <source>The numbers are those of the table.</source>
         <translation>Liczby są zgodne z tabelą.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="138"/>
         <source>The available range is not known.</source>
         <translation>Dostępny zakres nie jest znany.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="141"/>
         <source>Sources of the limits</source>
         <translation>Źródła granic</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="142"/>
         <source>The figures</source>
         <translation>Wartości</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="143"/>
         <source>Clipping, peak and contrast come from the histogram of all valid pixels, of the luminosity (0.299 R + 0.587 G + 0.114 B) or of bands as the rules say. The peak is the fullest of 256 bins; contrast is the standard deviation as a share of the available range.</source>
         <translation>Obcięcie, maksimum i kontrast pochodzą z histogramu wszystkich pikseli z danymi, zależnie od reguł dla jasności (0,299 R + 0,587 G + 0,114 B) albo dla kanałów. Maksimum to najliczniejszy z 256 przedziałów; kontrast to odchylenie standardowe jako część dostępnego zakresu.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="145"/>
         <source>Colour balance: the means of red, green and blue on the grey areas that were given, each area counted once; their largest difference as a share of the range. Without such areas it is not measurable.</source>
         <translation>Balans barw: średnie czerwieni, zieleni i niebieskiego na podanych szarych obszarach, każdy obszar liczony raz; największa różnica między nimi jako część zakresu. Bez takich obszarów nie można go zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="151"/>
         <source>Groups are compared by their luminance, or the first band.</source>
         <translation>Grupy są porównywane według luminancji albo pierwszego kanału.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="157"/>
         <source>Each window is decomposed by the wavelet {wavelet} on {levels} levels; a level&apos;s detail is the share of the window&apos;s variance in its three detail components. A window is judged by its noisiest band; one that several images of a group show counts once (Pyka 2009).</source>
         <translation>Każde okno jest rozkładane falką {wavelet} na {levels} {levels:poziom|poziomy|poziomów}; detale poziomu to udział jego trzech komponentów detalicznych w wariancji okna. Okno jest oceniane według kanału o największym szumie; okno, które pokazuje kilka obrazów grupy, liczy się raz (Pyka 2009).</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="159"/>
         <source>Largest possible is the most that noise can be, grain of up to 1.1 px included: no level has more than its quietest ground varies. Where grain of that strength would make the verdict worse, it is uncertain.</source>
         <translation>Największy możliwy to najwyższa wartość, jaką może mieć szum, łącznie z ziarnem do 1,1 px: żaden poziom nie ma go więcej, niż wynosi zmienność najspokojniejszego terenu. Gdy ziarno tej siły pogorszyłoby ocenę, jest ona niepewna.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="160"/>
         <source>Kurtosis is the fourth moment of a level&apos;s details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground. Coefficients that see the window&apos;s opposite border take no part.</source>
         <translation>Kurtoza to czwarty moment detali poziomu podzielony przez kwadrat ich wariancji: 3 dla szumu gaussowskiego, więcej tam, gdzie krawędzie wyróżniają się na spokojnym tle. Współczynniki, na które wpływa przeciwległy brzeg okna, nie są brane pod uwagę.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="163"/>
         <source>± is one standard deviation, from the errors of the amplitudes. A distance is that of a group, so it lies up to one step of the target on the coarse side besides.</source>
         <translation>± oznacza jedno odchylenie standardowe, z błędów amplitud. Wymiar jest wymiarem grupy, więc może ponadto leżeć do jednego kroku testu po stronie grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="164"/>
         <source>Observers</source>
         <translation>Obserwatorzy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="165"/>
         <source>The finest group whose bars an observer tells apart, before one that is not.</source>
         <translation>Najdrobniejsza grupa, której paski obserwator rozróżnia, przed pierwszą nierozróżnioną.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="166"/>
         <source>along the flight, cm</source>
         <translation>wzdłuż kierunku lotu, cm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="167"/>
         <source>across the flight, cm</source>
         <translation>w poprzek kierunku lotu, cm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="169"/>
         <source>contrast of the target</source>
         <translation>kontrast testu</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="170"/>
         <source>bars to gaps of the coarsest group</source>
         <translation>paski do przerw najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="172"/>
         <source>Full circles are bars, empty ones the gaps between them. The gaps&apos; mean must lie beyond the dashed line, which is {criterion:.0%} of the full amplitude away from the inner bars. Grey lines: the ends of the line as drawn.</source>
         <translation>Pełne kółka to paski, puste – przerwy między nimi. Średnia przerw musi leżeć za linią przerywaną, która jest oddalona od wewnętrznych pasków o {criterion:.0%} pełnej amplitudy. Szare linie: końce narysowanej linii.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="173"/>
         <source>Values in DN, places along the line in px.</source>
         <translation>Wartości w DN, położenia wzdłuż linii w px.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="176"/>
         <source>± cm</source>
         <translation>± cm</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="179"/>
         <source>± DN</source>
         <translation>± DN</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="185"/>
         <source>groups</source>
         <translation>grupy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="232"/>
         <source>given</source>
         <translation>podane</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="182"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
         <source>{name} is read by the Python package PyYAML, which is not there; install it, or give an AutoCal XML of MicMac.</source>
         <translation>Do odczytu pliku {name} potrzebny jest pakiet Pythona PyYAML, którego nie ma; zainstaluj go albo podaj AutoCal XML programu MicMac.</translation>
     </message>
@@ -10949,172 +10761,139 @@
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="113"/>
         <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
         <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="258"/>
         <source>ISO 2859-1, level II, AQL 1.0</source>
         <translation>ISO 2859-1, poziom II, AQL 1,0</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="259"/>
         <source>Seam Inspector: where a piece of seam is called significant</source>
         <translation>Seam Inspector: granica, od której strata na odcinku linii mozaikowania jest istotna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="260"/>
         <source>ISO 2859-1:1999, single sampling, normal inspection</source>
         <translation>ISO 2859-1:1999, plan jednostopniowy, kontrola normalna</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="261"/>
         <source>Seam Inspector: nothing is accepted on a guess</source>
         <translation>Seam Inspector: nic nie jest przyjmowane na domysł</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="262"/>
         <source>ISO 2859-1, level II, AQL 4.0</source>
         <translation>ISO 2859-1, poziom II, AQL 4,0</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="263"/>
         <source>2 % of the seams may fail if it is not contiguous</source>
         <translation>niezgodne może być 2 % linii mozaikowania, byle nie w jednym ciągu</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="264"/>
         <source>Beeldmateriaal Nederland: 2 % may deviate</source>
         <translation>Beeldmateriaal Nederland: odstępstwo może mieć 2 %</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="265"/>
         <source>Beeldmateriaal Nederland: if it is not contiguous; 50 m is half a standard window (Pyka 2010)</source>
         <translation>Beeldmateriaal Nederland: byle nie w jednym ciągu; 50 m to połowa okna standardowego (Pyka 2010)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="266"/>
         <source>Strict: 1 % may fail, 25 m without a break</source>
         <translation>surowe: niezgodny może być 1 %, 25 m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="267"/>
         <source>Seam Inspector: stricter than what is called significant</source>
         <translation>Seam Inspector: surowiej niż granica istotnej straty</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="268"/>
         <source>Seam Inspector: half of what Beeldmateriaal Nederland lets deviate</source>
         <translation>Seam Inspector: połowa odstępstwa dopuszczanego przez Beeldmateriaal Nederland</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="269"/>
         <source>Seam Inspector: one standard piece of seam</source>
         <translation>Seam Inspector: jeden standardowy odcinek linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="270"/>
         <source>JRC orthoimage specification for LPIS</source>
         <translation>specyfikacja JRC dla ortoobrazów LPIS</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="271"/>
         <source>JRC, Orthoimage technical specifications for the purpose of LPIS: overall clipping</source>
         <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: obcięcie</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="272"/>
         <source>JRC, Orthoimage technical specifications for the purpose of LPIS: histogram peak</source>
         <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: maksimum histogramu</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="273"/>
         <source>JRC, Orthoimage technical specifications for the purpose of LPIS: contrast</source>
         <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: kontrast</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="274"/>
         <source>JRC, Orthoimage technical specifications for the purpose of LPIS: noise</source>
         <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: szum</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="275"/>
         <source>JRC, Orthoimage technical specifications for the purpose of LPIS: colour balance</source>
         <translation>JRC, Orthoimage technical specifications for the purpose of LPIS: balans barw</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="276"/>
         <source>Arrêté du 16 septembre 2003, section 8.4 (France)</source>
         <translation>Arrêté du 16 septembre 2003, rozdział 8.4 (Francja)</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="277"/>
         <source>Pyka 2010: tonal unity at the seams is bought with contrast</source>
         <translation>Pyka 2010: jednolitość tonalna przy liniach mozaikowania kosztuje kontrast</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="278"/>
         <source>JRC orthoimage specification for LPIS, each band held to the limits</source>
         <translation>specyfikacja JRC dla ortoobrazów LPIS, granice dla każdego kanału</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="285"/>
         <source>Places windows of about 100 m along the seamlines of a mosaic and measures in each how much local contrast the mosaic kept against its sources.</source>
         <translation>Rozmieszcza okna o boku około 100 m wzdłuż linii mozaikowania ortofotomapy i mierzy w każdym, ile lokalnego kontrastu zachowała ona względem ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="289"/>
         <source>The rectangles as measured, with their verdict, what it was taken by, and causes.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną, jej podstawą i przyczynami.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="294"/>
         <source>A tile index of orthoimages as gdaltindex writes it, alone or beside the sources.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, sam albo obok ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="295"/>
         <source>The orthoimages that the mosaic was made from.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="299"/>
         <source>Steps of the decomposition.</source>
         <translation>Liczba kroków dekompozycji.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="301"/>
         <source>The orthophoto mosaic under inspection.</source>
         <translation>Kontrolowana ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="303"/>
         <source>Lines, or polygons of which each is filled from one orthoimage.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="305"/>
         <source>What a window spans at least.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="307"/>
         <source>Or their tile index, as gdaltindex writes it.</source>
         <translation>Albo ich indeks kafli w postaci zapisywanej przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="309"/>
         <source>The orthoimages the mosaic was made from.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="311"/>
         <source>Distance between neighbouring windows along the seam.</source>
         <translation>Odległość między sąsiednimi oknami wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../build/template_texts.py" line="312"/>
         <source>Inspect mosaic</source>
         <translation>Skontroluj ortofotomapę</translation>
     </message>
@@ -11144,7 +10923,7 @@
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, a może mieć najwyżej {most}; wydziel te, które mają być mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="14"/>
+        <location filename="../plugin/imagery/messages.py" line="15"/>
         <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles.</source>
         <translation>Raster {name} jest zapisany w blokach {width} × {height} px, zbyt dużych do odczytu; zapisz go ponownie w kaflach.</translation>
     </message>
@@ -11154,7 +10933,7 @@
         <translation>Raster {name} ma mieć {columns} × {rows} px, jakich nie ma żaden raster; plik jest uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="18"/>
+        <location filename="../plugin/imagery/messages.py" line="19"/>
         <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
@@ -11162,6 +10941,21 @@
         <location filename="../plugin/imagery/messages.py" line="21"/>
         <source>{name} is {columns} px wide and {most} are the most; cut it into sheets first.</source>
         <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/plugin.py" line="60"/>
+        <source>The first inspection in five minutes, and a page for every algorithm</source>
+        <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="180"/>
+        <source>Help</source>
+        <translation>Pomoc</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="180"/>
+        <source>How a first inspection goes, in the browser</source>
+        <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
 </context>
 </TS>
