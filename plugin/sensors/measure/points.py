@@ -60,10 +60,10 @@ def choose_check_points(points: Points, share: float) -> Points:
     places = (points.image - points.image.min(axis=0)) / np.where(extent > 0, extent, 1)
     middle = np.abs(places - 0.5).max(axis=1)
     distance = 1 - middle  # the first one lies in the middle, then the one farthest from all chosen and the border
+    nearest = np.full(len(points), np.inf)
     for _ in range(wanted):
         index = int(np.argmax(np.where(check, -1.0, distance)))
         check[index] = True
-        chosen = places[check]
-        nearest = np.linalg.norm(places[:, None] - chosen[None], axis=2).min(axis=1)
+        nearest = np.minimum(nearest, np.linalg.norm(places - places[index], axis=1))
         distance = np.minimum(nearest, 2 * (0.5 - middle) + 0.1)
     return replace(points, check=check)
