@@ -5,7 +5,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cache
+from pathlib import PurePath
 from string import Formatter
+
+from .printable import in_sentence
 
 
 class Level(Enum):
@@ -86,4 +89,4 @@ def _worded(value: object, translate: Callable[[str], str], fill: Callable[..., 
         return value.worded(translate, fill)
     if isinstance(value, tuple):
         return " ".join(str(_worded(part, translate, fill)) for part in value)
-    return value
+    return in_sentence(str(value)) if isinstance(value, (str, PurePath, Exception)) else value

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..imagery.band_names import LUMINANCE, judged_band
+from ..imagery.printable import printable
 from ..toolkit.band_titles import band_title
 from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
@@ -183,7 +184,7 @@ def _draw_example(axes: Axes, results: Sequence[ClipNoise]) -> None:
 def shown_title(name: str) -> str:
     """A user's word as a chart shows it: none of it is a formula, and not all of a long one."""
     cut = name if len(name) <= MAX_TITLE else f"{name[: MAX_TITLE - 3]}..."
-    return cut.replace("$", "\\$").lstrip("_")
+    return printable(cut).replace("$", "\\$").lstrip("_")
 
 
 def _legend(axes: Axes, columns: int) -> None:

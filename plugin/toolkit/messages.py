@@ -43,5 +43,14 @@ OUTPUT_IS_INPUT = Message("'{output}' would be written over {path}, which belong
 OUTPUTS_ARE_ONE = Message(
     "'{first}' and '{second}' would be written to the same file, {path}; give each a file of its own."
 )
+OUTPUT_NAMES_NO_FILE = Message("'{output}' is to be written to {path}, which is no file on a disk; choose a file.")
+OUTPUT_IN_USE = Message("{path} is being written by another program; close it there, or choose another file.")
+TABLE_BEGINS_WRONG = Message(
+    "'{output}' can't be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name."
+)
+LAYER_NOT_WRITTEN = Message("{path} can't be written; make room on the disk, or choose another folder.")
+LAYER_IN_PART = Message(
+    "{path} holds {held} of {count} features, as the rest can't be written; make room on the disk, and run this again."
+)
 FILE_FORMAT_OTHER = Message("What is written is {filters}, and {name} says something else; give it that ending.")
 CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")

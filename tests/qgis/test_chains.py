@@ -60,8 +60,8 @@ def test_a_layer_is_whole_however_the_algorithm_ends(
     held: list[QgsFeatureSink] = []  # as a frame of a traceback would
     plain, written = Run.write, []
 
-    def write(sink: QgsFeatureSink, features: Any) -> None:
-        plain(sink, features)
+    def write(self: Run, sink: QgsFeatureSink, features: Any) -> None:
+        plain(self, sink, features)
         held.append(sink)
         written.append(sink)
         if len(written) == 3:  # window, curves and pairs of the first one
@@ -70,7 +70,7 @@ def test_a_layer_is_whole_however_the_algorithm_ends(
             log.cancel()
 
     log = Log()
-    monkeypatch.setattr(Run, "write", staticmethod(write))
+    monkeypatch.setattr(Run, "write", write)
     output = tmp_path / "inspected.gpkg"
     try:
         run_unchecked(

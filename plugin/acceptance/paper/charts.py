@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...imagery.grids import Extent
+from ...imagery.printable import printable
 from ...imagery.reference_systems import metres_per_unit
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure
@@ -62,7 +63,7 @@ def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None
         is_free = all((abs(corner - other) > _CROWDED_NAMES_PT).any() for other in named)
         if 1 < len(outlines) <= _MOST_SHEET_NAMES and is_free:
             named.append(corner)
-            axes.text(left + 2, top - 2, _short(name, (right - left - 4) / _LETTER_PT), color=_NAME_COLOUR,
+            axes.text(left + 2, top - 2, _short(printable(name), (right - left - 4) / _LETTER_PT), color=_NAME_COLOUR,
                       fontsize=_NAME_PT, ha="left", va="top", parse_math=False, path_effects=_HALO, zorder=3)
     for state, colour in STATE_COLOURS.items():
         lines = [_thinned(placed(one.piece.vertices)) for one in decision.pieces if one.state is state]

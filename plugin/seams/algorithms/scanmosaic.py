@@ -17,7 +17,6 @@ from qgis.core import (
     QgsProcessingParameterField,
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterDestination,
-    QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
@@ -228,21 +227,20 @@ class ScanMosaic(SeamInspectorAlgorithm):
         from ...toolkit.layers import mosaic_crs
         from ..tables import scan_layers
 
-        crs, made, counts = mosaic_crs(request.mosaic), {}, {}
+        crs, made = mosaic_crs(request.mosaic), {}
         for name, layer in (
             (SEAMS, scan_layers.SEAMS), (CELLS, scan_layers.CELLS), (WORST, scan_layers.WORST),
         ):
-            fields, rows = layer.fields(request.settings.levels), list(layer.rows(result, request))
+            fields, rows = layer.fields(request.settings.levels), layer.rows(result, request)
             try:
                 sink, made[name] = run.optional_sink(name, fields, layer.geometry, crs)
                 run.write(sink, rows)
             except QgsProcessingException:
                 raise SettingsError(messages.SCAN_LAYER_NOT_WRITTEN(name=name)) from None
             run.style(made[name], layer.style)
-            counts[name] = len(rows)
-        run.close()
-        for name, count in counts.items():
-            if not _holds(made[name], count):
+        lost = run.close()
+        for name, destination in made.items():
+            if destination in lost:
                 raise SettingsError(messages.SCAN_LAYER_NOT_WRITTEN(name=name))
         return made
 
@@ -273,10 +271,3 @@ def check_tiff(path: str) -> None:
 
 def _names_sources(run: Run) -> bool:
     return bool(run.raster_values(common.SOURCES) or run.parameters.get(common.SOURCE_INDEX))
-
-
-def _holds(destination: str | None, count: int) -> bool:
-    """Whether a layer that is a file has all its features: that the disk was full as it closed nobody else tells."""
-    if not destination or not Path(destination.partition("|")[0]).is_file():
-        return True
-    return QgsVectorLayer(destination, "written", "ogr").featureCount() == count

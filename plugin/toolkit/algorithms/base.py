@@ -21,6 +21,7 @@ from ..resources import help_url, icon_path
 from ..translation import sentence, tr
 from . import groups
 from . import parameters as common
+from .destinations import refuse_impossible
 from .overwriting import refuse_overwriting
 from .run import Run
 from .unopened_rasters import without_rasters
@@ -107,15 +108,16 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         run = Run(self, parameters, context, feedback)
         with gdal_silenced():
             try:
-                results = self.execute(run)
+                try:
+                    results = self.execute(run)
+                finally:
+                    run.close()
+                return run.kept(results)
             except CancelledError as stopped:
                 run.tell(stopped.message)
                 return {}
             except SeamInspectorError as error:
                 raise QgsProcessingException(sentence(error.message)) from None
-            finally:
-                run.close()
-        return {name: value for name, value in results.items() if value is not None}
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         missing = self._missing_packages(parameters)
@@ -131,6 +133,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
+        refuse_impossible(self, parameters, context)
         common.check_files(self, parameters)
         refuse_overwriting(self, parameters, context)
         common.check_numbers(self, parameters, context)

@@ -10,21 +10,16 @@ from xml.etree.ElementTree import ParseError
 
 from osgeo import gdal
 from qgis.core import (
-    NULL,
-    QgsDataSourceUri,
     QgsMapLayer,
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingFeatureSourceDefinition,
-    QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterMultipleLayers,
     QgsProcessingUtils,
-    QgsProperty,
     QgsProviderRegistry,
-    QgsVectorFileWriter,
     QgsVirtualLayerDefinition,
 )
 from qgis.PyQt.QtCore import QUrl
@@ -36,6 +31,7 @@ from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.plain_files import check_raster_path
 from .. import messages
 from . import parameters as common
+from .output_files import DataPlace, files_beside, is_database, output_text, table_place, value_text
 
 _OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "range", "string"}  # parameters that name no file
 _VECTORS = (
@@ -45,34 +41,19 @@ _VECTORS = (
     QgsProcessing.SourceType.TypeVectorLine,
     QgsProcessing.SourceType.TypeVectorPolygon,
 )
-_DATABASES = {".gpkg", ".sqlite"}  # files that a table can be added to
-_WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
-    ".shp": (".shx", ".dbf", ".prj", ".cpg"),
-    ".tab": (".dat", ".map", ".id", ".ind"),
-    ".mif": (".mid",),
-    **dict.fromkeys((".bil", ".bip", ".bsq"), (".hdr",)),
-}
 _WITHOUT_SIDECARS = (".csv", ".gpkg", ".html", ".json", ".points", ".shp", ".txt", ".xml")
 _SIDECARS = {".aux", ".aux.xml", ".geom", ".hdr", ".msk", ".ovr", ".prj", ".rpb", ".rpc", "_rpc.txt", ".wld"}
 
 _Identity = Union[tuple[int, int], str]
 
 
-class _DataPlace(NamedTuple):
-    """Where data lie."""
-
-    path: str
-    table: str = ""
-    """In a database; empty for the whole file."""
-
-
 class _Output(NamedTuple):
     title: str
-    place: _DataPlace
+    place: DataPlace
     files: dict[_Identity, str]
     """All that would be written or removed."""
 
-    def meets(self, other: _DataPlace) -> str:
+    def meets(self, other: DataPlace) -> str:
         """The file by which it would be written over another, or what lies beside that; empty where there is none.
 
         Another table of a database is no matter.
@@ -97,7 +78,7 @@ def refuse_overwriting(
         if output is None:
             continue
         for other in outputs:
-            if any(output.meets(_DataPlace(file, other.place.table)) for file in other.files.values()):
+            if any(output.meets(DataPlace(file, other.place.table)) for file in other.files.values()):
                 path, first = output.place.path, other.title
                 raise SettingsError(messages.OUTPUTS_ARE_ONE(path=path, first=first, second=output.title))
         outputs.append(output)
@@ -113,31 +94,19 @@ def _output(
     definition: QgsProcessingParameterDefinition, value: object, context: QgsProcessingContext
 ) -> _Output | None:
     """None for an output that is not wanted, or goes to memory or a temporary file."""
-    text = _text(value.sink if isinstance(value, QgsProcessingOutputLayerDefinition) else value, context)
-    if not text or text == QgsProcessing.TEMPORARY_OUTPUT or text.startswith("memory:"):
+    text = output_text(value, context)
+    if not text:
         return None
-    place = _table_place(text) if isinstance(definition, QgsProcessingParameterFeatureSink) else _DataPlace(text)
-    stem, ending = os.path.splitext(place.path)
-    files = [place.path, text, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ()))]
-    if ending.lower() != ".vrt":  # GDAL removes a raster with its sidecars before it writes a new one
+    place = table_place(text) if isinstance(definition, QgsProcessingParameterFeatureSink) else DataPlace(text)
+    files = [place.path, text, *files_beside(place.path)]
+    if not place.path.lower().endswith(".vrt"):  # GDAL removes a raster with its sidecars before it writes a new one
         files += _dataset_files(place.path, gdal.OF_RASTER)
     return _Output(definition.description(), place, {_identity(file): file for file in files})
 
 
-def _table_place(text: str) -> _DataPlace:
-    """The file that a destination of features names, and the table when it is to be added to a database."""
-    provider, _, rest = text.partition(":")
-    is_uri = provider in ("ogr", "spatialite")
-    path = (QgsDataSourceUri(rest).database() or rest) if is_uri else text.partition("|")[0]
-    if is_uri and _is_database(path):
-        return _DataPlace(path, QgsDataSourceUri(rest).table())
-    is_known = QgsVectorFileWriter.driverForExtension(os.path.splitext(path)[1][1:])
-    return _DataPlace(path if is_known else path + ".gpkg")  # as QGIS does
-
-
 def _inputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> Iterator[_DataPlace]:
+) -> Iterator[DataPlace]:
     """Each file of each input."""
     seen: set[_Identity] = set()
     for definition in algorithm.parameterDefinitions():
@@ -147,12 +116,12 @@ def _inputs(
         for place in _places(parameters.get(name), "ogr" if _is_vector(definition) else "gdal", context):
             yield place
             if os.path.isdir(place.path):  # of which every file is read
-                yield from (_DataPlace(one.path) for one in os.scandir(place.path) if one.is_file())
+                yield from (DataPlace(one.path) for one in os.scandir(place.path) if one.is_file())
                 continue
             yield from _parts(place.path, seen)
         if name.upper() == common.SOURCE_INDEX and parameters.get(name):
             for path in _indexed(algorithm.parameterAsVectorLayer(parameters, name, context)):
-                yield _DataPlace(path)
+                yield DataPlace(path)
                 if path.lower().endswith(".vrt"):  # there may be too many to open all
                     yield from _parts(path, seen)
 
@@ -166,7 +135,7 @@ def _is_vector(definition: QgsProcessingParameterDefinition) -> bool:
 
 def _places(
     value: object, provider: str, context: QgsProcessingContext, queries: frozenset[str] = frozenset()
-) -> Iterator[_DataPlace]:
+) -> Iterator[DataPlace]:
     """What an input's value names: a layer or its id or name, an address of a layer, a path, or a list of those.
 
     ``queries``: virtual layers on the way to it, which may name each other.
@@ -177,7 +146,7 @@ def _places(
         return
     if isinstance(value, QgsProcessingFeatureSourceDefinition):
         value = value.source
-    text = "" if isinstance(value, QgsMapLayer) else _text(value, context)
+    text = "" if isinstance(value, QgsMapLayer) else value_text(value, context)
     layer = QgsProcessingUtils.mapLayerFromString(text, context, False) if text else value
     named, key, source = QgsProcessingUtils.decodeProviderKeyAndUri(text)
     if isinstance(layer, QgsMapLayer):
@@ -190,14 +159,14 @@ def _places(
         return
     parts = QgsProviderRegistry.instance().decodeUri(key, source)
     path = parts.get("path") or ""
-    if _is_database(path):
-        yield _DataPlace(path, _table(parts))
+    if is_database(path):
+        yield DataPlace(path, _table(parts))
     elif path:
-        yield _DataPlace(path)
-        yield _DataPlace(source)  # in an archive, or a part of a file
+        yield DataPlace(path)
+        yield DataPlace(source)  # in an archive, or a part of a file
 
 
-def _queried(source: str, context: QgsProcessingContext, queries: frozenset[str]) -> Iterator[_DataPlace]:
+def _queried(source: str, context: QgsProcessingContext, queries: frozenset[str]) -> Iterator[DataPlace]:
     """What a virtual layer is made of: layers that it brings along, and layers of the project that its query names."""
     definition = QgsVirtualLayerDefinition.fromUrl(QUrl.fromEncoded(source.encode()))
     for one in definition.sourceLayers():
@@ -228,18 +197,18 @@ def _indexed(index: QgsMapLayer | None) -> Iterator[str]:
         yield os.path.join(folder, str(row["location"]))
 
 
-def _parts(path: str, seen: set[_Identity]) -> Iterator[_DataPlace]:
+def _parts(path: str, seen: set[_Identity]) -> Iterator[DataPlace]:
     """The files of a dataset, and of the rasters that a virtual one is made of."""
     if _identity(path) in seen:
         return
     seen.add(_identity(path))
     for file in _dataset_files(path):
-        yield _DataPlace(file)
+        yield DataPlace(file)
         if file.lower().endswith(".vrt"):
             yield from _parts(file, seen)
     if path.lower().endswith(".vrt"):
         for file in _vector_sources(Path(path)):
-            yield _DataPlace(file)
+            yield DataPlace(file)
             yield from _parts(file, seen)
 
 
@@ -256,13 +225,9 @@ def _vector_sources(path: Path) -> Iterator[str]:
 
 def _dataset_files(path: str, flags: int = 0) -> list[str]:
     """All files that GDAL counts to a dataset, but for databases, of which other tables may be written."""
-    dataset = None if _is_database(path) else _opened(path, flags)
+    dataset = None if is_database(path) else _opened(path, flags)
     files = (dataset.GetFileList() or []) if dataset is not None else []
-    return [file for file in files if not _is_database(file)]
-
-
-def _is_database(path: str) -> bool:
-    return os.path.splitext(path)[1].lower() in _DATABASES
+    return [file for file in files if not is_database(file)]
 
 
 def _opened(path: str, flags: int = 0) -> gdal.Dataset | None:
@@ -292,9 +257,3 @@ def _identity(path: str) -> _Identity:
         return path if path.startswith("/vsi") else os.path.normcase(os.path.realpath(path))
     return found.st_dev, found.st_ino
 
-
-def _text(value: object, context: QgsProcessingContext) -> str:
-    """A value that is a text or an expression for one; empty for none."""
-    if isinstance(value, QgsProperty):
-        value = value.valueAsString(context.expressionContext())[0]
-    return str(value) if value is not None and value != NULL else ""

@@ -15,6 +15,7 @@ from ...imagery.errors import SettingsError
 from ...imagery.gdal_calls import gdal_silenced
 from ..resources import help_url
 from ..translation import sentence, tr
+from .destinations import refuse_impossible
 from .overwriting import refuse_overwriting
 from .parameters import check_files
 from .unopened_rasters import without_rasters
@@ -44,6 +45,7 @@ class ReadyModel(QgsProcessingModelAlgorithm):
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         try:
+            refuse_impossible(self, parameters, context)
             check_files(self, parameters)
             refuse_overwriting(self, parameters, context)
         except SettingsError as error:
@@ -55,6 +57,7 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> bool:
         try:
+            refuse_impossible(self, parameters, context)
             check_files(self, parameters)
             refuse_overwriting(self, parameters, context)
         except SettingsError as error:

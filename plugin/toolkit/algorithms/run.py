@@ -4,38 +4,35 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable, Optional
+from typing import TYPE_CHECKING, Any, Callable
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsFeature,
     QgsFeatureSink,
-    QgsMapLayer,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
-    QgsProcessingLayerPostProcessorInterface,
     QgsProperty,
     QgsRectangle,
     QgsVectorLayer,
 )
-from qgis.PyQt import sip
 
 from ...imagery.errors import RasterError, SettingsError
 from ...imagery.message import Level
 from .. import messages
-from ..layer_styles import load_style
-from ..translation import sentence, tr
+from ..translation import sentence
 from . import parameters as common
+from .feature_sinks import FeatureSinks, Sink
+from .layer_stylers import layer_styler
+from .output_files import is_file, output_text, table_place
 
 if TYPE_CHECKING:
     from ...imagery.message import Message
     from ...imagery.rasters import Raster, RasterRef
-
-Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
 
 
 class Run:
@@ -48,13 +45,24 @@ class Run:
         self.parameters, self.context = parameters, context
         self.feedback = QgsProcessingFeedback() if feedback is None else feedback
         self._algorithm = algorithm
-        self._sinks: list[QgsFeatureSink] = []
+        self._sinks = FeatureSinks()
         self._told: set[str] = set()
 
-    def close(self) -> None:
-        """Make layers whole: they are so without their sinks only, which a frame or a cycle may still hold."""
-        while self._sinks:
-            sip.delete(self._sinks.pop())
+    def close(self) -> dict[str, Message]:
+        """Make layers whole; why some are not, by their destinations. Once is enough."""
+        self._sinks.close()
+        return self._sinks.lost
+
+    def kept(self, results: dict[str, Any]) -> dict[str, Any]:
+        """Of the results of a run that is closed those that there are; tells of the others.
+
+        Raises SettingsError where all layers are lost.
+        """
+        lost = self._sinks.lost
+        if lost and not self._sinks.has_whole:
+            raise SettingsError(next(iter(lost.values())))
+        self.tell(*lost.values())
+        return {name: value for name, value in results.items() if value is not None and value not in lost}
 
     # values
 
@@ -172,29 +180,30 @@ class Run:
 
     def sink(self, name: str, *layout: Any) -> Sink:
         """Where features go, and its destination; ``layout``: fields, and geometry type and reference system if any."""
-        sink, destination = self._algorithm.parameterAsSink(self.parameters, name, self.context, *layout)
-        if sink is None:
-            raise QgsProcessingException(self._algorithm.invalidSinkError(self.parameters, name))
-        self._sinks.append(sink)
-        return sink, destination
+        text = output_text(self.parameters.get(name), self.context)
+        place = table_place(text) if text and is_file(text) else None
+
+        def make() -> Sink:
+            sink, destination = self._algorithm.parameterAsSink(self.parameters, name, self.context, *layout)
+            if sink is None:
+                raise QgsProcessingException(self._algorithm.invalidSinkError(self.parameters, name))
+            return sink, destination
+
+        return self._sinks.open(make, place)
 
     def optional_sink(self, name: str, *layout: Any) -> Sink:
         """Like ``sink``; nothing when the output is not wanted."""
         return self.sink(name, *layout) if self.parameters.get(name) else (None, None)
 
-    @staticmethod
-    def write(sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:
-        """Add features at once, so that they stay whatever comes after."""
-        if sink is None:
-            return
-        for feature in features:
-            if not sink.addFeature(feature, QgsFeatureSink.Flag.FastInsert):
-                raise QgsProcessingException(sink.lastError() or tr("A result can't be written; is the disk full?"))
+    def write(self, sink: QgsFeatureSink | None, features: Iterable[QgsFeature]) -> None:
+        """Add features at once, so that they stay whatever comes after; nothing where the output is not wanted."""
+        if sink is not None:
+            self._sinks.write(sink, features)
 
     def style(self, destination: str | None, style: str) -> None:
         """Give a layer that will be loaded a style of ours."""
         if destination and self.context.willLoadLayerOnCompletion(destination):
-            self.context.layerToLoadOnCompletionDetails(destination).setPostProcessor(_styler(style))
+            self.context.layerToLoadOnCompletionDetails(destination).setPostProcessor(layer_styler(style))
 
     def title(self, destination: str | None, title: str) -> None:
         """Name a layer that will be loaded, where the output's own name would not tell it from others."""
@@ -276,28 +285,3 @@ class Run:
         """The same, and whether the user wants more."""
         self.progress(share)
         return not self.is_cancelled()
-
-
-class _Styler(QgsProcessingLayerPostProcessorInterface):
-    """Gives a layer its style once it is there."""
-
-    def __init__(self, style: str) -> None:
-        super().__init__()
-        self._style = style
-
-    def postProcessLayer(
-        self, layer: QgsMapLayer, context: QgsProcessingContext, feedback: QgsProcessingFeedback
-    ) -> None:
-        load_style(layer, self._style)
-        layer.triggerRepaint()
-
-
-_stylers: set[_Styler] = set()
-
-
-def _styler(style: str) -> _Styler:
-    """A new one for each layer: QGIS deletes it with the context of its run, and until then does not keep it alive."""
-    _stylers.difference_update([one for one in _stylers if sip.isdeleted(one)])
-    styler = _Styler(style)
-    _stylers.add(styler)
-    return styler

@@ -16,6 +16,7 @@ from markupsafe import Markup, escape
 
 from ...imagery.atomic_files import whole_file
 from ...imagery.message import Message
+from ...imagery.printable import printable
 from ..resources import reports_path
 from ..translation import filled, formatted, language, sentence, tr
 from .how_measured import HowMeasured, MeasuredRaster
@@ -49,7 +50,7 @@ def environment() -> Environment:
     """Where templates are found, and what they know besides what they are given."""
     made = Environment(
         loader=FileSystemLoader(reports_path()), autoescape=True, undefined=StrictUndefined,
-        trim_blocks=True, lstrip_blocks=True,
+        trim_blocks=True, lstrip_blocks=True, finalize=_shown,
     )
     made.globals.update(tr=tr, filled=filled, language=language)
     made.filters.update(
@@ -58,6 +59,11 @@ def environment() -> Environment:
         with_breaks=_with_breaks, number=formatted,
     )
     return made
+
+
+def _shown(value: object) -> object:
+    """Whatever a template puts into a page; what is markup already was made of such values."""
+    return printable(value) if type(value) is str else value
 
 
 def _data_address(data: bytes | str, media: str) -> str:
@@ -77,7 +83,7 @@ def _has_long_word(value: object) -> bool:
 
 def _with_breaks(value: object) -> Markup:
     """Words that a line may break behind a folder, before it would be within a name."""
-    return Markup(re.sub(r"(?<=[/\\])(?=[^/\\])", "<wbr>", str(escape(value))))
+    return Markup(re.sub(r"(?<=[/\\])(?=[^/\\])", "<wbr>", str(escape(printable(str(value))))))
 
 
 def _cell_width(value: object) -> str:

@@ -19,7 +19,7 @@ from seam_inspector.plugin.toolkit.pages.templates import environment, save_page
 
 from tests.pages import Outline, outline
 
-EVIL = '<script>alert("1")</script> & \'Söhne\' \u202egnp.exe'
+EVIL = "<script>alert(\"1\")</script> & 'Söhne' {{7*7}} \u202egnp.exe\x01\udcff"
 PARTS = """
 {% extends "page.html.j2" %}
 {% from "map_sketch.svg.j2" import map_sketch %}

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ....imagery.atomic_files import replacing
+from ....imagery.printable import cell_text, printable
 from ....toolkit.attribute_values import is_known
 from ....toolkit.charts.chart_style import PAPER
 from ...charts.curve_chart import draw_curves
@@ -34,7 +35,10 @@ def picture(chart: Chart, title: str) -> Figure:
     places = {curve.label: place for place, curve in enumerate(chart.curves)}
     axes.set_title(title, fontsize=11, fontweight="bold")
     entries = sorted(zip(*axes.get_legend_handles_labels()), key=lambda entry: places.get(entry[1], len(places)))
-    axes.legend(*zip(*entries), fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    legend = axes.legend(*zip(*entries), fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    for text in legend.get_texts():  # names of files are no formulas
+        text.set_parse_math(False)
+        text.set_text(printable(text.get_text()))
     return figure
 
 
@@ -61,11 +65,12 @@ def write_csv(results: Iterable[WindowResult], path: Path) -> None:
 
 def table_text(results: Iterable[WindowResult]) -> str:
     """The same with tabs, as a spreadsheet takes it from the clipboard."""
-    return "\n".join("\t".join(map(str, row)) for row in (COLUMNS, *_rows(results)))
+    return "\n".join("\t".join(" ".join(str(cell).split()) for cell in row) for row in (COLUMNS, *_rows(results)))
 
 
 def _rows(results: Iterable[WindowResult]) -> Iterable[list[object]]:
     for result in results:
         for feature in curve_features(result):
             values = (feature[name] for name in COLUMNS)
-            yield [value if is_known(value) else "" for value in values]
+            known = (value if is_known(value) else "" for value in values)
+            yield [cell_text(value) if isinstance(value, str) else value for value in known]

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 _KEY = "scan"
 _NOTES_IN_BAR = 2
+_LONGEST_NAME = 50  # letters: with four bytes for each there is room for our endings
 
 
 class MosaicScans(QObject):
@@ -127,7 +128,7 @@ class MosaicScans(QObject):
     def _files(self, order: ScanOrder) -> ScanFiles:
         """Beside the project; those of a scan that is not complete are taken again."""
         folder = Path(self._project.homePath() or QgsApplication.qgisSettingsDirPath())
-        name = re.sub(r"[^\w.-]+", "_", Path(order.mosaic.ref.name).stem)
+        name = re.sub(r"[^\w.-]+", "_", Path(order.mosaic.ref.name).stem)[:_LONGEST_NAME]
         for ending in chain([""], (f"_{number}" for number in count(2))):
             layers = folder / f"{name}_scan{ending}.gpkg"
             if not layers.exists():

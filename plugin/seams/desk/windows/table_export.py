@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QLocale
 
+from ....imagery.atomic_files import replacing
+from ....imagery.printable import cell_text
 from .windows_columns import TableColumn
 
 if TYPE_CHECKING:
@@ -17,7 +19,7 @@ if TYPE_CHECKING:
 def copied_rows(columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) -> str:
     """As they are read in the table, tab separated, headings first."""
     lines = [[column.title() for column in columns], *([column.text(row) for column in columns] for row in rows)]
-    return "\n".join("\t".join(" ".join(cell.split()) for cell in line) for line in lines)
+    return "\n".join("\t".join(cell_text(" ".join(cell.split())) for cell in line) for line in lines)
 
 
 def write_csv(path: Path, columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) -> None:
@@ -26,7 +28,8 @@ def write_csv(path: Path, columns: Sequence[TableColumn], rows: Iterable[WindowR
     Where the decimal point is a comma, columns are separated by semicolons. Raises OSError.
     """
     comma = QLocale().decimalPoint() == ","
-    with open(path, "w", encoding="utf-8-sig", newline="") as file:  # by its mark a spreadsheet knows the encoding
+    encoding = "utf-8-sig"  # by its mark a spreadsheet knows it
+    with replacing(path) as unfinished, unfinished.open("w", encoding=encoding, newline="") as file:
         writer = csv.writer(file, delimiter=";" if comma else ",")
         writer.writerow(column.field for column in columns)
         for row in rows:
@@ -39,5 +42,6 @@ def _cell(column: TableColumn, row: WindowRecord, comma: bool) -> str:
         value = column.key(row) if not isinstance(value, str) else value
         if not isinstance(value, (int, float, str)):
             return ""
-    text = str(value)
-    return text.replace(".", ",") if comma and isinstance(value, float) else text
+    if isinstance(value, str):
+        return cell_text(value)
+    return str(value).replace(".", ",") if comma and isinstance(value, float) else str(value)

@@ -1,0 +1,128 @@
+"""Outputs that can't be written get one sentence, leave nothing, and what was there before stays."""
+from __future__ import annotations
+
+import contextlib
+import os
+import sqlite3
+from pathlib import Path
+from typing import Any
+
+import pytest
+from osgeo import gdal
+from qgis.core import QgsProcessingParameterFeatureSink, QgsProcessingParameterRasterDestination, QgsVectorLayer
+
+from tests.numbers.disks import full_disk
+from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
+from tests.qgis.scenes import BLURRED, SHARP, Scene, saved, windows
+from tests.qgis.test_provider import NAMES
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+LAYERS = (QgsProcessingParameterFeatureSink, QgsProcessingParameterRasterDestination)
+
+
+def places(folder: Path, ending: str) -> dict[str, str]:
+    """Where nothing can be written, and the words that say so."""
+    (folder / f"folder.{ending}").mkdir()
+    (folder / "file.txt").touch()
+    (folder / f"loop.{ending}").symlink_to(folder / f"loop.{ending}")
+    (folder / f"dangling.{ending}").symlink_to(folder / "nowhere" / "x")
+    return {
+        f"{folder}/gone/x.{ending}": "No such file or directory",
+        f"{folder}/dangling.{ending}": "No such file or directory",
+        f"{folder}/folder.{ending}": "Is a directory",
+        f"{folder}/": "Is a directory",
+        f"{folder}/file.txt/x.{ending}": "Not a directory",
+        f"{folder}/loop.{ending}": "symbolic links",
+        f"{folder}/{'x' * 260}.{ending}": "name too long",
+        f"{folder}/a\0b.{ending}": "is no file on a disk",
+        f"/vsizip/{folder}/a.zip/x.{ending}": "is no file on a disk",
+        f"/vsicurl/http://127.0.0.1:9/x.{ending}": "is no file on a disk",
+        "/dev/null": "not permitted",
+        "/dev/full": "not permitted",
+        " ": "is no file on a disk",
+    }
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_can_not_be_written_is_refused_first(name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    """Before anything is read: the other parameters may hold nothing."""
+    job = algorithm(name)
+    for output in job.destinationParameterDefinitions():
+        if not isinstance(output, LAYERS):
+            continue
+        folder = tmp_path / output.name().replace(":", "_")
+        folder.mkdir()
+        is_raster = isinstance(output, QgsProcessingParameterRasterDestination)
+        refused = places(folder, "tif" if is_raster else "gpkg")
+        if is_raster:
+            refused |= dict.fromkeys(["postgres:dbname=x", "ogr:dbname='x.gpkg'", "http://x/y.tif"], "no file on")
+        before = sorted(folder.rglob("*"))
+        for path, words in refused.items():
+            assert_refused(name, words, **{output.name(): path})
+            assert sorted(folder.rglob("*")) == before
+    assert not capfd.readouterr().err
+
+
+def test_a_name_that_no_table_can_have(tmp_path: Path) -> None:
+    for name in ("-rf", "%s{0}", "<img src=x onerror=alert(1)>", "'; drop table x; --", "=cmd|' /C calc'!A0"):
+        words = "none in a GeoPackage begins with"
+        assert_refused("inspectwindows", words, OUTPUT=str(tmp_path / f"{name.replace('/', '')}.gpkg"))
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_database_that_others_write_is_left_to_them(tmp_path: Path) -> None:
+    path = saved(windows(SHARP, name=("string", ["older"])), tmp_path / "made.gpkg")
+    with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as other:
+        other.execute("BEGIN IMMEDIATE")
+        for output in (path, f"ogr:dbname='{path}' table=\"new\" (geom)"):
+            assert_refused("inspectwindows", "being written by another program", OUTPUT=output)
+    assert QgsVectorLayer(path, "made", "ogr").featureCount() == 1
+
+
+# --- disks that are full -----------------------------------------------------------------------------------------
+
+
+def inspected(scene: Scene, log: Log | None = None, **outputs: Any) -> Run:
+    given = {"WINDOWS": windows(*[SHARP] * 3, *[BLURRED] * 3), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources}
+    return run("inspectwindows", log, **{**given, "CURVES": None, "PAIRS": None, "PROFILES": None, **outputs})
+
+
+@pytest.mark.parametrize(("ending", "room"), [("gpkg", 1), ("gpkg", 30_000), ("gpkg", 70_000), ("csv", 1), ("shp", 1)])
+def test_a_full_disk_keeps_what_was_there(
+    scene: Scene, tmp_path: Path, ending: str, room: int, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """GDAL tells of a disk that is full as it closes the file, to nobody."""
+    output = Path(saved(windows(SHARP, name=("string", ["older"])), tmp_path / f"made.{ending}"))
+    before = {one.name: one.read_bytes() for one in tmp_path.iterdir()}
+    capfd.readouterr()
+    with full_disk(room):
+        found = inspected(scene, OUTPUT=str(output))
+    assert_sentence(found.complaint, "can't be written")
+    assert str(output) in str(found.complaint)
+    assert {one.name: one.read_bytes() for one in tmp_path.iterdir()} == before
+    assert not capfd.readouterr().err
+    os.unlink(output)
+    with full_disk(room):
+        assert_sentence(inspected(scene, OUTPUT=str(output)).complaint, "can't be written")
+    assert not output.exists()
+
+
+def test_a_layer_that_can_not_be_written_costs_no_other(scene: Scene, tmp_path: Path) -> None:
+    log = Log()
+    with full_disk(1):
+        found = inspected(scene, log, OUTPUT="memory:", CURVES=str(tmp_path / "curves.csv"))
+    assert found.complaint is None
+    assert len(found.rows("OUTPUT")) == 6
+    assert "CURVES" not in found.results
+    assert_sentence(log.errors[0], "curves.csv can't be written")
+    assert not list(tmp_path.iterdir())
+
+
+def test_an_older_layer_is_replaced_with_its_parts(scene: Scene, tmp_path: Path) -> None:
+    for ending in ("gpkg", "shp"):
+        output = saved(windows(SHARP, name=("string", ["older"])), tmp_path / f"made.{ending}")
+        assert inspected(scene, OUTPUT=output).complaint is None
+        assert QgsVectorLayer(output, "made", "ogr").featureCount() == 6
+        assert not [one.name for one in tmp_path.iterdir() if one.name.startswith(".")]
+    assert gdal.OpenEx(str(tmp_path / "made.gpkg")) is not None
