@@ -14,7 +14,7 @@ from . import messages
 from .errors import SettingsError
 
 
-def _beginning(path: Path) -> str:
+def unfinished_name(path: Path) -> str:
     """What the names of the folders in which a file is written begin with: known by the file, however long its name."""
     return f".unfinished-{zlib.crc32(os.fsencode(path.name)):08x}-"
 
@@ -52,7 +52,7 @@ def replacing(path: Path) -> Iterator[Path]:
         return
     if path.exists() and not os.access(path, os.W_OK):
         raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-    folder = Path(tempfile.mkdtemp(prefix=_beginning(path), dir=path.parent))
+    folder = Path(tempfile.mkdtemp(prefix=unfinished_name(path), dir=path.parent))
     try:
         yield folder / path.name
         with suppress(OSError):
@@ -67,5 +67,5 @@ def drop_unfinished(path: Path) -> None:
     """Remove what processes that were killed left of a file, where it is sure that nobody is writing it now."""
     path = Path(os.path.realpath(path))
     with suppress(OSError):
-        for folder in path.parent.glob(f"{_beginning(path)}*"):
+        for folder in path.parent.glob(f"{unfinished_name(path)}*"):
             shutil.rmtree(folder, ignore_errors=True)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from html import escape
 
 from qgis.core import Qgis, QgsMessageLog
 
@@ -21,6 +22,7 @@ def bar_level(message: Message) -> int:
 
 
 def write_log(messages: Iterable[Message]) -> None:
-    """One line each, on the plugin's own page, without a notice in the message bar."""
+    """One line each, on the plugin's own page, without a notice in the message bar. The page is rich text."""
     for message in messages:
-        QgsMessageLog.logMessage(sentence(message), tr("Seam Inspector"), _LEVELS[message.level], False)
+        text = escape(sentence(message), quote=False)
+        QgsMessageLog.logMessage(text, tr("Seam Inspector"), _LEVELS[message.level], False)

@@ -672,6 +672,6 @@
   </labeling>
   <blendMode>0</blendMode>
   <featureBlendMode>0</featureBlendMode>
-  <mapTip>&lt;b>[% coalesce("left_source", '?') %] | [% coalesce("right_source", '?') %]&lt;/b>: [% coalesce(map_get(map('significant', /*tr*/'significant loss', 'reduced', /*tr*/'reduced', 'preserved', /*tr*/'preserved', 'not_comparable', /*tr*/'not comparable'), "verdict"), '') %]&lt;br>[% coalesce("reason", /*tr*/'kept along the seam' || ': ' || format_number(100 * "kept_1", 0) || ' % (' || format_number(100 * "kept_low", 0) || '–' || format_number(100 * "kept_high", 0) || ' %)' || if("band_width" > 0, ', ' || /*tr*/'width of the band' || ': ' || format_number("band_width", 2) || ' m', ''), '') %]</mapTip>
+  <mapTip>&lt;b>[% coalesce(replace("left_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') %] | [% coalesce(replace("right_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') %]&lt;/b>: [% coalesce(map_get(map('significant', /*tr*/'significant loss', 'reduced', /*tr*/'reduced', 'preserved', /*tr*/'preserved', 'not_comparable', /*tr*/'not comparable'), "verdict"), '') %]&lt;br>[% coalesce(replace("reason", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), /*tr*/'kept along the seam' || ': ' || format_number(100 * "kept_1", 0) || ' % (' || format_number(100 * "kept_low", 0) || '–' || format_number(100 * "kept_high", 0) || ' %)' || if("band_width" > 0, ', ' || /*tr*/'width of the band' || ': ' || format_number("band_width", 2) || ' m', ''), '') %]</mapTip>
   <layerGeometryType>1</layerGeometryType>
 </qgis>

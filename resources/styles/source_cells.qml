@@ -243,6 +243,6 @@
   </labeling>
   <blendMode>0</blendMode>
   <featureBlendMode>0</featureBlendMode>
-  <mapTip>[% "source" %]</mapTip>
+  <mapTip>[% replace("source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')) %]</mapTip>
   <layerGeometryType>2</layerGeometryType>
 </qgis>

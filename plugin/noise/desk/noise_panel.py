@@ -100,7 +100,7 @@ class NoisePanel(MatplotlibPanel):
             self._rasters.clear()
             for ref in refs:
                 self._rasters.addItem(ref.name)
-                self._rasters.setItemData(self._rasters.count() - 1, ref.path, Qt.ItemDataRole.ToolTipRole)
+                self._rasters.setItemData(self._rasters.count() - 1, rich_tip(ref.path), Qt.ItemDataRole.ToolTipRole)
             self._rasters.setItemText(0, filled(tr("{name} (mosaic)"), name=refs[0].name))
         self._rasters.setEnabled(True)
         self._rasters.setCurrentIndex(refs.index(self._source) if self._source in refs else 0)

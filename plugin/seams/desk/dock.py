@@ -75,7 +75,7 @@ class InspectionDock(ToolDock):
         if (curves := self.panels.get("curves")) is not None:
             self.lost.follow_chart(curves.profile)
         self.reports = ReportWriter(self.session, self)
-        self.reports.told.connect(self._show_message)
+        self.reports.told.connect(self._show_markup)
         self.scans = MosaicScans(self.session, self)
         self.scans.told.connect(self._show_message)
         self.scans.changed.connect(self._follow_scan)

@@ -5,7 +5,6 @@ A disk that is full shows as a file is closed, if at all: neither QGIS nor GDAL 
 from __future__ import annotations
 
 import os
-import shutil
 import tempfile
 from collections.abc import Iterable
 from contextlib import suppress
@@ -17,6 +16,7 @@ from osgeo import gdal
 from qgis.core import QgsFeature, QgsFeatureSink, QgsProcessingException
 from qgis.PyQt import sip
 
+from ...imagery.atomic_files import drop_unfinished, unfinished_name
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.message import Message
 from ...imagery.printable import cell_text
@@ -156,11 +156,11 @@ class _OlderFile:
         """None for what is no file of its own, or can't be put aside."""
         if place is None or place.table or place.path.startswith("/vsi"):
             return None
-        path = Path(place.path).absolute()
+        path = Path(os.path.realpath(place.path))
         if not os.path.lexists(path):
             return cls(path, None)
         try:
-            folder = Path(tempfile.mkdtemp(prefix=".unfinished-", dir=path.parent))
+            folder = Path(tempfile.mkdtemp(prefix=unfinished_name(path), dir=path.parent))
         except OSError:
             return None
         made = cls(path, folder)
@@ -182,14 +182,15 @@ class _OlderFile:
 
     def drop(self) -> None:
         """The new file is whole."""
-        if self.folder is not None:
-            shutil.rmtree(self.folder, ignore_errors=True)
+        drop_unfinished(self.path)  # and what was put aside by processes that were killed
 
     def _put_back(self) -> None:
         for file in self.folder.iterdir() if self.folder is not None else ():
             with suppress(OSError):
                 os.replace(file, self.path.with_name(file.name))
-        self.drop()
+        if self.folder is not None:
+            with suppress(OSError):  # what can't be put back stays there
+                self.folder.rmdir()
 
     def _files(self) -> list[Path]:
         names = [self.path, *map(Path, files_beside(str(self.path)))]

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from html import escape
 
 from qgis.core import Qgis, QgsProject
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
@@ -10,6 +11,7 @@ from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ..translation import tr
+from .tooltips import rich_tip
 
 
 class BarQuestion(QObject):
@@ -28,10 +30,10 @@ class BarQuestion(QObject):
     ) -> None:
         """Say it, with a button of these words where there is something to go on with."""
         self.dismiss()
-        item = self._bar.createMessage(tr("Seam Inspector"), text)
+        item = self._bar.createMessage(tr("Seam Inspector"), escape(text, quote=False))
         if go_on is not None:
             button = QPushButton(words, item)
-            button.setToolTip(tip)
+            button.setToolTip(rich_tip(tip))
             button.clicked.connect(self._answer)
             item.layout().addWidget(button)
         self._item, self._go_on = item, go_on

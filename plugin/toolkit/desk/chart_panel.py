@@ -18,6 +18,7 @@ class ChartPanel(QWidget):
         super().__init__(parent)
         self._timer = single_shot(self, self._refresh)
         self._text = QLabel()
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._text.setWordWrap(True)
         self._text.setAutoFillBackground(True)

@@ -6,6 +6,8 @@ from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QWidget
 
+from .tooltips import rich_tip
+
 
 class SummaryBox(QgsCollapsibleGroupBoxBasic):
     """A collapsible box whose title is cut to its width instead of widening it."""
@@ -25,7 +27,7 @@ class SummaryBox(QgsCollapsibleGroupBoxBasic):
     def set_summary(self, name: str, rest: str = "", problem: str = "") -> None:
         """The title, of which the name is cut first, and what is wrong, for the tooltip."""
         self._name, self._rest = name, rest
-        self.setToolTip("\n".join(filter(None, (name + rest, problem))))
+        self.setToolTip(rich_tip(*filter(None, (name + rest, problem))) if name + rest + problem else "")
         self._cut()
 
     def fold(self, folded: bool) -> None:

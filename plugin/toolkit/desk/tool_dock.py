@@ -1,6 +1,8 @@
 """A dock with a map tool of its own, and the button that takes it and gives back the one before."""
 from __future__ import annotations
 
+from html import escape
+
 from qgis.core import Qgis
 from qgis.gui import QgisInterface, QgsDockWidget, QgsMapTool
 from qgis.PyQt import sip
@@ -75,4 +77,8 @@ class ToolDock(QgsDockWidget):
         self.draw.setChecked(tool is self.tool)
 
     def _show_message(self, text: str, level: int) -> None:
+        """Plain words: what others called their layers is no markup, as which the bar takes all it is given."""
+        self._show_markup(escape(text, quote=False), level)
+
+    def _show_markup(self, text: str, level: int) -> None:
         self._iface.messageBar().pushMessage(tr("Seam Inspector"), text, Qgis.MessageLevel(level), _MESSAGE_SECONDS)

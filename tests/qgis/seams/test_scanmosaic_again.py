@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import ogr
-from seam_inspector.plugin.seams.algorithms import scanmosaic
 from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import open_journal
 from seam_inspector.plugin.seams.measure.scan.results import loss_raster
+from seam_inspector.plugin.toolkit.algorithms import feature_sinks
 from seam_inspector.plugin.toolkit.algorithms.run import Run as AlgorithmRun
 
 from tests.numbers.disks import full_disk
@@ -117,7 +117,7 @@ def test_killed_while_layers_are_written_it_goes_on(
     left = [count if feature == 5 else feature]
     write = AlgorithmRun.write
 
-    def dying(sink: Any, features: Any) -> None:
+    def dying(self: AlgorithmRun, sink: Any, features: Any) -> None:
         def counted() -> Iterator[Any]:
             for one in features:
                 left[0] -= 1
@@ -125,10 +125,10 @@ def test_killed_while_layers_are_written_it_goes_on(
                     os.kill(os.getpid(), signal.SIGKILL)
                 yield one
 
-        write(sink, counted())
+        write(self, sink, counted())
 
     def work() -> None:
-        monkeypatch.setattr(AlgorithmRun, "write", staticmethod(dying))
+        monkeypatch.setattr(AlgorithmRun, "write", dying)
         scan(files, tmp_path)
 
     died(work)
@@ -205,7 +205,7 @@ def test_a_layer_that_lost_its_features_is_noticed(
 ) -> None:
     """As on a disk that was full when the layer was closed, which QGIS tells nobody."""
     with monkeypatch.context() as patched:
-        patched.setattr(scanmosaic, "_holds", lambda _destination, count: count != 2)  # of CELLS
+        patched.setattr(feature_sinks, "_count", lambda place: 0 if place.path.endswith("CELLS.gpkg") else 10**6)
         assert_sentence(scan(files, tmp_path).complaint, "The layer CELLS can't be written. What was measured is kept")
     assert (tmp_path / "loss.tif.scan").exists()
     assert scan(files, tmp_path).complaint is None

@@ -52,6 +52,7 @@ class ImagesPanel(QWidget):
         self.bar = ImagesBar(self._session, self.viewport)
         self.bar.arrangementChanged.connect(self._rearrange)
         self._hint = QLabel()
+        self._hint.setTextFormat(Qt.TextFormat.PlainText)
         self._hint.setWordWrap(True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._hint.setMargin(12)

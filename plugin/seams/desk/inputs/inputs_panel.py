@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Callable
 
 from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
-from qgis.PyQt.QtCore import pyqtSignal
+from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
@@ -261,6 +261,7 @@ class InputsPanel(QWidget):
         self.side_note = QLabel(self.box)
         self.side_note.setToolTip(tr("Windows of the side that was given do not fit this mosaic, so it was changed"))
         self.doubts = QLabel(self)
+        self.doubts.setTextFormat(Qt.TextFormat.PlainText)
         self.doubts.setWordWrap(True)
         self.doubts.setVisible(False)
         self.more = MoreBox(self.box)

@@ -70,6 +70,7 @@ class WindowsPanel(QWidget):
         self._verdicts = KindBox(self)
         self._orders = OrderBox(self)
         self._problem = QLabel(self)
+        self._problem.setTextFormat(Qt.TextFormat.PlainText)
         self._filter_time = single_shot(self, self._tell_filter, _TYPED_MS)
         self._count = QLabel(self)
         self.table = WindowsTable(self._windows, self._shown, self)
