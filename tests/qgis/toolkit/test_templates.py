@@ -120,6 +120,7 @@ def test_a_page_needs_no_network() -> None:
     assert read.pictures("jpeg") == [data, data]
     assert "url(" not in text
     assert "@import" not in text
+    assert "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" in text
 
 
 def test_numbers_stand_to_the_right() -> None:
