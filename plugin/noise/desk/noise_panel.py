@@ -19,7 +19,7 @@ from ...toolkit.desk.background_tasks import BackgroundTasks
 from ...toolkit.desk.chart_panel import MatplotlibPanel
 from ...toolkit.desk.clipped_label import ClippedLabel
 from ...toolkit.desk.tabs import InspectedWindows, WindowOnRasters
-from ...toolkit.desk.tooltips import rich_tip
+from ...toolkit.desk.tooltips import plain_tip, rich_tip
 from ...toolkit.translation import filled, sentence, tr
 from ..jobs import noise_job
 from ..measure.band_noise import noisiest_band
@@ -100,7 +100,7 @@ class NoisePanel(MatplotlibPanel):
             self._rasters.clear()
             for ref in refs:
                 self._rasters.addItem(ref.name)
-                self._rasters.setItemData(self._rasters.count() - 1, rich_tip(ref.path), Qt.ItemDataRole.ToolTipRole)
+                self._rasters.setItemData(self._rasters.count() - 1, plain_tip(ref.path), Qt.ItemDataRole.ToolTipRole)
             self._rasters.setItemText(0, filled(tr("{name} (mosaic)"), name=refs[0].name))
         self._rasters.setEnabled(True)
         self._rasters.setCurrentIndex(refs.index(self._source) if self._source in refs else 0)

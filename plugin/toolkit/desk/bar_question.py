@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtWidgets import QPushButton
 
 from ..translation import tr
-from .tooltips import rich_tip
+from .tooltips import plain_tip
 
 
 class BarQuestion(QObject):
@@ -33,7 +33,7 @@ class BarQuestion(QObject):
         item = self._bar.createMessage(tr("Seam Inspector"), escape(text, quote=False))
         if go_on is not None:
             button = QPushButton(words, item)
-            button.setToolTip(rich_tip(tip))
+            button.setToolTip(plain_tip(tip))
             button.clicked.connect(self._answer)
             item.layout().addWidget(button)
         self._item, self._go_on = item, go_on

@@ -6,7 +6,7 @@ from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetrics, QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QWidget
 
-from .tooltips import rich_tip
+from .tooltips import plain_tip
 
 
 class SummaryBox(QgsCollapsibleGroupBoxBasic):
@@ -27,7 +27,7 @@ class SummaryBox(QgsCollapsibleGroupBoxBasic):
     def set_summary(self, name: str, rest: str = "", problem: str = "") -> None:
         """The title, of which the name is cut first, and what is wrong, for the tooltip."""
         self._name, self._rest = name, rest
-        self.setToolTip(rich_tip(*filter(None, (name + rest, problem))) if name + rest + problem else "")
+        self.setToolTip(plain_tip("\n".join(filter(None, (name + rest, problem)))))
         self._cut()
 
     def fold(self, folded: bool) -> None:

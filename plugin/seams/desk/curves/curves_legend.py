@@ -19,7 +19,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ....toolkit.charts.chart_style import ChartStyle, LineStyle
 from ....toolkit.desk.theme import ReadableItems, blended, plain_icon
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.tooltips import plain_tip
 from ....toolkit.translation import tr
 from ...charts.chart_curves import ChartCurve
 from ...charts.curve_chart import curve_look, numbered
@@ -178,7 +178,7 @@ class CurvesLegend(QListWidget):
         label = curve.label
         if curve.is_composite:
             label = tr("What a hard cut of the sources along the seam, levelled to the mosaic's tone, would have")
-        item.setToolTip(rich_tip(label, click))
+        item.setToolTip(plain_tip(f"{label}\n{click}"))
 
     def _piece(self, colour: QColor, line: LineStyle, width: float, radius: float) -> QIcon:
         """A piece of a line with one of its points, sizes in heights of the icon."""

@@ -13,7 +13,7 @@ from ....toolkit.charts.chart_loader import chart_missing
 from ....toolkit.desk.chart_panel import MatplotlibPanel
 from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.desk.timers import single_shot
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.tooltips import plain_tip
 from ....toolkit.translation import tr
 from ...charts.chart_curves import ChartCurve, significance_limit
 from ...charts.window_curves import bands_of, mean_curves, point_words, window_curves
@@ -297,4 +297,4 @@ class CurvesPanel(MatplotlibPanel):
         width = self._status.contentsRect().width()
         room = max(width - metrics.horizontalAdvance(words + " "), metrics.horizontalAdvance("0" * 7))
         self._status.setText(metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room) + words)
-        self._status.setToolTip(rich_tip(name + words))
+        self._status.setToolTip(plain_tip(name + words))

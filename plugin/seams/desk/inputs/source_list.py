@@ -23,7 +23,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ....toolkit.desk.layer_box import missing_text
 from ....toolkit.desk.theme import blended, readable_on, readable_palette
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.tooltips import plain_tip
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.raster_facts import Suitability
 from .raster_layers import file_rasters
@@ -144,7 +144,7 @@ class SourceList(QWidget):
         for entry in self._entries:
             item = QListWidgetItem(entry.text, self.list)
             item.setData(_ID, entry.layer_id)
-            item.setToolTip(rich_tip(*entry.tip.splitlines()) if entry.tip else "")
+            item.setToolTip(plain_tip(entry.tip))
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             font = item.font()
             font.setItalic(entry.is_missing)

@@ -12,7 +12,7 @@ from qgis.PyQt.QtWidgets import QAction, QActionGroup, QMenu, QWidget
 from ....imagery.grids import Extent, extents_meet
 from ....imagery.message import Message
 from ....toolkit.desk.greyed import allow
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.tooltips import plain_tip
 from ....toolkit.layers import box_extent
 from ....toolkit.map_places import transformed_box
 from ....toolkit.message_bar import bar_level
@@ -141,7 +141,7 @@ class SwipeAction(QObject):
             entry = self.menu.addAction(choice.title)
             entry.setCheckable(True)
             entry.setChecked(choice == self.swipe.choice)
-            entry.setToolTip(rich_tip(filled(tr("Compare the mosaic with {name}"), name=choice.title)))
+            entry.setToolTip(plain_tip(filled(tr("Compare the mosaic with {name}"), name=choice.title)))
             entry.triggered.connect(lambda _checked, choice=choice: self.start(choice))
             group.addAction(entry)
         if not choices:
