@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import PurePath
 from string import Formatter
 
-from .printable import in_sentence
+from .documents.printable import in_sentence
 
 
 class Level(Enum):

@@ -9,8 +9,8 @@ from matplotlib import patheffects
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ...imagery.documents.printable import printable
 from ...imagery.grids import Extent
-from ...imagery.printable import printable
 from ...imagery.reference_systems import metres_per_unit
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure

@@ -17,9 +17,9 @@ from qgis.core import QgsFeature, QgsFeatureSink, QgsProcessingException
 from qgis.PyQt import sip
 
 from ...imagery.atomic_files import drop_unfinished, unfinished_name
+from ...imagery.documents.printable import cell_text
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.message import Message
-from ...imagery.printable import cell_text
 from .. import messages
 from ..translation import sentence, tr
 from .output_files import DataPlace, files_beside
