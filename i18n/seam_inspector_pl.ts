@@ -89,7 +89,7 @@
         <translation>Kontrola linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/run.py" line="192"/>
+        <location filename="../plugin/toolkit/algorithms/feature_sinks.py" line="102"/>
         <source>A result can&apos;t be written; is the disk full?</source>
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
@@ -104,7 +104,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="88"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="89"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -519,27 +519,27 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="59"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="60"/>
         <source>Click an entry to hide its curve or to show it again; right click for more</source>
         <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą; prawy przycisk myszy: więcej opcji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="137"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="138"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="176"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="177"/>
         <source>Click to show this curve</source>
         <translation>Kliknij, aby pokazać tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="176"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="177"/>
         <source>Click to hide this curve</source>
         <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="217"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="218"/>
         <source>Show all curves</source>
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
@@ -694,32 +694,32 @@
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="283"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="178"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="179"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -819,22 +819,22 @@
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="243"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="244"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="246"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="247"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="245"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="83"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="84"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
@@ -869,7 +869,7 @@
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="85"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="86"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
@@ -924,7 +924,7 @@
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="49"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="51"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
@@ -1074,17 +1074,17 @@
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="70"/>
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="71"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="75"/>
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="76"/>
         <source>log</source>
         <translation>log</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="76"/>
+        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="77"/>
         <source>Logarithmic axis, which shows the fine levels; off: linear axis</source>
         <translation>Oś logarytmiczna, która uwidacznia najdokładniejsze poziomy; po wyłączeniu: oś liniowa</translation>
     </message>
@@ -1094,17 +1094,17 @@
         <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="83"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="84"/>
         <source>Check no raster; missing ones are removed</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="95"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="96"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="179"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="180"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
@@ -1229,17 +1229,17 @@
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="104"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="105"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="108"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="109"/>
         <source>Choose the mosaic under Inputs to see the pictures of this window.</source>
         <translation>Wybierz ortofotomapę w danych wejściowych, aby zobaczyć obrazy tego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="112"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="113"/>
         <source>No picture: neither the mosaic nor a source can be read in this window.</source>
         <translation>Brak obrazu: w tym oknie nie można odczytać ani ortofotomapy, ani ortoobrazu źródłowego.</translation>
     </message>
@@ -1249,12 +1249,12 @@
         <translation>Wczytywanie obrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="235"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="236"/>
         <source>{window}: reading ...</source>
         <translation>{window}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="237"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="238"/>
         <source>{window}: no source covers it</source>
         <translation>{window}: bez pokrycia źródłami</translation>
     </message>
@@ -1404,12 +1404,12 @@
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="179"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="180"/>
         <source>What a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have</source>
         <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, z tonacją wyrównaną do ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="216"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="217"/>
         <source>Show only this curve</source>
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
@@ -1429,7 +1429,7 @@
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="84"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="85"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -2834,7 +2834,7 @@
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="47"/>
+        <location filename="../plugin/toolkit/messages.py" line="56"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
@@ -4175,17 +4175,17 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="56"/>
+        <location filename="../plugin/noise/charts.py" line="57"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="161"/>
+        <location filename="../plugin/noise/charts.py" line="162"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="178"/>
+        <location filename="../plugin/noise/charts.py" line="179"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
@@ -4811,7 +4811,7 @@
         <translation>Mapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="177"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="178"/>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -5428,7 +5428,7 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="139"/>
+        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="140"/>
         <source>On or below this line a loss is significant by curves: against the sources (paper), or their composite</source>
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
@@ -5523,7 +5523,7 @@
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
@@ -5533,27 +5533,27 @@
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="93"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="94"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="96"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="97"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="122"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="123"/>
         <source>Scan: putting the blocks together, {percent} %</source>
         <translation>Badanie: łączenie bloków, {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="123"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="124"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -5573,22 +5573,22 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="180"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="181"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="182"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="183"/>
         <source>Scanned {metres} m of seams: no significant loss</source>
         <translation>Zbadano {metres} m linii: brak istotnej straty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="184"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="185"/>
         <source>Scanned {metres} m of seams: significant loss on {failed} m</source>
         <translation>Zbadano {metres} m linii: istotna strata na {failed} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="188"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="189"/>
         <source>Notes in the log: {count}.</source>
         <translation>Uwagi w dzienniku: {count}.</translation>
     </message>
@@ -5908,97 +5908,97 @@
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="58"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="57"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="73"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="72"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="79"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="78"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="82"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="90"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="92"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="95"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="94"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="101"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="103"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="105"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="110"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="109"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="112"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="111"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="121"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="120"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="129"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="128"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="133"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="137"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
         <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
@@ -6008,12 +6008,12 @@
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
         <source>Length with a significant loss (metres)</source>
         <translation>Długość z istotną stratą (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="142"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
@@ -6158,37 +6158,37 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="45"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="46"/>
         <source>Swipe</source>
         <translation>Kurtyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="47"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="48"/>
         <source>Compare the mosaic with a source on the map: drag the handle, X exchanges the sides, Esc ends</source>
         <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="143"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="144"/>
         <source>Compare the mosaic with {name}</source>
         <translation>Porównaj ortofotomapę z {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="147"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="148"/>
         <source>No source here</source>
         <translation>Nie ma tu ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="149"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="150"/>
         <source>Exchange the sides (X)</source>
         <translation>Zamień strony (X)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="151"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="152"/>
         <source>Lying handle</source>
         <translation>Uchwyt poziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="152"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="153"/>
         <source>Compare above and below instead of left and right</source>
         <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
     </message>
@@ -6563,12 +6563,12 @@
         <translation>Jak wyświetlane są odcienie; nigdy kanał po kanale, więc barwy pozostają bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="192"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="193"/>
         <source>composite: reading ...</source>
         <translation>kompozycja: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="192"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="193"/>
         <source>no source explains it</source>
         <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
@@ -6978,17 +6978,17 @@
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="77"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="78"/>
         <source>Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
         <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="276"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="277"/>
         <source>Save the windows</source>
         <translation>Zapisz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="276"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="277"/>
         <source>CSV files (*.csv)</source>
         <translation>Pliki CSV (*.csv)</translation>
     </message>
@@ -7058,7 +7058,7 @@
         <translation>Zwykłe kolumny w zwykłej kolejności, tyle, na ile jest miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="70"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="71"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -7098,17 +7098,17 @@
         <translation>Sprawdź ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="81"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="82"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="81"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="82"/>
         <source>Check the rasters that may be sources of this mosaic, and no others</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="85"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="86"/>
         <source>The orthoimages that the mosaic was made from. What is left out says why; check it to take it all the same. Uncheck a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -7380,7 +7380,7 @@
         <translation>Nie ma już okien do oceny. Wybierz okno, aby ocenić je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="289"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="290"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
@@ -7575,32 +7575,32 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="137"/>
+        <location filename="../plugin/noise/charts.py" line="138"/>
         <source>{field}: {value}</source>
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="138"/>
+        <location filename="../plugin/noise/charts.py" line="139"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="160"/>
+        <location filename="../plugin/noise/charts.py" line="161"/>
         <source>1 window</source>
         <translation>1 okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="161"/>
+        <location filename="../plugin/noise/charts.py" line="162"/>
         <source>{name}: mean and range of {count} windows</source>
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="46"/>
+        <location filename="../plugin/toolkit/messages.py" line="55"/>
         <source>What is written is {filters}, and {name} says something else; give it that ending.</source>
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layers.py" line="76"/>
+        <location filename="../plugin/toolkit/layers.py" line="77"/>
         <source>temporary layer</source>
         <translation>warstwa tymczasowa</translation>
     </message>
@@ -9315,17 +9315,17 @@
         <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="110"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="111"/>
         <source>AQL {aql} %: rejected in {risk} % (producer&apos;s risk)</source>
         <translation>AQL {aql} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="121"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="122"/>
         <source>failed pieces in the delivery (%)</source>
         <translation>niezgodne odcinki w dostawie (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="123"/>
         <source>probability of acceptance (%)</source>
         <translation>prawdopodobieństwo przyjęcia (%)</translation>
     </message>
@@ -10761,7 +10761,7 @@
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="113"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="114"/>
         <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
         <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
     </message>
@@ -10956,6 +10956,31 @@
         <location filename="../plugin/seams/desk/dock.py" line="180"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="46"/>
+        <source>&apos;{output}&apos; is to be written to {path}, which is no file on a disk; choose a file.</source>
+        <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="47"/>
+        <source>{path} is being written by another program; close it there, or choose another file.</source>
+        <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="49"/>
+        <source>&apos;{output}&apos; can&apos;t be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name.</source>
+        <translation>Wynik „{output}” nie może być tabelą o nazwie {name}, ponieważ nazwa tabeli w pliku GeoPackage nie może zaczynać się od {begins}; wybierz inną nazwę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="51"/>
+        <source>{path} can&apos;t be written; make room on the disk, or choose another folder.</source>
+        <translation>Nie można zapisać pliku {path}; zwolnij miejsce na dysku albo wybierz inny katalog.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="53"/>
+        <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
+        <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
 </context>
 </TS>
