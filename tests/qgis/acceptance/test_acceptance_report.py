@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from qgis.core import Qgis
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.acceptance.measure.decision import Decision
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
@@ -135,8 +136,10 @@ def test_all_words_can_be_translated(tmp_path: Path) -> None:
         page = page_of(tmp_path, InspectionRecord(seen, (("SHEET_1", "/X"),), "/W", "/R", scan={"wavelet": "HAAR"}))
     finally:
         QCoreApplication.removeTranslator(shouting)
-    shown = page.words[page.words.index("REJECTED") :].replace("Seam Inspector", "").replace("QGIS", "")
-    left = set(re.findall(r"[a-z]{2,}", shown)) - {"contract", "iałowieża", "ia", "owie", "zone"}
+    shown = page.words[page.words.index("REJECTED") :]
+    for name in ("Seam Inspector", "QGIS", Qgis.version()):
+        shown = shown.replace(name, "")
+    left = set(re.findall(r"[a-z]{2,}", shown)) - {"contract", "zone"}
     assert not left
 
 

@@ -308,8 +308,8 @@ def test_300_windows_stay_below_30_megabytes(qgis_app: Any, tmp_path: Path) -> N
     assert decoded(page.pictures("jpeg")[1]).shape[0] >= 64
 
 
-def test_each_window_is_on_disk_before_the_next_is_made(qgis_app: Any, tmp_path: Path) -> None:
-    """So memory does not grow with their number."""
+def test_each_window_is_on_disk_before_the_next_but_one_is_made(qgis_app: Any, tmp_path: Path) -> None:
+    """So memory does not grow with their number. Python keeps back 128 KiB from 3.14 on, not all of two windows."""
     sizes: list[int] = []
 
     def told(share: float) -> None:
@@ -319,7 +319,7 @@ def test_each_window_is_on_disk_before_the_next_is_made(qgis_app: Any, tmp_path:
     request = many(noisy_block(tmp_path, 512), 6)
     assert write_report(tmp_path / "report.html", request, told) == []
     assert len(sizes) == 6
-    assert np.diff(sizes).min() > 10_000
+    assert np.subtract(sizes[2:], sizes[:-2]).min() > 10_000
 
 
 def test_of_more_windows_the_worst_are_shown(qgis_app: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

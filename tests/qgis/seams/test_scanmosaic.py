@@ -263,5 +263,7 @@ def test_it_is_a_step_of_a_model(hard: Files, feathered: Files) -> None:
     for files, verdict in ((hard, "preserved"), (feathered, "significant")):
         found = run(model.create(), mosaic=files.mosaic)
         assert found.complaint is None
-        assert set(found.column("verdict", "scan:SEAMS")) == {verdict}
-        assert found.column("verdict", "inspect:OUTPUT")[0] == verdict
+        ends = "seams", "output"  # QGIS 3.22 calls one scan:SEAMS, later ones seams
+        seams, inspected = (next(key for key in found.results if key.lower().endswith(end)) for end in ends)
+        assert set(found.column("verdict", seams)) == {verdict}
+        assert found.column("verdict", inspected)[0] == verdict
