@@ -12,6 +12,8 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
+from tests.browser import browser
+
 _PATIENCE_S = 120
 _DPI = 30
 _WORD = re.compile(r'<word xMin="([\d.]+)" yMin="([\d.]+)" xMax="([\d.]+)" yMax="([\d.]+)">(.*?)</word>')
@@ -59,7 +61,7 @@ def why_not() -> str:
     missing = [name for name in ("pdftotext", "pdftoppm") if shutil.which(name) is None]
     if missing:
         return f"{', '.join(missing)} of poppler-utils is missing"
-    if _browser() is None:
+    if browser() is None:
         return "no chromium is installed"
     return _first_try()
 
@@ -73,11 +75,6 @@ def print_page(path: Path, folder: Path) -> list[PrintedPage]:
 
 
 @cache
-def _browser() -> str | None:
-    return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-
-
-@cache
 def _first_try() -> str:
     """Ubuntu's chromium is a snap that does not start everywhere, and does not see every folder."""
     with TemporaryDirectory(prefix="seam_inspector_") as folder:
@@ -88,11 +85,11 @@ def _first_try() -> str:
 
 def _print(page: Path, pdf: Path) -> str:
     """Why there is no PDF; empty where there is one."""
-    browser = _browser()
-    assert browser is not None
+    program = browser()
+    assert program is not None
     with TemporaryDirectory(prefix="seam_inspector_") as profile:
         command = [
-            browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={profile}",
+            program, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={profile}",
             f"--print-to-pdf={pdf}", page.as_uri(),
         ]  # fmt: skip
         try:

@@ -12,6 +12,7 @@ from qgis.core import (
     QgsFeature,
     QgsFeatureRequest,
     QgsGeometry,
+    QgsMapLayer,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingUtils,
@@ -42,7 +43,8 @@ def raster_ref(value: object, context: QgsProcessingContext) -> RasterRef:
         if layer is None:
             return RasterRef(value)
     if not isinstance(layer, QgsRasterLayer):
-        raise RasterError(messages.NOT_A_RASTER_LAYER(name=layer.name() if hasattr(layer, "name") else value))
+        name = layer.name() if isinstance(layer, QgsMapLayer) else value
+        raise RasterError(messages.NOT_A_RASTER_LAYER(name=name))
     return layer_ref(layer)
 
 
