@@ -15,6 +15,10 @@ from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
 
 from demo.block import FEATHER, Damage
 
+AS_A_WHOLE = (
+    "Where more than 70 % is kept along the seam and a window is significant, it lost as much as a whole: look at its\n"
+    "sharpness against the sources, whose square is the share of detail that is left."
+)
 EVERYWHERE = "Everywhere: tones balanced source by source, cubic resampling by 0.2 to 0.6 px to where the images fit."
 MOST_SHOWN = 3
 MIN_DAMAGED_SHARE = 0.3  # of a window, for what was done there to be its story
@@ -35,6 +39,8 @@ class Inspected:
     kept_high: float | None
     band_width: float | None
     """m"""
+    sharpness_1: float | None
+    """Of the whole window against its sources."""
     extent: Extent
 
     @property
@@ -43,6 +49,11 @@ class Inspected:
         if self.kept_1 is None or self.kept_low is None or self.kept_high is None:
             return "no seam"
         return f"{100 * self.kept_1:.0f} % ({100 * self.kept_low:.0f} to {100 * self.kept_high:.0f})"
+
+    @property
+    def sharpness(self) -> str:
+        """Of the whole window, %."""
+        return "" if self.sharpness_1 is None else f"{100 * self.sharpness_1:.0f} %"
 
     @property
     def badness(self) -> float:
@@ -75,12 +86,12 @@ def read_windows(uri: str) -> list[Inspected]:
     for feature in layer.getFeatures():
         box = feature.geometry().boundingBox()
         extent = (box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum())
-        names = ("ratio_1", "kept_1", "kept_low", "kept_high", "band_width")
-        ratio, kept, low, high, width = (_number(feature[name]) for name in names)
+        names = ("ratio_1", "kept_1", "kept_low", "kept_high", "band_width", "sharpness_1")
+        ratio, kept, low, high, width, sharpness = (_number(feature[name]) for name in names)
         causes = "" if feature["causes"] == NULL else feature["causes"]
         rows.append(Inspected(
             feature["window_id"], feature["verdict"], feature["paper_verdict"], causes, ratio, kept, low, high, width,
-            extent,
+            sharpness, extent,
         ))  # fmt: skip
     return sorted(rows, key=lambda row: row.badness)
 
@@ -129,11 +140,13 @@ def read_profiles(path: Path) -> dict[int, Profile]:
 def print_windows(inspected: Iterable[Inspected], damage: Sequence[Damage] | None) -> None:
     """What was found in each window and, in the generated block, what was done there."""
     told = "" if damage is None else "made with"
-    print(f"\n{'window':8}{'verdict':15}{'kept along the seam':22}{'band':>7}  {'paper':15}{told:24}causes")
+    print(f"\n{'window':8}{'verdict':15}{'kept along the seam':22}{'band':>7}  {'sharpness':11}{'paper':15}{told:24}causes")
     for one in sorted(inspected, key=lambda row: row.window_id):
         band = f"{one.band_width:.1f} m" if one.band_width else ""
         done = "" if damage is None else made_with(one, damage)
-        print(f"{one.window_id:<8}{one.verdict:15}{one.kept:22}{band:>7}  {one.paper_verdict:15}{done:24}{one.causes}")
+        measured = f"{one.window_id:<8}{one.verdict:15}{one.kept:22}{band:>7}  {one.sharpness:11}"
+        print(f"{measured}{one.paper_verdict:15}{done:24}{one.causes}")
+    print(AS_A_WHOLE)
     if damage is not None:
         print(EVERYWHERE)
 

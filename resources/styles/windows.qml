@@ -735,7 +735,7 @@
   </renderer-v2>
   <labeling type="simple">
     <settings calloutType="simple">
-      <text-style isExpression="1" fontFamily="DejaVu Sans" fontSize="8.5" fontSizeUnit="Point" fontWeight="50" fontItalic="0" textColor="32,32,32,255" textOpacity="1" fontKerning="1" multilineHeight="1" blendMode="0" fieldName="&quot;window_id&quot; || coalesce(' · ' || if(attribute('reference') = 'seam', format_number(100 * attribute('kept_1'), 0) || ' %', format_number(attribute('ratio_1'), 2)), '')">
+      <text-style isExpression="1" fontFamily="DejaVu Sans" fontSize="8.5" fontSizeUnit="Point" fontWeight="50" fontItalic="0" textColor="32,32,32,255" textOpacity="1" fontKerning="1" multilineHeight="1" blendMode="0" fieldName="&quot;window_id&quot; || coalesce(' · ' || if(attribute('reference') = 'seam', if(CASE WHEN attribute('verdict') = 'preserved' THEN true WHEN attribute('kept_high') &lt; 1 THEN attribute('verdict') = 'reduced' OR (attribute('verdict') = 'significant' AND coalesce(attribute('sharpness_1'), 1) ^ 2 &gt; 0.15 AND NOT (coalesce(attribute('sharpness_1'), 1) ^ 2 &lt; 0.7 AND attribute('kept_1') &gt; 0.7)) ELSE false END, format_number(100 * attribute('kept_1'), 0) || ' %', NULL), format_number(attribute('ratio_1'), 2)), '')">
         <text-buffer bufferDraw="1" bufferSize="0.9" bufferSizeUnits="MM" bufferColor="255,255,255,255" bufferOpacity="1" bufferNoFill="1" bufferJoinStyle="128" bufferBlendMode="0"/>
       </text-style>
       <placement placement="1" quadOffset="8" xOffset="1.5" yOffset="1.5" offsetUnits="MM" dist="0" distUnits="MM" offsetType="0" priority="5" polygonPlacementFlags="2" placementFlags="10" preserveRotation="1" geometryGeneratorEnabled="1" geometryGeneratorType="PointGeometry" layerType="UnknownGeometry" geometryGenerator="with_variable('seen', intersection($geometry, transform(@map_extent, @map_crs, @layer_crs)), make_point(x_min(@seen), y_max(@seen)))"/>
@@ -756,7 +756,7 @@
             </Option>
             <Option name="Priority" type="Map">
               <Option name="active" value="true" type="bool"/>
-              <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 10, 9 * (1 - coalesce(min(max(if(attribute('reference') = 'seam', attribute('kept_1'), attribute('ratio_1')), 0) / 2, 1), 0.9)))" type="QString"/>
+              <Option name="expression" value="if(coalesce(map_exist(@seam_inspector_selected, @layer_id || ' ' || $id), false), 10, 9 * (1 - coalesce(min(max(if(attribute('reference') = 'seam', if(attribute('verdict') = 'significant', 0, attribute('kept_1')), attribute('ratio_1')), 0) / 2, 1), 0.9)))" type="QString"/>
               <Option name="type" value="3" type="int"/>
             </Option>
             <Option name="Show" type="Map">
