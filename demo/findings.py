@@ -140,7 +140,8 @@ def read_profiles(path: Path) -> dict[int, Profile]:
 def print_windows(inspected: Iterable[Inspected], damage: Sequence[Damage] | None) -> None:
     """What was found in each window and, in the generated block, what was done there."""
     told = "" if damage is None else "made with"
-    print(f"\n{'window':8}{'verdict':15}{'kept along the seam':22}{'band':>7}  {'sharpness':11}{'paper':15}{told:24}causes")
+    head = f"{'window':8}{'verdict':15}{'kept along the seam':22}{'band':>7}  {'sharpness':11}"
+    print(f"\n{head}{'paper':15}{told:24}causes")
     for one in sorted(inspected, key=lambda row: row.window_id):
         band = f"{one.band_width:.1f} m" if one.band_width else ""
         done = "" if damage is None else made_with(one, damage)
