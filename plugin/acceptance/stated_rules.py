@@ -112,7 +112,7 @@ def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
         aql, level, severity = (str(given[name]) for name in (AQL, INSPECTION_LEVEL, SEVERITY))
         name = tr("at least {kept:g} kept, sampled at level {level}, AQL {aql}")
         sampling = SamplingRule(aql, level, severity, source(PLAN))
-        words = filled(name, kept=kept, level=level, aql=aql)
+        words = filled(name, kept=kept, level=level, aql=float(aql))
         return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)
     rules = (
         AcceptanceRule(FAILED_SHARE, limit(MAX_SHARE) / 100, source(MAX_SHARE)),

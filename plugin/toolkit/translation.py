@@ -76,7 +76,8 @@ class _LocalNumbers(Formatter):
         if "|" in format_spec:
             return counted(value, format_spec.split("|"))
         text = str(super().format_field(value, format_spec))
-        return local_digits(text) if format_spec and isinstance(value, Real) else text
+        is_decimal = isinstance(value, float) or (format_spec and isinstance(value, Real))
+        return local_digits(text) if is_decimal else text
 
 
 def local_digits(number: str) -> str:

@@ -264,7 +264,7 @@ class PlanInspection(SeamInspectorAlgorithm):
             risks = operating_characteristic(plan)
             run.tell(messages.PLANNED_BY_STANDARD(
                 size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1, level=plan.inspection_level,
-                aql=stated.standard_aql(run), letter=plan.code_letter, allowed=allowed_at_aql(plan),
+                aql=plan.aql, letter=plan.code_letter, allowed=allowed_at_aql(plan),
                 producers=risks.producers_risk, bad=round(risks.limiting_quality * plan.lot_size),
                 limiting=risks.limiting_quality, consumers=risks.consumers_risk,
             ))  # fmt: skip

@@ -69,7 +69,7 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     curve = outcome.characteristic
     if passed:
         sentence = messages.PLAN_KEPT(
-            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=rule.aql,
+            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=plan.aql,
             letter=plan.code_letter, allowed=allowed_at_aql(plan), producers=curve.producers_risk,
             bad=round(curve.limiting_quality * plan.lot_size), limiting=curve.limiting_quality,
             consumers=curve.consumers_risk,
@@ -78,7 +78,7 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
         sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)
     else:
         sentence = messages.PLAN_EXCEEDED(
-            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=rule.aql,
+            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=plan.aql,
             letter=plan.code_letter, allowed=allowed_at_aql(plan), producers=curve.producers_risk,
         )  # fmt: skip
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)

@@ -136,7 +136,7 @@ def images(desk: Desk, shots: Path) -> None:
     panel = desk.dock.panels["images"]
     desk.wait(lambda: desk.session.pictures(fid), 30, "pictures")
     panel.strip.buttons[0].click()
-    desk.wait(lambda: "Space" in panel.large.hint, 30, "composite")
+    desk.wait(lambda: panel.large.hint, 30, "composite")  # in whatever language
     desk.rest_mouse()
     desk.screenshot(shots / "desk_images.png")
     desk.session.loss_view.show(True)

@@ -86,7 +86,7 @@ class PictureStrip(QScrollArea):
         button.setFixedSize(self._size())
         button.setIconSize(QSize(self._side(), self._side()))
         button.setIcon(icon)
-        room = self._side() - 2 * button.fontMetrics().horizontalAdvance(" ")  # which Qt puts around it
+        room = self._size().width() - 2 * button.fontMetrics().horizontalAdvance(" ")  # which Qt puts around it
         button.setText(button.fontMetrics().elidedText(label, Qt.TextElideMode.ElideMiddle, room))
         button.setToolTip(rich_tip(filled(tr("Compare the large picture with {name}"), name=name)))
         button.setAccessibleName(name)
