@@ -232,7 +232,7 @@ def _vertices(line: QgsGeometry) -> np.ndarray:
 
 
 def _piece(row: Attributes, sheet: str, length: float, vertices: np.ndarray, doubts: LayerDoubts) -> DeliveredPiece:
-    kept = doubts.see_kept(text(row["kept_1"]), number(row["kept_1"]))
+    kept = doubts.see_kept(text(row["kept_1"]), number(row["kept_1"]), text(row["verdict"]))
     return DeliveredPiece(
         0, sheet, text(row["seam_id"]), number(row["station"]), length,
         kept, number(row["kept_low"]), number(row["kept_high"]), number(row["band_width"]),

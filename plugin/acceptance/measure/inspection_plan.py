@@ -11,7 +11,9 @@ from ...imagery.lines.paths import points_at, vertex_stations
 from ...imagery.lines.seamlines import Seam
 from ...imagery.message import Message
 from . import messages
+from .decision import PieceState
 from .delivery import DeliveredPiece
+from .measured_pieces import piece_state
 from .sampling.clustering import intraclass_correlation, typical_cluster_size
 from .sampling.drawing import stratified_sample
 from .sampling.iso2859 import single_sampling_plan
@@ -43,7 +45,11 @@ def plan_of_risk(
     """By stated risks. ``correlation``: None to estimate it from what the pieces kept, where a scan measured them."""
     seams = [piece.seam for piece in pieces]
     if correlation is None:
-        known = [(piece.kept_1 < least_kept, seam) for piece, seam in zip(pieces, seams) if piece.kept_1 is not None]
+        states = [piece_state(piece, least_kept) for piece in pieces]
+        known = [
+            (state is PieceState.FAILED, seam) for state, seam in zip(states, seams)
+            if state is not PieceState.NOT_MEASURED
+        ]  # fmt: skip
         correlation = intraclass_correlation(*zip(*known)) if known else None
         correlation = STANDARD_CORRELATION if correlation is None else correlation
     found = plan_by_risk(lot_size, risk, correlation, typical_cluster_size(seams))

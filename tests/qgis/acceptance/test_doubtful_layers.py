@@ -47,6 +47,14 @@ def test_shares_that_can_not_be_are_told() -> None:
     assert comma.results["ACCEPTED"] == 0
 
 
+def test_what_a_scan_could_not_compare_is_no_doubt() -> None:
+    """Its interval is wide without orthoimages, and nothing is claimed there; where it is, the number is told."""
+    verdicts = ("string", ["not_comparable"] + ["preserved"] * 9)
+    assert not warned(decide(pieces(kept_1=("double", [7.5] + [P] * 9), verdict=verdicts)), "more than a seam")
+    claimed = decide(pieces(kept_1=("double", [7.5, 4.0] + [P] * 8), verdict=verdicts))
+    assert warned(claimed, "kept_1 of 1 pieces of s is more than a seam can keep (up to 4)")
+
+
 def test_a_length_that_the_line_does_not_have_is_told() -> None:
     outcome = decide(pieces(kept_1=("double", [P] * 10), length=("double", [1e9] + [25.0] * 9)))
     assert warned(outcome, "length of 1 pieces of s says something else than their lines (at worst 1e+09 m")

@@ -12,6 +12,7 @@ from ...judged_value import judged_value
 from ...measure.window_records import WindowRecord
 
 _CLAIMS = ("significant", "reduced", "preserved")
+_WORST = (*_CLAIMS, "not_comparable")
 
 
 class WindowOrder(NamedTuple):
@@ -35,11 +36,11 @@ def along_the_seam(row: WindowRecord) -> tuple[float, float, int]:
 
 
 def worst_first(row: WindowRecord) -> tuple[int, float] | None:
-    """By what is kept along the seam; after these the windows that have another number, by that."""
-    if row.kept_1 is not None:
-        return 0, row.kept_1
+    """By the verdict, then by what it was taken by: numbers of another verdict may be smaller, but mean less."""
+    if row.verdict not in _WORST:
+        return None
     value = judged_value(row)
-    return None if value is None else (1, value)
+    return _WORST.index(row.verdict), math.inf if value is None else value
 
 
 def tool_and_observer_disagree(row: WindowRecord) -> bool:
@@ -66,7 +67,8 @@ ORDERS = (
     ),
     WindowOrder(
         "worst", QT_TRANSLATE_NOOP("@default", "worst first"),
-        QT_TRANSLATE_NOOP("@default", "The least kept detail first."), worst_first, tells_verdict=True,
+        QT_TRANSLATE_NOOP("@default", "Significant losses first; within a verdict the greatest loss."),
+        worst_first, tells_verdict=True,
     ),
     WindowOrder(
         "tool", QT_TRANSLATE_NOOP("@default", "tool differs"),
