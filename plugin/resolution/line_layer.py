@@ -1,6 +1,7 @@
 """The layer of lines across bar groups: an ordinary line layer, changed through its edit buffer."""
 from __future__ import annotations
 
+import os
 from itertools import islice
 from pathlib import Path
 
@@ -36,7 +37,7 @@ _MOST_LINES = 1000
 def create_bar_layer(crs: QgsCoordinateReferenceSystem, folder: Path) -> QgsVectorLayer:
     """A new, empty GeoPackage in a folder, styled. Raises WindowLayerError when it can't be written there."""
     path, number = folder / f"{_LAYER_NAME}.gpkg", 1
-    while path.exists():
+    while os.path.lexists(path):
         number += 1
         path = folder / f"{_LAYER_NAME}_{number}.gpkg"
     options = QgsVectorFileWriter.SaveVectorOptions()

@@ -1,6 +1,8 @@
 """The folder beside a layer in which the pictures of its features lie."""
 from __future__ import annotations
 
+import errno
+import os
 from pathlib import Path
 
 from ...imagery.atomic_files import whole_file
@@ -17,6 +19,8 @@ class PictureFolder:
         """Raises SettingsError where it can't be written."""
         self._folder = folder
         try:
+            if folder.is_symlink():  # what it leads to is none of ours
+                raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
             folder.mkdir(parents=True, exist_ok=True)
             for old in folder.glob(_NAME.format("*")):
                 old.unlink()

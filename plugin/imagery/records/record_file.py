@@ -10,6 +10,7 @@ from typing import BinaryIO
 from .. import messages
 from ..errors import SettingsError
 from .file_lock import lock_file, remove_locked
+from .own_file import open_own_file
 from .record_bytes import append_record, is_cut_off, read_all, record_at, record_ends, write_all
 
 
@@ -26,8 +27,7 @@ class RecordFile:
         another version whose payloads are given up.
         """
         self.path, self._magic, self._replaced = path, magic, replaced
-        handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_BINARY", 0), 0o666)
-        self._file: BinaryIO = os.fdopen(handle, "r+b", buffering=0)
+        self._file: BinaryIO = open_own_file(path)
         try:
             with contextlib.suppress(OSError):  # a disk that knows no locks
                 if not lock_file(self._file):

@@ -6,6 +6,7 @@ QGIS's own.
 from __future__ import annotations
 
 import contextlib
+import os
 import sqlite3
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, count
@@ -236,4 +237,4 @@ def _change(layer: QgsVectorLayer, fid: int, values: Mapping[str, object]) -> No
 def free_path(folder: Path) -> Path:
     """For a window layer's file: one that is not there yet."""
     names = chain(["windows.gpkg"], (f"windows_{number}.gpkg" for number in count(2)))
-    return next(path for path in map(folder.joinpath, names) if not path.exists())
+    return next(path for path in map(folder.joinpath, names) if not os.path.lexists(path))

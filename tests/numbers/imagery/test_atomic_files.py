@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from seam_inspector.plugin.imagery.atomic_files import save_text, whole_file
+from seam_inspector.plugin.imagery.atomic_files import drop_unfinished, save_text, unfinished_name, whole_file
 from seam_inspector.plugin.imagery.errors import SettingsError
 
 from tests.numbers.disks import full_disk
@@ -89,3 +89,21 @@ def test_the_file_behind_a_link_is_replaced_and_keeps_its_rights(tmp_path: Path)
 def test_a_device_takes_what_is_written(tmp_path: Path) -> None:
     save_text("page", Path(os.devnull))
     assert not Path(os.devnull).is_file()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links of POSIX")
+def test_what_is_left_of_killed_writings_goes_and_nothing_that_it_links_to(tmp_path: Path) -> None:
+    path, outside = tmp_path / "a.html", tmp_path / "outside"
+    outside.mkdir()
+    (outside / "mine").write_text("mine")
+    start = unfinished_name(path)
+    left = tmp_path / f"{start}left"
+    left.mkdir()
+    (left / "half").write_text("")
+    (left / "link").symlink_to(outside, target_is_directory=True)
+    (tmp_path / f"{start}link").symlink_to(outside, target_is_directory=True)
+    (tmp_path / f"{unfinished_name(tmp_path / 'b.html')}other").mkdir()
+    drop_unfinished(path)
+    assert not left.exists()
+    assert (outside / "mine").read_text() == "mine"
+    assert len(list(tmp_path.iterdir())) == 3

@@ -1,6 +1,7 @@
 """Files of records: what was saved is there, whatever ends the process or spoils the file."""
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -139,3 +140,33 @@ def test_a_file_of_what_counts_no_more_is_written_anew(tmp_path: Path) -> None:
     assert keeper.all() == {"a": bytes([9]) * 2**18, "b": b"small"}
     assert keeper.path.stat().st_size < before / 5
     keeper.close()
+
+
+def another(path: Path, kind: str) -> None:
+    """What somebody who hands over a folder can put there by the name of a file that we keep."""
+    if kind == "pipe":
+        os.mkfifo(path)
+    elif kind == "folder":
+        path.mkdir()
+    else:
+        path.symlink_to(path.with_name("outside"))
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links and pipes of POSIX")
+@pytest.mark.parametrize("kind", ["link", "link to nothing", "pipe", "folder"])
+def test_what_is_no_file_of_its_own_is_neither_opened_nor_waited_for(tmp_path: Path, kind: str) -> None:
+    path, outside = tmp_path / "records", tmp_path / "outside"
+    if kind == "link":
+        outside.write_bytes(b"\0" * 100_000)  # as an image of a disk begins; of ours it would be one that was cut off
+    another(path, kind)
+    with pytest.raises(OSError, match=r"."):
+        RecordFile(path, MAGIC)
+    assert outside.exists() == (kind == "link")
+    assert kind != "link" or outside.read_bytes() == b"\0" * 100_000
+    told: list[object] = []
+    keeper = RecordKeeper(path, MAGIC, told.append)
+    keeper.save("a", lambda: b"payload")
+    keeper.remove()
+    keeper.close()
+    assert len(told) == 1
+    assert os.path.lexists(path)

@@ -46,6 +46,7 @@ def move(layer: QgsVectorLayer, folder: Path) -> Path:
     try:
         _copy(old, new)
         if (results := Path(f"{old}{RESULTS}")).is_file():
+            Path(f"{new}{RESULTS}").unlink(missing_ok=True)  # it may be a link to somewhere else
             shutil.copyfile(results, f"{new}{RESULTS}")
     except (OSError, sqlite3.Error) as error:
         with contextlib.suppress(OSError):

@@ -12,10 +12,12 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Callable
 
+from osgeo import ogr
 from qgis.core import QgsFeature, QgsFeatureRequest, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtBoundSignal, pyqtSignal
 
 from ....imagery.errors import SettingsError
+from ....imagery.gdal_calls import gdal_silenced
 from ....imagery.records.record_file import RecordFile
 from ....imagery.records.record_keeper import RecordKeeper
 from ....toolkit.attribute_values import whole_number
@@ -25,6 +27,7 @@ from .restoring import UnsavedWindow, kept_values
 _MAGIC = b"Seam Inspector: windows not saved yet, 2\n"
 _AT_ONCE = 25  # windows read and written in one step, some ms
 _NUMBER = "window_id"
+_LARGEST = 2**63
 _OWNER, _NOBODY = "project", b"\0"
 
 
@@ -190,6 +193,23 @@ def _read(payload: bytes) -> UnsavedWindow | None:
     try:
         held = json.loads(payload)
         wkb = None if held["wkb"] is None else bytes.fromhex(held["wkb"])
-        return UnsavedWindow(int(held["number"]), wkb, dict(held["values"]), bool(held["stale"]))
-    except (ValueError, TypeError, KeyError):
+        values = {name: value for name, value in held["values"].items() if _is_plain(value)}
+        if type(held["number"]) is not int or not _is_plain(held["number"]) or not _is_shape(wkb or b""):
+            return None
+        return UnsavedWindow(held["number"], wkb, values, bool(held["stale"]))
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):  # whatever somebody wrote there
         return None
+
+
+def _is_shape(wkb: bytes) -> bool:
+    """Whether a geometry is what it says, none at all too: QGIS makes room for as many points as it is told of."""
+    with gdal_silenced():
+        try:
+            return not wkb or ogr.CreateGeometryFromWkb(wkb) is not None
+        except RuntimeError:
+            return False
+
+
+def _is_plain(value: object) -> bool:
+    """Whether a field can hold it."""
+    return type(value) in (bool, float, str) or (type(value) is int and abs(value) < _LARGEST)

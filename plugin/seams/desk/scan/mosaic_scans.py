@@ -1,6 +1,7 @@
 """Scans the whole mosaic in the background: what is asked for, how far it is, and what it found."""
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable
 from itertools import chain, count
@@ -17,6 +18,7 @@ from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.message_bar import bar_level, write_log
 from ....toolkit.translation import filled, sentence, shown_number, tr
 from ...measure.scan import messages
+from ...measure.scan.whole_scan import JOURNAL_ENDING
 from ...scan_job import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job
 from ...scan_words import time_left
 from .scan_group import ScanGroup, worst_layer
@@ -130,10 +132,11 @@ class MosaicScans(QObject):
         folder = Path(self._project.homePath() or QgsApplication.qgisSettingsDirPath())
         name = re.sub(r"[^\w.-]+", "_", Path(order.mosaic.ref.name).stem)[:_LONGEST_NAME]
         for ending in chain([""], (f"_{number}" for number in count(2))):
-            layers = folder / f"{name}_scan{ending}.gpkg"
-            if not layers.exists():
+            picture, so_far = (folder / f"{name}_loss{ending}{part}.tif" for part in ("", "_so_far"))
+            files = ScanFiles(picture, folder / f"{name}_scan{ending}.gpkg", so_far)
+            if _is_ours(files):
                 break
-        return ScanFiles(folder / f"{name}_loss{ending}.tif", layers, folder / f"{name}_loss{ending}_so_far.tif")
+        return files
 
     def _take(self, result: Any) -> None:
         if isinstance(result, ScanNews):
@@ -187,3 +190,11 @@ def scan_sentence(done: ScanDone, notes: int = 0) -> str:
             metres=shown_number(done.seam_metres, 0), failed=shown_number(done.failed_metres, 0)
         ) + "."
     return f"{words} " + filled(tr("Notes in the log: {count}."), count=notes) if notes else words
+
+
+def _is_ours(files: ScanFiles) -> bool:
+    """Whether nobody asked has to lose anything by them: none is there, or those of a scan that is not complete."""
+    if os.path.lexists(files.layers) or any(os.path.islink(one) for one in (files.picture, files.so_far)):
+        return False
+    journal = files.picture.with_name(files.picture.name + JOURNAL_ENDING)
+    return journal.is_file() or not files.picture.exists()

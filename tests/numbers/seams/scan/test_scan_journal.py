@@ -284,3 +284,39 @@ def test_killed_at_random_moments_it_has_all_that_was_told_to_be_done(path: Path
         assert sentence(notice) in (None, messages.SCAN_GOES_ON.template)
         assert found == {str(n): str(n).encode() * (1 + n % 30_000) for n in range(len(found))}
     assert found
+
+
+PLACES = ("/etc/passwd", "../outside", "..\\outside", "/vsicurl/http://127.0.0.1:9/x", "file:///outside", "\0")
+
+
+def test_a_journal_by_somebody_else_names_no_file(tmp_path: Path) -> None:
+    """Its keys and fingerprint are words: nothing is opened, made or deleted by them."""
+    outside = tmp_path / "outside"
+    outside.write_bytes(b"mine")
+    folder = tmp_path / "handed over"
+    folder.mkdir()
+    path = written(folder / "loss.tif.scan", {place: place.encode() for place in (*PLACES, str(outside))})
+    assert set(reopened(path)[0]) == {*PLACES, str(outside)}
+    for fingerprint in (str(outside), "version=../outside mosaic=../outside"):
+        journal, _ = open_journal(path, fingerprint)
+        journal.save(str(outside), b"overwritten")
+        journal.remove()
+    assert list(folder.iterdir()) == []
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["handed over", "outside"]
+    assert outside.read_bytes() == b"mine"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links and pipes of POSIX")
+@pytest.mark.parametrize("kind", ["link", "link to nothing", "pipe"])
+def test_a_journal_that_is_a_link_or_a_pipe_is_refused(path: Path, kind: str) -> None:
+    outside = path.with_name("outside")
+    if kind == "link":
+        written(outside)  # the journal of another scan, which would be begun anew
+    if kind == "pipe":
+        os.mkfifo(path)
+    else:
+        path.symlink_to(outside)
+    before = outside.read_bytes() if kind == "link" else None
+    with pytest.raises(SettingsError, match="can't be written"):
+        open_journal(path, "another fingerprint")
+    assert (outside.read_bytes() if outside.exists() else None) == before

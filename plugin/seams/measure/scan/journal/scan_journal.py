@@ -16,6 +16,7 @@ from typing import BinaryIO
 from .....imagery.errors import SettingsError
 from .....imagery.message import Message
 from .....imagery.records.file_lock import lock_file, remove_locked
+from .....imagery.records.own_file import open_own_file
 from .....imagery.records.record_bytes import append_record, is_cut_off, read_all, record_at, record_size, write_all
 from .. import messages
 from .scan_fingerprint import what_changed
@@ -103,8 +104,7 @@ class ScanJournal:
 def _opened(path: Path) -> BinaryIO:
     """The file, made if there is none, with the lock on it. Raises OSError, or SettingsError when another has it."""
     while True:
-        handle = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_BINARY", 0), 0o666)
-        file = os.fdopen(handle, "r+b", buffering=0)
+        file = open_own_file(path)
         try:
             if not lock_file(file):
                 raise SettingsError(messages.SCAN_JOURNAL_IN_USE(path=path))

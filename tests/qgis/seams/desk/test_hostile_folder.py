@@ -1,0 +1,82 @@
+"""A folder handed over by somebody else, with links and edited files by the names that the desk gives to its own."""
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+import pytest
+from qgis.core import QgsCoordinateReferenceSystem
+from seam_inspector.plugin.imagery.records.record_file import RecordFile
+from seam_inspector.plugin.resolution.line_layer import create_bar_layer
+from seam_inspector.plugin.seams.desk.keeping.unsaved_windows import _MAGIC, owner_of
+from seam_inspector.plugin.seams.desk.scan.mosaic_scans import _is_ours
+from seam_inspector.plugin.seams.scan_job import ScanFiles
+from seam_inspector.plugin.seams.tables.window_layer import free_path
+
+from tests.qgis.seams.desk.session_desk import Desk
+
+OUTSIDE = ("/etc/passwd", "../outside", "/vsicurl/http://127.0.0.1:9/x")
+WKB = "01" + "03000000" + "01000000" + "ffffff7f"  # a polygon whose ring says that it has two thousand million points
+BAD: tuple[Any, ...] = (
+    {"number": float("inf"), "wkb": None, "values": {}, "stale": False},
+    {"number": 10**400, "wkb": None, "values": {}, "stale": False},
+    {"number": 7, "wkb": None, "values": [[1, 2]], "stale": False},
+    {"number": "../outside", "wkb": None, "values": {}, "stale": False},
+    {"number": 8, "wkb": 5, "values": {}, "stale": False},
+    [], None, 3,
+)  # fmt: skip
+ODD = {"number": 9, "wkb": WKB, "values": {"remark": OUTSIDE[0], "mosaic": [1], "confidence": 2**70}, "stale": 1}
+
+
+def test_what_was_not_saved_brings_words_and_names_no_file(desk: Desk, tmp_path: Path) -> None:
+    outside = tmp_path / "outside"
+    outside.write_text("mine")
+    desk.add()
+    assert desk.layer().commitChanges()
+    assert desk.project.write(str(tmp_path / "project.qgz"))
+    desk.project.clear()
+    (windows,) = tmp_path.glob("windows*.gpkg")
+    kept = RecordFile(windows.with_name(f"{windows.name}.unsaved"), _MAGIC)
+    kept.save("project", str(outside).encode())
+    for place, record in enumerate((*BAD, ODD)):
+        kept.save(f"{OUTSIDE[1]}{place}", json.dumps(record).encode())
+    kept.save("deep", b"[" * 100_000)
+    kept.close()
+    desk.project.setPresetHomePath("")
+    assert desk.project.read(str(tmp_path / "project.qgz"))
+    desk.wait_for_opening()
+    assert set(desk.rows()) in ({1}, {1, 9})
+    assert outside.read_text() == "mine"
+    desk.layer().rollBack()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links and pipes of POSIX")
+def test_links_by_the_names_of_our_own_files_are_not_followed(qgis_app: object, tmp_path: Path) -> None:
+    home, outside = tmp_path / "home", tmp_path / "outside"
+    home.mkdir()
+    for name in ("windows.gpkg", "bar_groups.gpkg", "a.gpkg.unsaved"):
+        (home / name).symlink_to(outside)
+    os.mkfifo(home / "b.gpkg.unsaved")
+    assert free_path(home).name == "windows_2.gpkg"
+    made = create_bar_layer(QgsCoordinateReferenceSystem("EPSG:32633"), home)
+    assert "bar_groups_2.gpkg" in made.source()
+    assert owner_of(home / "a.gpkg.unsaved") is None
+    assert owner_of(home / "b.gpkg.unsaved") is None
+    assert not outside.exists()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links of POSIX")
+def test_a_scan_takes_no_names_that_are_taken(tmp_path: Path) -> None:
+    """Nobody is asked where a scan of the desk goes, so that nobody has to lose a file by it."""
+    files = ScanFiles(tmp_path / "a_loss.tif", tmp_path / "a_scan.gpkg", tmp_path / "a_loss_so_far.tif")
+    assert _is_ours(files)
+    for name in (files.picture, files.layers, files.so_far):
+        name.symlink_to(tmp_path / "outside")
+        assert not _is_ours(files)
+        name.unlink()
+    files.picture.write_bytes(b"somebody else's")
+    assert not _is_ours(files)
+    files.picture.with_name("a_loss.tif.scan").write_bytes(b"")
+    assert _is_ours(files)
