@@ -201,6 +201,7 @@ class InspectionDock(ToolDock):
         row = QHBoxLayout(corner)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(0)
+        tabs.setCornerWidget(corner)  # before the order of tabs, which is one within a window
         before: QWidget = tabs.tabBar()
         for action in (self.lost.action, self.help):
             button = QToolButton()
@@ -209,7 +210,6 @@ class InspectionDock(ToolDock):
             row.addWidget(button)
             QWidget.setTabOrder(before, button)
             before = button
-        tabs.setCornerWidget(corner)
         self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
         self.setWidget(self._body)
 
