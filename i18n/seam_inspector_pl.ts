@@ -1304,7 +1304,7 @@
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="175"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="176"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
@@ -1314,7 +1314,7 @@
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="225"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="226"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -1351,12 +1351,12 @@
     <message>
         <location filename="../plugin/seams/charts/window_curves.py" line="63"/>
         <source>mosaic (mean)</source>
-        <translation>ortofotomapa (średnia)</translation>
+        <translation>ortofotomapa (śr.)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/window_curves.py" line="63"/>
         <source>sources (mean)</source>
-        <translation>źródła (średnia)</translation>
+        <translation>źródła (śr.)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/window_curves.py" line="79"/>
@@ -3963,7 +3963,7 @@
         <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layer.py" line="72"/>
+        <location filename="../plugin/resolution/line_layer.py" line="73"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę pasków</translation>
     </message>
@@ -5538,22 +5538,22 @@
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="94"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="96"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="97"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="99"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="123"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="125"/>
         <source>Scan: putting the blocks together, {percent} %</source>
         <translation>Badanie: łączenie bloków, {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="124"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="126"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
@@ -5573,22 +5573,22 @@
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="181"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="184"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="183"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="186"/>
         <source>Scanned {metres} m of seams: no significant loss</source>
         <translation>Zbadano {metres} m linii: brak istotnej straty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="185"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="188"/>
         <source>Scanned {metres} m of seams: significant loss on {failed} m</source>
         <translation>Zbadano {metres} m linii: istotna strata na {failed} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="189"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="192"/>
         <source>Notes in the log: {count}.</source>
         <translation>Uwagi w dzienniku: {count}.</translation>
     </message>
@@ -6408,52 +6408,47 @@
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="59"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="60"/>
         <source>as sorted</source>
         <translation>jak w tabeli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="60"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="61"/>
         <source>As the table is sorted by one of its columns.</source>
         <translation>Według kolumny, po której posortowano tabelę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="64"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="65"/>
         <source>along the seam</source>
         <translation>wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="65"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="66"/>
         <source>Seam by seam and along each, as the windows were placed.</source>
         <translation>Linia po linii i wzdłuż każdej z nich, tak jak rozmieszczono okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="68"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="69"/>
         <source>worst first</source>
         <translation>najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="69"/>
-        <source>The least kept detail first.</source>
-        <translation>Najpierw okna, w których zachowano najmniej detali.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="72"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="74"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="73"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="75"/>
         <source>First the windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
         <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="77"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="79"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="78"/>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="80"/>
         <source>First the windows where the two operators disagree.</source>
         <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
     </message>
@@ -7058,7 +7053,7 @@
         <translation>Zwykłe kolumny w zwykłej kolejności, tyle, na ile jest miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="71"/>
+        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="73"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
@@ -7600,7 +7595,7 @@
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layers.py" line="77"/>
+        <location filename="../plugin/toolkit/layers.py" line="79"/>
         <source>temporary layer</source>
         <translation>warstwa tymczasowa</translation>
     </message>
@@ -10981,6 +10976,11 @@
         <location filename="../plugin/toolkit/messages.py" line="53"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/window_orders.py" line="70"/>
+        <source>Significant losses first; within a verdict the greatest loss.</source>
+        <translation>Najpierw straty istotne; w obrębie oceny największa strata.</translation>
     </message>
 </context>
 </TS>
