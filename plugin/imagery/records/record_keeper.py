@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import contextlib
 import time
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from pathlib import Path
 from typing import Any, Callable
 
@@ -30,6 +30,7 @@ class RecordKeeper:
         self._failed = failed
         self._file: RecordFile | None = None
         self._synced = time.monotonic()
+        self._last: Future[Any] | None = None  # of all that was asked
         self._worker = ThreadPoolExecutor(1, "keeper")
         self._syncer = ThreadPoolExecutor(1, "syncer")  # apart, as it takes the longest and nobody waits for it
 
@@ -59,6 +60,11 @@ class RecordKeeper:
         """Wait until all that was asked is done."""
         self._do(lambda: None).result()
 
+    def wait(self, seconds: float) -> None:
+        """Wait, but no longer than that, until all that was asked is done."""
+        if self._last is not None:
+            wait([self._last], seconds)
+
     def close(self) -> None:
         """Do what was asked, and let go of the file."""
         self._do(self._close)
@@ -68,7 +74,8 @@ class RecordKeeper:
     # In the thread
 
     def _do(self, work: Callable[[], Any]) -> Future[Any]:
-        return self._worker.submit(self._guarded, work)
+        self._last = asked = self._worker.submit(self._guarded, work)
+        return asked
 
     def _guarded(self, work: Callable[[], Any]) -> Any:
         try:

@@ -171,6 +171,10 @@ class Session(QObject):
         """One window."""
         return self._watch.row(fid)
 
+    def numbered(self, window_id: int) -> WindowRecord | None:
+        """The window with a number, which it keeps when feature ids change."""
+        return self._watch.numbered(window_id)
+
     def selected(self) -> list[int]:
         """Feature ids of the selected windows."""
         return self._watch.selected()

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import os
+import threading
 from pathlib import Path
 
 import pytest
@@ -170,3 +171,20 @@ def test_what_is_no_file_of_its_own_is_neither_opened_nor_waited_for(tmp_path: P
     keeper.close()
     assert len(told) == 1
     assert os.path.lexists(path)
+
+
+def test_who_waits_for_a_while_only_goes_on_while_the_disk_is_busy(tmp_path: Path) -> None:
+    keeper, disk = RecordKeeper(tmp_path / "records", MAGIC, pytest.fail), threading.Event()
+
+    def payload() -> bytes:
+        disk.wait()
+        return b"late"
+
+    keeper.wait(0)  # nothing was asked yet
+    keeper.save("a", payload)
+    keeper.wait(0.01)
+    assert not disk.is_set()
+    disk.set()
+    keeper.wait(60)
+    assert keeper.load("a") == b"late"
+    keeper.close()

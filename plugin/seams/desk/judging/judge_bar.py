@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsApplication
@@ -18,11 +19,12 @@ from ....toolkit.translation import filled, tr
 from ...window_summary import window_sentence
 from ..windows.verdict_chips import verdict_chip, window_tip, windows_sentence
 from .judging import Judging
-from .judging_progress import JudgingProgress, judging_progress
+from .judging_progress import JudgingProgress
 from .notes_row import NotesRow
 from .operator_button import OperatorButton
 
 if TYPE_CHECKING:
+    from ...measure.window.window_result import WindowResult
     from ...measure.window_records import WindowRecord
     from ..session import Session
 
@@ -42,6 +44,8 @@ class JudgeBar(QWidget):
         self._session = session
         self._judging = judging
         self._asked = 0
+        self._shown: tuple[object, ...] = ()  # what the words were made of
+        self._shown_result: WindowResult | None = None
         self._arranger = single_shot(self, self._arrange)  # when its widgets have their new sizes
         self._chip = QLabel(self)
         self._sentence = ClippedLabel(_LINES[0], self)
@@ -107,22 +111,33 @@ class JudgeBar(QWidget):
 
     def refresh(self) -> None:
         """Show the selected windows' state, and where they stand among the others."""
-        judging, windows = self._judging, self._session.windows()
-        chosen = set(self._session.selected())
-        selected = [row for row in windows if row.fid in chosen]
+        judging = self._judging
         judging.follow()
-        progress = judging_progress(judging, windows)
-        self._say(selected, progress)
+        chosen = [row for row in map(self._session.row, self._session.selected()) if row is not None]
+        selected, progress = sorted(chosen, key=attrgetter("window_id")), judging.progress()
+        self._show(selected, progress)
         for button, word in ((self._visible, VISIBLE), (self._invisible, INVISIBLE), (self._unsure, UNSURE)):
             button.setEnabled(bool(selected))
             button.setChecked(bool(selected) and all(judging.word(row) == word for row in selected))
+        self._back.setEnabled(judging.neighbour(-1) is not None)
+        self._forth.setEnabled(judging.neighbour(1) is not None)
+        self._next.setEnabled(judging.can_go_on())
+
+    def _show(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
+        """The words, if they are to be others: a key is told several times, and what it takes is to lay them out."""
+        judging, one, result = self._judging, selected[0] if len(selected) == 1 else None, None
+        is_pending = one is not None and self._session.is_pending(one.fid)
+        if one is not None and not is_pending and not judging.is_blind:
+            result = self._session.result(one.fid)
+        state = selected, progress, judging.place, judging.count, judging.is_blind, judging.just_sure, is_pending
+        if state == self._shown and result is self._shown_result:
+            return
+        self._shown, self._shown_result = state, result
+        self._say(selected, progress, is_pending, result)
         self._progress.setText(self._just_sure() or progress.words())
         self._progress.setToolTip(rich_tip(progress.tip()))
         self._arrange()
         self._arranger.start()
-        self._back.setEnabled(judging.neighbour(-1) is not None)
-        self._forth.setEnabled(judging.neighbour(1) is not None)
-        self._next.setEnabled(judging.can_go_on())
 
     def _just_sure(self) -> str:
         """Whose a digit was that did not go to the selected window."""
@@ -145,17 +160,18 @@ class JudgeBar(QWidget):
             self._judging.take_back()
         self.refresh()  # the buttons show what was written, also when nothing could be
 
-    def _say(self, selected: Sequence[WindowRecord], progress: JudgingProgress) -> None:
+    def _say(
+        self, selected: Sequence[WindowRecord], progress: JudgingProgress, is_pending: bool, result: WindowResult | None
+    ) -> None:
         tip, shows_chip = "", False
         if selected and self._judging.is_blind:
             numbers = ", ".join(str(row.window_id) for row in selected[:9])
             sentence = filled(tr("Window {numbers}. What was found is hidden."), numbers=numbers)
         elif len(selected) == 1:
             row, shows_chip = selected[0], True
-            if self._session.is_pending(row.fid):
+            if is_pending:
                 sentence = tr("Measuring ...")
             else:
-                result = self._session.result(row.fid)
                 sentence, tip = window_sentence(row, result), window_tip(row, result)
             side = self.fontMetrics().ascent()
             self._chip.setPixmap(verdict_chip(row.verdict, row.stale).pixmap(side, side))
@@ -183,6 +199,7 @@ class JudgeBar(QWidget):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
+            self._shown = ()
             self._arrange()
 
     def minimumSizeHint(self) -> QSize:

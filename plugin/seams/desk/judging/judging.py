@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import chain, islice
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProject
@@ -11,6 +12,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery.statistics.observers import OPERATORS, Operator
 from ....toolkit.translation import filled, tr
 from ...verdict_words import observer_word
+from .judging_progress import JudgingProgress, JudgingTally, is_left
 from .judging_settings import JudgingSettings, load_judging, save_judging
 from .window_orders import WindowOrder, order_named
 
@@ -36,7 +38,9 @@ class Judging(QObject):
         confirm: Callable[[str], bool] = lambda question: True,
         parent: QObject | None = None,
     ) -> None:
-        """``shown``: the windows as the operator sees them, by default the layer's; ``confirm`` asks him."""
+        """``shown``: the windows as the operator sees them, by default the layer's, the same list while they are the
+        same; ``confirm`` asks him.
+        """
         super().__init__(parent)
         self._session = session
         self._shown = shown
@@ -48,7 +52,9 @@ class Judging(QObject):
         self._is_sure_said = False  # of the selected window, before its judgement
         self.just_sure: tuple[int, int] | None = None
         """Number of the window judged before this one, and how sure the operator said then that he was, percent."""
-        self._fids: list[int] = []
+        self._tally = JudgingTally()
+        self._fids: Sequence[int] = []
+        self._places: dict[int, int] = {}
         self._place = -1
         self._last_place = -1
         self._connections: list[tuple[Any, Callable[..., None]]] = [
@@ -103,7 +109,7 @@ class Judging(QObject):
         self._judged = []
         self._went_to = self.just_sure = None
         self.changed.emit()
-        row = next((row for row in self._session.windows() if row.window_id == self._settings.window), None)
+        row = self._session.numbered(self._settings.window)
         if row is not None and not self._session.selected():
             self._session.select([row.fid])
 
@@ -122,7 +128,7 @@ class Judging(QObject):
 
     def is_to_judge(self, row: WindowRecord) -> bool:
         """Whether the operator has to look at it yet."""
-        return row.is_compared and not self.word(row)
+        return is_left(row, self.operator)
 
     def judge(self, word: str) -> bool:
         """Write the operator's word on the selected window, and go on. Of several at once he is asked first.
@@ -141,7 +147,7 @@ class Judging(QObject):
         row = self._session.row(fids[0])
         following = self._number(self._after(row) if row is not None else None)
         self._session.judge(fids, word, self.operator)
-        row = self._with_number(row.window_id) if row is not None else None
+        row = self._session.numbered(row.window_id) if row is not None else None
         if row is not None and self.word(row) == word:  # what could not be written is no reason to go on
             self._judged = [number for number in self._judged if number != row.window_id] + [row.window_id]
             was_sure_said, self.just_sure = self._is_sure_said, None
@@ -198,7 +204,7 @@ class Judging(QObject):
 
     def _last_judged(self) -> WindowRecord | None:
         while self._judged:
-            row = self._with_number(self._judged[-1])
+            row = self._session.numbered(self._judged[-1])
             if row is not None and self.word(row):
                 return row
             self._judged.pop()
@@ -214,13 +220,19 @@ class Judging(QObject):
 
     def follow(self) -> None:
         """Take the windows in the order that they are shown in now, and the place of the selected one."""
-        known = {row.fid for row in self._session.windows()}
-        shown = self._shown() if self._shown is not None else [row.fid for row in self._session.windows()]
-        self._fids = [fid for fid in shown if fid in known]
-        places = {fid: place for place, fid in enumerate(self._fids)}
-        self._place = max((places[fid] for fid in self._session.selected() if fid in places), default=-1)
+        windows = self._session.windows()
+        self._tally.take(self.operator, windows)
+        shown = self._shown() if self._shown is not None else [row.fid for row in windows]
+        if shown is not self._fids:
+            self._fids, self._places = shown, {fid: place for place, fid in enumerate(shown)}
+        places = (self._places[fid] for fid in self._session.selected() if fid in self._places)
+        self._place = max(places, default=-1)
         if self._place >= 0:
             self._last_place = self._place
+
+    def progress(self) -> JudgingProgress:
+        """What the operator has done."""
+        return self._tally.progress()
 
     @property
     def place(self) -> int:
@@ -238,17 +250,21 @@ class Judging(QObject):
             place = self._place + by
         else:
             place = max(self._last_place, 0) + min(by, 0) if self._last_place >= 0 else 0
-        return self._fids[place] if 0 <= place < len(self._fids) else None
+        while 0 <= place < len(self._fids):
+            if self._session.row(self._fids[place]) is not None:
+                return self._fids[place]
+            place += by  # it is gone, and the table has not been told yet
+        return None
 
     def next_to_judge(self) -> int | None:
         """The next compared window without the operator's word; after the last one the first."""
         start = self._place + 1 if self._place >= 0 else max(self._last_place, 0)
         current = self._fids[self._place] if self._place >= 0 else None
-        for fid in [*self._fids[start:], *self._fids[:start]]:
-            row = self._session.row(fid)
-            if row is not None and fid != current and self.is_to_judge(row):
-                return fid
-        return None
+        left = self._tally.left
+        if left <= {current}:
+            return None
+        around = chain(islice(self._fids, start, None), islice(self._fids, start))
+        return next((fid for fid in around if fid in left and fid != current), None)
 
     def _following(self) -> int | None:
         """The next one to judge; where all are judged, as in a review, the one after this."""
@@ -289,7 +305,7 @@ class Judging(QObject):
             self.stepped.emit(row.fid)
 
     def _go_to_number(self, number: int | None) -> None:
-        row = None if number is None else self._with_number(number)
+        row = None if number is None else self._session.numbered(number)
         if row is not None:
             self._go_to(row.fid)
 
@@ -297,9 +313,6 @@ class Judging(QObject):
         """Feature ids change when fields are added or the layer is saved; numbers stay."""
         row = None if fid is None else self._session.row(fid)
         return None if row is None else row.window_id
-
-    def _with_number(self, number: int) -> WindowRecord | None:
-        return next((row for row in self._session.windows() if row.window_id == number), None)
 
     def _selected_numbers(self) -> list[int]:
         return [row.window_id for row in map(self._session.row, self._session.selected()) if row is not None]

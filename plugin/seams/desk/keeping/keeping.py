@@ -1,7 +1,7 @@
 """Nothing that was judged or measured is lost: what is kept beside the window layers that are looked at."""
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
 
@@ -44,7 +44,7 @@ class Keeping(QObject):
             return
         self._results[layer.id()] = results = KeptResults(results_path, self)
         results.failed.connect(partial(self._results_failed, str(results_path)))
-        unsaved = UnsavedWindows(layer, path, self._stale, self)
+        unsaved = UnsavedWindows(layer, path, self._is_stale, self)
         unsaved.failed.connect(partial(self._failed, layer.id(), str(path)))
         self._unsaved[layer.id()] = unsaved
         left = unsaved.left() if path.is_file() and not layer.isModified() else []
@@ -145,10 +145,9 @@ class Keeping(QObject):
         for results in self._results.values():
             results.flush()
 
-    def _stale(self, layer: QgsVectorLayer) -> Collection[int]:
-        if layer is not self._watch.layer:
-            return ()
-        return {row.window_id for row in self._watch.rows() if row.stale}
+    def _is_stale(self, layer: QgsVectorLayer, number: int) -> bool:
+        row = self._watch.numbered(number) if layer is self._watch.layer else None
+        return row is not None and row.stale
 
     def _failed(self, layer_id: str, path: str, error: object) -> None:
         self._complain(layer_id, messages.WINDOWS_NOT_KEPT(path=path, error=error))

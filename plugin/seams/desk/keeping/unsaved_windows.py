@@ -7,7 +7,6 @@ when a layer is opened is what a QGIS left that ended without either.
 from __future__ import annotations
 
 import json
-from collections.abc import Collection
 from contextlib import suppress
 from pathlib import Path
 from typing import Callable
@@ -26,6 +25,7 @@ from .restoring import UnsavedWindow, kept_values
 
 _MAGIC = b"Seam Inspector: windows not saved yet, 2\n"
 _AT_ONCE = 25  # windows read and written in one step, some ms
+_PATIENCE_S = 0.04  # with a disk that is busy
 _NUMBER = "window_id"
 _LARGEST = 2**63
 _OWNER, _NOBODY = "project", b"\0"
@@ -38,11 +38,11 @@ class UnsavedWindows(QObject):
     """Why nothing can be kept."""
 
     def __init__(
-        self, layer: QgsVectorLayer, path: Path, stale: Callable[[QgsVectorLayer], Collection[int]], parent: QObject
+        self, layer: QgsVectorLayer, path: Path, is_stale: Callable[[QgsVectorLayer, int], bool], parent: QObject
     ) -> None:
-        """``stale`` gives the numbers of windows whose results are outdated."""
+        """``is_stale``: whether the results of the window with a number are outdated."""
         super().__init__(parent)
-        self._layer, self._stale = layer, stale
+        self._layer, self._is_stale = layer, is_stale
         self._keeper = RecordKeeper(path, _MAGIC, self.failed.emit)
         self._touched: dict[int, None] = {}  # in order
         self._numbers: dict[int, int] = {}  # by feature id
@@ -101,6 +101,7 @@ class UnsavedWindows(QObject):
         if not self._is_saving:
             self._touched[fid] = None
             if not self._writer.isActive():
+                self._keeper.wait(_PATIENCE_S)  # the action before this one is on the disk: a crash costs one at most
                 self._writer.start()
 
     def _about_to_be_saved(self, *_: object) -> None:
@@ -137,11 +138,11 @@ class UnsavedWindows(QObject):
         self._numbers = {fid: number for fid, number in numbers if number is not None}
 
     def _write(self) -> None:
+        """In the keeper's thread, some ms later on the disk; only the next action waits for that."""
         fids = list(self._touched)[:_AT_ONCE]
         for fid in fids:
             del self._touched[fid]
         there = {one.id(): one for one in self._layer.getFeatures(QgsFeatureRequest().setFilterFids(fids))}
-        stale = self._stale(self._layer)
         for fid in fids:
             before, feature = self._numbers.pop(fid, None), there.get(fid)
             number = None if feature is None else _number_of(feature)
@@ -149,8 +150,7 @@ class UnsavedWindows(QObject):
                 self._keep(UnsavedWindow(before, None, {}))
             if feature is not None and number is not None:
                 self._numbers[fid] = number
-                self._keep(_window(number, feature, number in stale))
-        self._keeper.flush()  # some ms at most, without which a crash would cost more than the last action
+                self._keep(_window(number, feature, self._is_stale(self._layer, number)))
         if self._touched:
             self._writer.start()
 

@@ -114,6 +114,11 @@ class WindowWatch(QObject):
         self._windows()
         return self._fids.get(window_id)
 
+    def numbered(self, window_id: int) -> WindowRecord | None:
+        """The window with a number."""
+        rows = self._windows()
+        return rows[self._fids[window_id]] if window_id in self._fids else None
+
     @property
     def next_number(self) -> int:
         """The first of the numbers for new windows."""
@@ -159,8 +164,10 @@ class WindowWatch(QObject):
     def _read(self, layer: QgsVectorLayer) -> None:
         """Those that changed."""
         unread, self._unread = self._unread, set()
-        rows = {} if unread is None else {fid: row for fid, row in self._rows.items() if fid not in unread}
         fresh = window_layer.read_layer(layer, unread)
+        if unread is not None and self._took_in_place(unread, fresh):
+            return
+        rows = {} if unread is None else {fid: row for fid, row in self._rows.items() if fid not in unread}
         fresh.sort(key=lambda row: (row.fid < 0, abs(row.fid)))  # of two with one number the older one keeps it
         taken = {row.window_id for row in rows.values()}
         self._last_number = max([self._last_number, *(row.window_id for row in fresh)])
@@ -176,6 +183,16 @@ class WindowWatch(QObject):
             rows[row.fid] = self._marked(row)
         self._rows = dict(sorted(rows.items(), key=lambda item: item[1].window_id))
         self._fids = {row.window_id: fid for fid, row in self._rows.items()}
+
+    def _took_in_place(self, unread: set[int], fresh: list[WindowRecord]) -> bool:
+        """Whether the same windows have the same numbers: then one that is judged costs no more among thousands."""
+        if len(fresh) != len(unread):
+            return False
+        if any(row.fid not in self._rows or self._rows[row.fid].window_id != row.window_id for row in fresh):
+            return False
+        self._unnumbered.difference_update(unread)
+        self._rows.update((row.fid, self._marked(row)) for row in fresh)
+        return True
 
     def _numbered(self, row: WindowRecord, taken: set[int]) -> WindowRecord:
         """With a number that is written as soon as the window is inspected."""
@@ -210,13 +227,14 @@ class WindowWatch(QObject):
             if number in self._fids:
                 row = rows[self._fids[number]]
                 self._versions[number].setdefault(row.measured, set()).add(version)
-        self._mark_all()
+        self._mark(versions)
 
     def mark_stale(self, numbers: Iterable[int]) -> None:
         """The values that these windows have are outdated, whatever the present inputs are."""
         self._windows()
-        self._versions.update((number, {}) for number in numbers if number in self._fids)
-        self._mark_all()
+        outdated = [number for number in numbers if number in self._fids]
+        self._versions.update((number, {}) for number in outdated)
+        self._mark(outdated)
 
     def save_stale(self) -> None:
         """The marks are kept with the layer in the project."""
@@ -227,8 +245,14 @@ class WindowWatch(QObject):
             self._layer.setCustomProperty(_STALE, [str(number) for number in sorted(stale)])
 
     def _mark_all(self) -> None:
-        before, self._rows = self._rows, {fid: self._marked(row) for fid, row in self._rows.items()}
-        if self._rows != before:
+        self._mark(self._fids)
+
+    def _mark(self, numbers: Iterable[int]) -> None:
+        """Those of them that are there."""
+        rows = [self._rows[self._fids[number]] for number in numbers if number in self._fids]
+        changed = {row.fid: marked for row in rows if (marked := self._marked(row)) is not row}
+        if changed:
+            self._rows.update(changed)
             self._notifier.start()
 
     def _marked(self, row: WindowRecord) -> WindowRecord:

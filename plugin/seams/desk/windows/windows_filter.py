@@ -33,8 +33,10 @@ class WindowsFilter(QSortFilterProxyModel):
         self._fids: list[int] | None = None
         self._shown: list[WindowRecord] = []
         self._rows: dict[int, int] = {}
-        for signal in (model.dataChanged, model.rowsInserted, model.rowsRemoved, model.layoutChanged, model.modelReset):
+        self._numbers: dict[int, int] = {}  # the row of each
+        for signal in (model.rowsInserted, model.rowsRemoved, model.layoutChanged, model.modelReset):
             signal.connect(self._forget)
+        model.dataChanged.connect(self._follow_changes)
         self.setSourceModel(model)
 
     @property
@@ -43,18 +45,27 @@ class WindowsFilter(QSortFilterProxyModel):
         return bool(self._words) or self._test is not None or self._accepts is not None
 
     def fids(self) -> list[int]:
-        """The windows shown, from top to bottom; not to be changed. Row by row through Qt takes ten times as long."""
+        """The windows shown, from top to bottom; not to be changed, and the same list while they are the same.
+
+        Row by row through Qt takes ten times as long.
+        """
         if self._fids is None:
             rows = self._model.windows()
             self._shown = [row for row in rows if self._shows(row)] if self.is_on else list(rows)
             self._fids = [row.fid for row in self._shown]
             self._rows = {fid: row for row, fid in enumerate(self._fids)}
+            self._numbers = {one.window_id: row for row, one in enumerate(self._shown)}
         return self._fids
 
-    def numbers(self) -> list[int]:
-        """The numbers of the windows shown, which stay the same when saving gives them other feature ids."""
+    def number_at(self, row: int) -> int:
+        """The number of a window shown, which stays the same when saving gives it another feature id."""
         self.fids()
-        return [row.window_id for row in self._shown]
+        return self._shown[row].window_id
+
+    def row_numbered(self, number: int) -> int:
+        """The row that the window with a number is shown in; -1 when it is not."""
+        self.fids()
+        return self._numbers.get(number, -1)
 
     def row_of(self, fid: int) -> int:
         """The row a window is shown in; -1 when it is not."""
@@ -136,6 +147,19 @@ class WindowsFilter(QSortFilterProxyModel):
             words = verdict_word(row.verdict), cause_word(row.cause), observer_word(row.observer)
             self._told[key] = " ".join(words).casefold().split()
         return any(told.startswith(word) for told in self._told[key]) or word in row.reason.casefold()
+
+    def _follow_changes(self, first: QModelIndex, last: QModelIndex) -> None:
+        """What is shown stays as it is where a change lets no window come or go, as most judgements."""
+        if self._fids is None:
+            return
+        for one in self._model.windows()[first.row() : last.row() + 1]:
+            row = self._rows.get(one.fid, -1)
+            was_shown = row >= 0
+            if was_shown != self._shows(one) or (was_shown and self._shown[row].window_id != one.window_id):
+                self._forget()
+                return
+            if was_shown:
+                self._shown[row] = one
 
     def _forget(self, *_: object) -> None:
         self._fids = None

@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from itertools import groupby
-from operator import itemgetter
+from itertools import compress, groupby
+from operator import is_not, itemgetter
 from typing import TYPE_CHECKING, Any
 
 from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
@@ -44,6 +44,8 @@ class WindowsModel(QAbstractTableModel):
         self._key: Callable[[WindowRecord], Any] = WINDOW_ID.key
         self.sort_order = _ASCENDING
         self._rows: list[WindowRecord] = []
+        self._taken: Sequence[WindowRecord] = ()  # the windows as they were given, in their own order
+        self._stale = 0
         self._places: dict[int, int] = {}
         self._chips: dict[tuple[str, bool], QIcon] = {}
         self._italic = QFont()
@@ -56,7 +58,7 @@ class WindowsModel(QAbstractTableModel):
     @property
     def has_stale(self) -> bool:
         """Whether a window is to be inspected again."""
-        return any(row.stale for row in self._rows)
+        return self._stale > 0
 
     def set_short_titles(self, short: bool) -> None:
         """Whether headings have to be short."""
@@ -104,23 +106,20 @@ class WindowsModel(QAbstractTableModel):
 
         So it is while windows are judged: among thousands of others one costs hardly more than among a few.
         """
-        if len(windows) != len(self._rows):
+        taken, self._taken = self._taken, windows
+        if len(windows) != len(taken):
             return False
-        rows, changed = list(self._rows), []
-        for row in windows:
+        changed = {}
+        for row in compress(windows, [*map(is_not, windows, taken)]):
             place = self._places.get(row.fid)
-            if place is None:
+            if place is None or not self._stays(self._rows[place], row):
                 return False
-            old = rows[place]
-            if old is row:
-                continue
-            if not self._stays(old, row):
-                return False
-            rows[place] = row
-            if old != row:
-                changed.append(place)
-        self._rows = rows
-        self._tell_changes(sorted(changed))
+            changed[place] = row
+        told = sorted(place for place, row in changed.items() if row != self._rows[place])
+        for place, row in changed.items():
+            self._stale += row.stale - self._rows[place].stale
+            self._rows[place] = row
+        self._tell_changes(told)
         return True
 
     def _stays(self, old: WindowRecord, new: WindowRecord) -> bool:
@@ -202,7 +201,7 @@ class WindowsModel(QAbstractTableModel):
         self.endResetModel()
 
     def _set_rows(self, rows: list[WindowRecord]) -> None:
-        self._rows = rows
+        self._rows, self._stale = rows, sum(row.stale for row in rows)
         self._places = {row.fid: place for place, row in enumerate(rows)}
 
     def _tell_changes(self, changed: Iterable[int]) -> None:

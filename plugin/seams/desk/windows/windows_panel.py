@@ -158,8 +158,8 @@ class WindowsPanel(QWidget):
         write_csv(path, self._windows.columns if not self._windows.is_blind else self.table.visible_columns(), rows)
 
     def ordered_fids(self) -> list[int]:
-        """The windows as they are shown, from top to bottom."""
-        return list(self._shown.fids())
+        """The windows shown, from top to bottom: the same list while they are the same; not to be changed."""
+        return self._shown.fids()
 
     # Following the session
 
@@ -180,15 +180,14 @@ class WindowsPanel(QWidget):
     @contextmanager
     def _following(self) -> Iterator[None]:
         """While rows come and go the table's selection changes by itself; the session's is what counts."""
-        numbers, top = self._shown.numbers(), self.table.rowAt(0)
-        anchor = numbers[top] if self.table.verticalScrollBar().value() > 0 and top >= 0 else None
+        top = self.table.rowAt(0)
+        anchor = self._shown.number_at(top) if self.table.verticalScrollBar().value() > 0 and top >= 0 else None
         selected = self._selected_numbers()
         with self._unmoved():
             yield
-        numbers = self._shown.numbers()
-        if anchor in numbers and numbers.index(anchor) != self.table.rowAt(0):
-            top_index = self._shown.index(numbers.index(anchor), 0)
-            self.table.scrollTo(top_index, QAbstractItemView.ScrollHint.PositionAtTop)
+        top = -1 if anchor is None else self._shown.row_numbered(anchor)
+        if top >= 0 and top != self.table.rowAt(0):
+            self.table.scrollTo(self._shown.index(top, 0), QAbstractItemView.ScrollHint.PositionAtTop)
         self._show_selection(selected)
         self._describe()
         self.orderChanged.emit()
@@ -197,8 +196,7 @@ class WindowsPanel(QWidget):
         self._show_selection(self._selected_numbers())
 
     def _selected_numbers(self) -> set[int]:
-        numbers = self._shown.numbers()
-        return {numbers[row] for row in self.table.selected_rows()}
+        return {self._shown.number_at(row) for row in self.table.selected_rows()}
 
     def _show_selection(self, before: set[int]) -> None:
         """Select what the session has selected, and bring it into sight where it was not selected ``before``."""
@@ -209,8 +207,7 @@ class WindowsPanel(QWidget):
                 selection.select(self.table.rows_selection(rows), _SELECT_ROWS)
             if rows and selection.currentIndex().row() not in rows:
                 selection.setCurrentIndex(self._shown.index(rows[0], 0), QItemSelectionModel.SelectionFlag.NoUpdate)
-        numbers = self._shown.numbers()
-        fresh = [row for row in rows if numbers[row] not in before]
+        fresh = [row for row in rows if self._shown.number_at(row) not in before]
         if fresh and not any(map(self.table.is_in_sight, rows)):
             self.table.scrollTo(self._shown.index(fresh[0], 0), QAbstractItemView.ScrollHint.PositionAtCenter)
 

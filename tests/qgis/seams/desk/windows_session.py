@@ -44,6 +44,9 @@ class WindowsSession(QObject):
     def row(self, fid: int) -> WindowRecord | None:
         return next((row for row in self.rows if row.fid == fid), None)
 
+    def numbered(self, window_id: int) -> WindowRecord | None:
+        return next((row for row in self.rows if row.window_id == window_id), None)
+
     def result(self, fid: int) -> WindowResult | None:
         return self.results.get(fid)
 
