@@ -152,7 +152,7 @@ def _read_valid(
         invalid = np.pad(invalid, margins, constant_values=True)
     if invalid is None:
         return bands, 0.0, None
-    share = np.count_nonzero(invalid) / pixels
+    share = int(np.count_nonzero(invalid)) / pixels
     if share > most:
         raise NotCoveredError(messages.TOO_MANY_INVALID(name=name, share=Exceeding(share, most), most=most))
     valid = ~invalid

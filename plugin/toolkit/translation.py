@@ -50,13 +50,14 @@ def percent(ratio: float) -> str:
 
 def decimals_beside(value: float, limits: Iterable[float], least: int = 0) -> int:
     """With how many decimals a number is still seen to lie below its limits, above them or on them."""
-    known = [round(limit, 9) for limit in limits]
+    known = [round(float(limit), 9) for limit in limits]
 
     def sides(seen: float) -> list[int]:
         return [(seen > limit) - (seen < limit) for limit in known]
 
-    true = sides(round(value, 9))
-    return next((count for count in range(least, _MOST_DECIMALS) if sides(round(value, count)) == true), _MOST_DECIMALS)
+    plain = float(value)  # numpy's own numbers compare to what can't be subtracted
+    true = sides(round(plain, 9))
+    return next((count for count in range(least, _MOST_DECIMALS) if sides(round(plain, count)) == true), _MOST_DECIMALS)
 
 
 def filled(text: str, /, **values: object) -> str:

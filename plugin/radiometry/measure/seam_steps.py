@@ -105,7 +105,7 @@ def _stations(
         sides.append((figure_bands(source.raster, bands[:, rows, columns], names), valid))
     for start in range(0, len(points) - limits.SEAM_STATION_PX + 1, limits.SEAM_STATION_PX):
         station = slice(start, start + limits.SEAM_STATION_PX)
-        counts = [np.count_nonzero(valid[station]) for _, valid in sides]
+        counts = [int(np.count_nonzero(valid[station])) for _, valid in sides]
         if min(counts) * 2 >= limits.SEAM_STATION_PX * len(offsets):
             left_values, right_values = (
                 values[:, station][:, valid[station]].astype(np.float64) for values, valid in sides

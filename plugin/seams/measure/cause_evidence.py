@@ -129,6 +129,7 @@ def _quantised(mosaic: np.ndarray) -> float:
             part = mosaic[top : top + rows * _PERIOD_PX, left : left + columns * _PERIOD_PX]
             blocks = part.reshape(rows, _PERIOD_PX, columns, _PERIOD_PX)[::step, :, ::step].swapaxes(1, 2)
             coefficients = blocks.reshape(-1, _PERIOD_PX**2) @ transform
-            found.append(np.count_nonzero(np.abs(coefficients, out=coefficients) < _VANISHED_DN) / coefficients.size)
+            vanished = np.count_nonzero(np.abs(coefficients, out=coefficients) < _VANISHED_DN)
+            found.append(int(vanished) / coefficients.size)
     best = int(np.argmax(found))
     return found[best] - float(np.median(np.delete(found, best)))

@@ -104,7 +104,7 @@ def clipped_share(mosaic: np.ndarray, source: np.ndarray) -> float:
     scale stood close together in the source.
     """
     piles = [source[mosaic == end(mosaic)] for end in (np.min, np.max)]
-    shares = [np.count_nonzero(pile != end(source)) / mosaic.size for pile, end in zip(piles, (np.min, np.max))]
+    shares = [int(np.count_nonzero(pile != end(source))) / mosaic.size for pile, end in zip(piles, (np.min, np.max))]
     if max(shares) < _LEAST_PILE:
         return float(sum(shares))
     merged = _merged(mosaic, source)

@@ -147,7 +147,7 @@ def _without_blunders(request: ModelRequest, control: Points) -> np.ndarray:
     def residuals_of(weights: np.ndarray) -> tuple[np.ndarray, float]:
         """Residuals (n, 2), in standard deviations of a usual point, and the redundancy."""
         fitted = fit_model(request, control, weights)
-        used = np.count_nonzero(weights)
+        used = int(np.count_nonzero(weights))
         return (project(fitted, control) - control.image) * relative[:, None], 2 * used - fitted.unknowns
 
     residuals, redundancy = residuals_of(base)
@@ -165,14 +165,14 @@ def _without_blunders(request: ModelRequest, control: Points) -> np.ndarray:
     kept = np.linalg.norm(residuals, axis=1) <= _blunder_limit(redundancy) * sigma
     for _ in range(ROBUST_STEPS):
         if np.count_nonzero(kept) <= request.variant.fewest:
-            raise SensorModelError(messages.TOO_MANY_BLUNDERS(model=request.name, count=np.count_nonzero(~kept)))
+            raise SensorModelError(messages.TOO_MANY_BLUNDERS(model=request.name, count=int(np.count_nonzero(~kept))))
         residuals, redundancy = residuals_of(base * kept)
         if redundancy < 2:
             break
         # It only shrinks: else one blunder let in would open the door to the next.
         sigma = max(min(sigma, float(np.sqrt(np.sum(residuals[kept] ** 2) / redundancy))), limits.MIN_SIGMA_PX)
         # The fit gives way to the points in it, and is not exact where the others are: on average by this much.
-        share = 1 - redundancy / (2 * np.count_nonzero(kept))
+        share = 1 - redundancy / (2 * int(np.count_nonzero(kept)))
         usual = sigma * np.sqrt(np.where(kept, max(1 - share, 0.0), 1 + share))
         passing = np.linalg.norm(residuals, axis=1) <= _blunder_limit(redundancy) * usual
         if np.array_equal(passing, kept):

@@ -104,6 +104,7 @@ def test_messages_of_errors_stay_english() -> None:
 )
 def test_as_precise_as_its_limit_needs(value: float, limit: float, decimals: int) -> None:
     assert decimals_beside(value, [limit], 2) == decimals
+    assert decimals_beside(np.float64(value), [np.float64(limit)], 2) == decimals
 
 
 def test_a_figure_that_fails_is_not_written_as_its_limit(qgis_app: QgsApplication) -> None:

@@ -43,7 +43,7 @@ def make_composite(
     so that nothing is gained or lost there.
     """
     dtype = np.result_type(*(bands.dtype for bands in sources))
-    counts = [np.count_nonzero(labels == i) for i in range(len(sources))]
+    counts = [int(np.count_nonzero(labels == i)) for i in range(len(sources))]
     first, *others = sorted((i for i, count in enumerate(counts) if count), key=lambda i: -counts[i]) or [0]
     plain = sources[first].astype(dtype, copy=True)
     is_level = all(_is_as_it_was(tones[i].get(name)) for i in (first, *others) for name in names)

@@ -147,11 +147,11 @@ def _find_filters(
 
 def _present(labels: np.ndarray) -> list[int]:
     """The sources that any pixel follows."""
-    left, found = np.count_nonzero(labels != UNKNOWN), []
+    left, found = int(np.count_nonzero(labels != UNKNOWN)), []
     for number in range(UNKNOWN):
         if not left:
             break
-        if count := np.count_nonzero(labels == number):
+        if count := int(np.count_nonzero(labels == number)):
             found.append(number)
             left -= count
     return found

@@ -60,7 +60,7 @@ class FollowedSource:
     @property
     def unclear_share(self) -> float:
         """Share of the pixels where no source wins clearly."""
-        return 1 - np.count_nonzero(self.clear) / self.clear.size
+        return 1 - int(np.count_nonzero(self.clear)) / self.clear.size
 
     @property
     def followed(self) -> tuple[int, ...]:

@@ -80,12 +80,12 @@ def expected_cut(
 
 def _explained(labels: np.ndarray) -> float:
     """Share of the pixels with a label."""
-    return np.count_nonzero(labels != UNKNOWN) / labels.size
+    return int(np.count_nonzero(labels != UNKNOWN)) / labels.size
 
 
 def _merged(followed: PlacedSources, labels: np.ndarray, count: int) -> FollowedSource:
     """The first estimate with better labels, of ``count`` sources."""
-    shares = tuple(np.count_nonzero(labels == i) / labels.size for i in range(count))
+    shares = tuple(int(np.count_nonzero(labels == i)) / labels.size for i in range(count))
     return replace(followed.following, labels=labels, shares=shares)
 
 

@@ -44,7 +44,7 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
     fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
     plain = _following(fine, shape)
     first = PlacedSources(plain, planes, fine, tuple(range(count)))
-    unexplained, unclear = np.count_nonzero(plain.unexplained) / plain.unexplained.size, plain.unclear_share
+    unexplained, unclear = int(np.count_nonzero(plain.unexplained)) / plain.unexplained.size, plain.unclear_share
     if plain.fit >= MIN_SOURCE_FIT and unexplained < MIN_UNEXPLAINED_SHARE:
         return first
     shifts = {i: _shift_where(image.spectra, other.spectra, plain.unexplained) for i, other in enumerate(images)}
