@@ -16,6 +16,7 @@ WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangl
 WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
 WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it anew as a rectangle.")
 # numbers
+NOT_A_SYSTEM = Message("'{parameter}' is {value}, which is no coordinate reference system; choose one.")
 NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
 NUMBER_TOO_LARGE = Message("'{parameter}' is {value:g}; give a whole number between -{most} and {most}.")
 # lists of rasters

@@ -1,4 +1,5 @@
-"""No algorithm takes NaN, an infinite number, or a whole number that is too large for any parameter."""
+"""No algorithm takes NaN, an infinite number, a whole number that is too large for any parameter, or a reference system
+that there is not."""
 from __future__ import annotations
 
 import math
@@ -23,6 +24,14 @@ def test_numbers_that_are_none_are_refused(name: str) -> None:
             for value in (math.nan, math.inf, -math.inf):
                 words = f"'{definition.description()}' is {value:g}; give a number"
                 assert_refused(name, words.replace("(", r"\(").replace(")", r"\)"), **{definition.name(): value})
+
+
+@pytest.mark.parametrize(("name", "parameter"), [("orthorectify", "CRS"), ("fitsensormodel", "GCPS_CRS")])
+def test_a_reference_system_that_there_is_not_is_not_taken_for_none(name: str, parameter: str) -> None:
+    for value in ("EPSG:99999999", "nonsense"):
+        assert_refused(name, f"is {value}, which is no coordinate reference system", **{parameter: value})
+    complaint = str(run_unchecked(name, **{parameter: ""}).complaint)
+    assert "reference system" not in complaint
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf])

@@ -61,7 +61,7 @@ def read_calibration(path: Path) -> CameraCalibration:
         calibration = _micmac(content, path.name) if in_xml else _table(content.decode("utf-8-sig"), path.name)
     except OSError as error:
         raise PhotoError(messages.CALIBRATION_NOT_READ(path=path, error=error.strerror or error)) from None
-    except (UnicodeDecodeError, ParseError):
+    except (UnicodeDecodeError, ParseError, csv.Error):
         raise PhotoError(messages.CALIBRATION_UNKNOWN(name=path.name)) from None
     if not calibration.marks:
         raise PhotoError(messages.CALIBRATION_EMPTY(name=path.name))

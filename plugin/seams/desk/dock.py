@@ -267,7 +267,7 @@ class InspectionDock(ToolDock):
         allow(self.scan, self.scans.why_not())
         unscanned = "" if self.scans.worst_layer() else tr("No scan has found such places yet: scan the mosaic first.")
         allow(self.worst, unset or unscanned)
-        self._offer_stop(self.session.is_busy)
+        self._offer_stop(self.session.can_stop)
         judged = any(row.verdict for row in windows)
         allow(self.report, "" if judged else no_windows or tr("No window has been inspected yet."))
 

@@ -216,6 +216,11 @@ class Session(QObject):
         """Whether windows are being made, placed or inspected."""
         return self._background.is_busy or self._new.is_busy
 
+    @property
+    def can_stop(self) -> bool:
+        """Whether there is work that ``stop`` ends."""
+        return self._background.is_busy
+
     def is_pending(self, fid: int) -> bool:
         """Whether a window is being inspected, or its result not written yet."""
         row = self.row(fid)

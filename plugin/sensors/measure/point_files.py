@@ -51,11 +51,11 @@ def read_point_file(path: Path) -> PointFile:
     enable = header.index("enable") if "enable" in header else -1
     source, ground, numbers, disabled = [], [], [], 0
     for count, (number, line) in enumerate(rows[1:], 1):
-        parts = next(csv.reader([line]))
         try:
+            parts = next(csv.reader([line]))
             values = [float(parts[index]) for index in indices]
             on = enable < 0 or len(parts) <= enable or parts[enable].strip().lower() not in ("0", "false", "")
-        except (ValueError, IndexError):
+        except (ValueError, IndexError, csv.Error):
             raise SensorModelError(messages.POINTS_LINE_UNREADABLE(name=path.name, line=number)) from None
         if not on:
             disabled += 1

@@ -137,6 +137,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         common.check_files(self, parameters)
         refuse_overwriting(self, parameters, context)
         common.check_numbers(self, parameters, context)
+        common.check_systems(self, parameters, context)
         run = Run(self, parameters, context)
         run.check_pages(self._pages())
         return run

@@ -11,6 +11,7 @@ from qgis.core import (
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
+    QgsProcessingParameterCrs,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterEnum,
     QgsProcessingParameterFeatureSource,
@@ -154,6 +155,16 @@ def check_numbers(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], con
             raise SettingsError(messages.NOT_A_NUMBER(parameter=title, value=value))
         if definition.dataType() == QgsProcessingParameterNumber.Type.Integer and abs(value) > _LARGEST_WHOLE:
             raise SettingsError(messages.NUMBER_TOO_LARGE(parameter=title, value=value, most=_LARGEST_WHOLE))
+
+
+def check_systems(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:
+    """Raise SettingsError for a reference system that there is not: QGIS takes it for none given."""
+    for definition in algorithm.parameterDefinitions():
+        value = values.get(definition.name())
+        if not (isinstance(definition, QgsProcessingParameterCrs) and isinstance(value, str) and value.strip()):
+            continue
+        if not algorithm.parameterAsCrs(values, definition.name(), context).isValid():
+            raise SettingsError(messages.NOT_A_SYSTEM(parameter=definition.description(), value=value))
 
 
 def check_files(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> None:

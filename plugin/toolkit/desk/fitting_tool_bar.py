@@ -15,7 +15,7 @@ class FittingToolBar(QToolBar):
 
     def __init__(self, actions: Sequence[QAction], worded: Sequence[QAction], parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        side = self.fontMetrics().height() + 6
+        side = self.fontMetrics().height() + 3
         self.setIconSize(QSize(side, side))
         self.setToolButtonStyle(_STYLES.ToolButtonIconOnly)
         self.addActions(actions)

@@ -197,6 +197,7 @@ def test_without_numbers_it_says_that_it_assumes(tmp_path: Path) -> None:
         ("1,106,-106\n1,-106,-106\n", "the mark '1' twice"),
         ("1,106\n", "Row 2 .* no mark with two numbers"),
         ("", "holds no marks"),
+        ("[" * 200_000, "neither a CSV"),
     ],
 )
 def test_a_bad_calibration_is_refused(scene: PhotoScene, tmp_path: Path, rows: str, words: str) -> None:

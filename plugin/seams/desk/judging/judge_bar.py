@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
     from ..session import Session
 
-_LINES, _HIGH_LINES = (2, 3), (3, 4)  # of the sentence, and where the dock is high
+_LINES, _HIGH_LINES = (2, 3), (3, 5)  # of the sentence, and where the dock is high
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 _TENTHS = {key: 10 * digit or 100 for digit, key in enumerate(range(Qt.Key.Key_0, Qt.Key.Key_9 + 1))}
 
@@ -253,7 +253,8 @@ class JudgeBar(QWidget):
 
     def _judging_button(self, text: str, icon: str, word: str, tip: str) -> QPushButton:
         more = tr("Then the next window comes. Click again to take it back.")
-        button = self._push_button(text, icon, partial(self._clicked, word), f"{tip} {more}")
+        seamlines = tr("The key S takes the seamlines off the map, and puts them back.")
+        button = self._push_button(text, icon, partial(self._clicked, word), f"{tip} {more} {seamlines}")
         button.setCheckable(True)
         return button
 

@@ -267,9 +267,11 @@ class Judging(QObject):
         return next((fid for fid in around if fid in left and fid != current), None)
 
     def _following(self) -> int | None:
-        """The next one to judge; where all are judged, as in a review, the one after this."""
+        """The next one to judge; where all are judged, as in a review, the one after this. None where none was yet."""
         found = self.next_to_judge()
-        return self.neighbour(1) if found is None else found
+        if found is None and any(map(self.word, self._session.windows())):
+            return self.neighbour(1)
+        return found
 
     def _after(self, row: WindowRecord) -> int | None:
         """Where a verdict on the selected window leads; only in a review, of windows judged before, to a judged one."""

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING
 from qgis.core import QgsVectorLayer
 from qgis.gui import QgsMapCanvas, QgsMapTool
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QEvent, QObject
+from qgis.PyQt.QtCore import QEvent, QObject, Qt
 from qgis.PyQt.QtWidgets import QWidget
 
 from ....toolkit.desk.confirmation import is_confirmed
+from ..map.shown_seamlines import toggle_seamlines
 from ..windows.windows_panel import WindowsPanel
 from .agreement_box import agreement_of, ask_for_disagreements
 from .blind_style import hide_verdicts, show_verdicts
@@ -39,7 +40,9 @@ class JudgingDesk(QObject):
         self.model = Judging(session, windows.ordered_fids, partial(is_confirmed, dock), self)
         self.bar = JudgeBar(session, self.model)
         self._keys = JudgeKeys(dock, main_window, self._is_editing)
-        self._keys.set_keys(self.bar.keys(), self.bar.REPEATING_KEYS)
+        keys = self.bar.keys()
+        keys[Qt.Key.Key_S] = partial(toggle_seamlines, session)
+        self._keys.set_keys(keys, self.bar.REPEATING_KEYS)
         self.model.changed.connect(self._follow)
         self.bar.agreementAsked.connect(self.show_agreement)
         windows.orderChanged.connect(self.bar.refresh)

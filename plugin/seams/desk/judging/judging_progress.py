@@ -33,7 +33,9 @@ class JudgingProgress:
         return self.left == 0 < self.judged + self.unsure
 
     def words(self) -> str:
-        """``38 of 109 judged, 21 to go``."""
+        """``38 of 109 judged, 21 to go``; where nothing is judged or to judge, as before an inspection, just that."""
+        if self.count and not self.judged + self.unsure + self.left:
+            return tr("nothing to judge yet")
         text = tr("{judged} of {count} judged, {left} to go")
         return filled(text, judged=self.judged, count=self.count, left=self.left) if self.count else ""
 

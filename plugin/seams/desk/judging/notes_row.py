@@ -9,7 +9,7 @@ from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QSpinBox, QToolButton, QWidget
 
 from ....toolkit.desk.tooltips import rich_tip
-from ....toolkit.translation import tr
+from ....toolkit.translation import filled, tr
 from .judging import Judging
 
 if TYPE_CHECKING:
@@ -66,7 +66,8 @@ class NotesRow(QWidget):
         self._edit.editingFinished.connect(self._write_remark)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(QLabel(tr("Remark:"), self))
+        self._label = QLabel(self)
+        layout.addWidget(self._label)
         layout.addWidget(self._edit, 1)
         session.windowsChanged.connect(self.refresh)
         session.selectionChanged.connect(self.refresh)
@@ -89,6 +90,8 @@ class NotesRow(QWidget):
         remarks = {getattr(row, operator.remark) for row in rows}
         remark = next(iter(remarks)) if len(remarks) == 1 else ""
         self._edit.setText(remark)
+        of_one = tr("Remark on window {number}:")  # a verdict may have led on from the one that is meant
+        self._label.setText(filled(of_one, number=rows[0].window_id) if len(rows) == 1 else tr("Remark:"))
         self._show(bool(remark))
 
     def begin_remark(self) -> bool:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 import pytest
 from qgis.core import Qgis, QgsApplication, QgsGeometry
+from seam_inspector.plugin.imagery.grids import PixelWindow
 
 from tests.qgis.scenes import layer, line
 from tests.qgis.seams.desk.session_desk import Desk, wait_for_tasks
@@ -52,6 +53,15 @@ def test_all_placed(desk: Desk, log: Log) -> None:
     assert said.startswith(f"Windows placed along the seams: {len(desk.session.windows())}.")
     assert desk.levels[-1] == Qgis.MessageLevel.Success
     assert log.lines == []
+
+
+def test_while_a_window_is_added_there_is_nothing_to_stop(desk: Desk) -> None:
+    desk.session.set_inputs(desk.inputs())
+    wait_for_tasks()
+    desk.session.add_window(PixelWindow(0, 0, 64, 64))
+    assert desk.session.is_busy
+    assert not desk.session.can_stop
+    desk.wait()
 
 
 def test_places_without_a_window_are_in_the_log(desk: Desk, log: Log) -> None:

@@ -88,6 +88,15 @@ def test_how_much_is_judged_is_always_said(bar: JudgeBar, session: WindowsSessio
     assert bar._progress.text() == "0 of 6 judged, 4 to go"
 
 
+def test_before_an_inspection_nothing_is_done(bar: JudgeBar, session: WindowsSession) -> None:
+    session.put([window(1), window(2)])
+    assert bar._progress.text() == "nothing to judge yet"
+    assert not bar._next.isEnabled()
+    session.change(1, verdict="reduced", ratios=(0.9, 1, 1))
+    assert bar._progress.text() == "0 of 2 judged, 1 to go"
+    assert bar._next.isEnabled()
+
+
 def test_steps_and_position(bar: JudgeBar, panel: WindowsPanel, session: WindowsSession) -> None:
     session.select([2])
     assert bar._position.text() == "2 of 6"
@@ -173,6 +182,7 @@ def test_a_remark_takes_one_key_and_enter(bar: JudgeBar, session: WindowsSession
     QTest.qWaitForWindowActive(bar)
     assert bar.notes.isHidden()
     assert bar.keys()[Qt.Key.Key_R]()
+    assert bar.notes._label.text() == "Remark on window 1:"
     QTest.keyClicks(bar.notes._edit, "by the kerb")
     QTest.keyClick(bar.notes._edit, Qt.Key.Key_Return)
     assert session.row(1).remark == "by the kerb"  # type: ignore[union-attr]

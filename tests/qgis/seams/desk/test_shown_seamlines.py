@@ -1,0 +1,30 @@
+"""One key takes the seamlines off the map while windows are judged, and puts them back."""
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+from qgis.core import QgsProject
+from seam_inspector.plugin.seams.desk.map.shown_seamlines import toggle_seamlines
+
+from tests.qgis.scenes import layer, line
+
+
+def test_seamlines_go_and_come_back(project: QgsProject) -> None:
+    seams, other = (layer("LineString", [line((0, 0), (9, 9))]) for _ in range(2))
+    group = project.layerTreeRoot().addGroup("given")
+    for one in (seams, other):
+        project.addMapLayer(one, False)
+        group.addLayer(one)
+    session = SimpleNamespace(inputs=SimpleNamespace(seamlines=seams.id()))
+    node, beside = (project.layerTreeRoot().findLayer(one.id()) for one in (seams, other))
+    assert toggle_seamlines(session)  # type: ignore[arg-type]
+    assert (node.isVisible(), beside.isVisible()) == (False, True)
+    assert toggle_seamlines(session)  # type: ignore[arg-type]
+    assert node.isVisible()
+    group.setItemVisibilityChecked(False)
+    assert toggle_seamlines(session)  # type: ignore[arg-type]
+    assert node.isVisible()
+
+
+def test_without_seamlines_the_key_is_somebody_else_s(project: QgsProject) -> None:
+    assert not toggle_seamlines(SimpleNamespace(inputs=SimpleNamespace(seamlines="")))  # type: ignore[arg-type]
