@@ -27,3 +27,8 @@ def in_sentence(text: str) -> str:
 def cell_text(text: str) -> str:
     """A text for a cell of a spreadsheet, which would else calculate what begins as a formula does."""
     return f"'{text}" if _FORMULA.match(text) else text
+
+
+def of_cell(text: str) -> str:
+    """The text that was made such a cell."""
+    return text[1:] if text.startswith("'") and _FORMULA.match(text, 1) else text

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from qgis.core import QgsCoordinateTransform, QgsFeature
 
 from ...imagery.band_names import judged_band
+from ...imagery.documents.printable import of_cell
 from ...imagery.errors import SettingsError
 from ...imagery.statistics.observers import JUDGING_FIELDS, OPERATORS
 from ...toolkit.attribute_values import attributes, number, text, whole_number
@@ -40,7 +41,7 @@ def read_windows(
 
     One without a number of its own is ``unnumbered``. Raises WindowError when an outline can't be transformed.
     """
-    read: dict[str, Callable[[object], Any]] = {"text": text, "real": number, "integer": whole_number}
+    read: dict[str, Callable[[object], Any]] = {"text": _words, "real": number, "integer": whole_number}
     levels = [
         (_IN_RECORDS.get(one.name, f"{one.name}s"), level_names(one.name, names))
         for one in WINDOW_COLUMNS if one.by_level
@@ -69,7 +70,8 @@ def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, li
     for row in attributes(rows, names):
         window_id = whole_number(row["window_id"])
         if window_id is not None:
-            pair = PairRecord(text(row["source"]), text(row["band"]), number(row["ratio_1"]), number(row["contrast_1"]))
+            source, band = _words(row["source"]), text(row["band"])
+            pair = PairRecord(source, band, number(row["ratio_1"]), number(row["contrast_1"]))
             found.setdefault(window_id, []).append(pair)
     return found
 
@@ -103,7 +105,7 @@ def read_curves(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, l
         window_id, level = whole_number(row["window_id"]), whole_number(row["level"])
         if window_id is None or level is None:
             continue
-        raster, role, band = (text(row[name]) for name in ("raster", "role", "band"))
+        raster, role, band = (_words(row[name]) for name in ("raster", "role", "band"))
         place = {"detail": level, "background": _BACKGROUND}.get(text(row["component"]))
         if place is None:  # a part of the detail, by direction
             continue
@@ -135,6 +137,11 @@ class _Components(NamedTuple):
             return None
         detail = tuple(self.shares[level] for level in sorted(levels))
         return CurveRecord(self.raster, self.role, detail, self.shares[_BACKGROUND])
+
+
+def _words(value: object) -> str:
+    """A text, as it was before a table of the desk was written for spreadsheets."""
+    return of_cell(text(value))
 
 
 def level_names(name: str, names: Iterable[str]) -> list[str]:

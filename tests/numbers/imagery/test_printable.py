@@ -6,7 +6,7 @@ import unicodedata
 
 import pytest
 from seam_inspector.plugin.imagery import messages
-from seam_inspector.plugin.imagery.documents.printable import cell_text, in_sentence, printable
+from seam_inspector.plugin.imagery.documents.printable import cell_text, in_sentence, of_cell, printable
 
 NAMES = ["<script>alert(1)</script>", '"><svg onload=x>', "{{7*7}}", "[% @project_path %]",
          "{0.__class__}", "$\\frac$", "łódź",
@@ -43,8 +43,10 @@ def test_a_name_is_no_template(template: str) -> None:
 @pytest.mark.parametrize("text", ["=cmd|' /C calc'!A0", "+1+1", "-2+3+cmd|' /C calc'!A0", "@SUM(1)", "\t=1", "-a.tif"])
 def test_a_cell_holds_no_formula(text: str) -> None:
     assert cell_text(text) == f"'{text}"
+    assert of_cell(cell_text(text)) == text
 
 
 @pytest.mark.parametrize("text", ["", "-", "-1.5", "+3 %", "-0,5", "a=b", "mosaic-1.tif", json.dumps("=1")])
 def test_a_cell_without_a_formula_stays(text: str) -> None:
     assert cell_text(text) == text
+    assert of_cell(text) == text

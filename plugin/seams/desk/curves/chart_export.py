@@ -34,11 +34,14 @@ def picture(chart: Chart, title: str) -> Figure:
     draw_curves(axes, chart.curves, chart.max_ratio, PAPER, chart.logarithmic, chart.hidden)
     places = {curve.label: place for place, curve in enumerate(chart.curves)}
     axes.set_title(title, fontsize=11, fontweight="bold")
-    entries = sorted(zip(*axes.get_legend_handles_labels()), key=lambda entry: places.get(entry[1], len(places)))
-    legend = axes.legend(*zip(*entries), fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
-    for text in legend.get_texts():  # names of files are no formulas
-        text.set_parse_math(False)
-        text.set_text(printable(text.get_text()))
+    labelled = ((line, str(line.get_label())) for line in axes.get_lines())
+    shown = [one for one in labelled if one[1] in places or not one[1].startswith("_")]  # a file may begin with one
+    lines, names = zip(*sorted(shown, key=lambda one: places.get(one[1], len(places))))
+    plain = [name.lstrip("_") for name in names]
+    legend = axes.legend(lines, plain, fontsize=8, frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    for text, name in zip(legend.get_texts(), names):
+        text.set_parse_math(False)  # names of files are no formulas
+        text.set_text(printable(name))
     return figure
 
 

@@ -1,0 +1,19 @@
+"""Curves that leave the desk name every raster, whatever it is called."""
+from __future__ import annotations
+
+import pytest
+from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
+from seam_inspector.plugin.seams.desk.curves.chart_export import picture
+from seam_inspector.plugin.seams.desk.curves.curves_chart import Chart
+
+NAMES = ("_mosaic.tif", "__a$b$.tif", "<b>c</b>.tif", "\u202egnp.tif", "_.tif")
+
+
+@pytest.mark.usefixtures("qgis_app")
+@pytest.mark.filterwarnings("error")
+def test_the_legend_has_an_entry_for_each_name() -> None:
+    curves = tuple(ChartCurve(name, not place, (0.5, 0.3, 0.1), 0.1) for place, name in enumerate(NAMES))
+    (axes,) = picture(Chart(curves, 0.7), "Window 1").axes
+    shown = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert shown[: len(NAMES)] == [name.replace("\u202e", "\ufffd") for name in NAMES]
+    assert len(shown) == len(NAMES) + 1  # and the limit
