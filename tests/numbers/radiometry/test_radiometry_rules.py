@@ -61,7 +61,7 @@ def test_a_band_may_have_a_rule_of_its_own_beside_luminosity(tmp_path: Path) -> 
 
 
 def test_the_documented_file_is_the_default(repository: Path, tmp_path: Path) -> None:
-    page = (repository / "docs" / "radiometry.md").read_text(encoding="utf-8")
+    page = (repository / "docs" / "neighbours" / "radiometry.md").read_text(encoding="utf-8")
     (shown,) = re.findall(r"```json\n(.*?)```", page, re.DOTALL)
     assert load(tmp_path, shown) == default_rules()
 

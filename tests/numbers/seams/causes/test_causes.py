@@ -55,7 +55,7 @@ def test_where_nothing_is_lost_or_changed_none_stands_alone() -> None:
 
 
 def test_the_documentation_lists_the_causes_in_their_order(repository: Path) -> None:
-    page = (repository / "docs" / "causes.md").read_text(encoding="utf-8")
+    page = (repository / "docs" / "method" / "causes.md").read_text(encoding="utf-8")
     table = page.partition("| Cause | Limit |")[2].partition("\n\n")[0]
     assert re.findall(r"^\| `([a-z ]+)` \|", table, re.MULTILINE) == [cause.value for cause in Cause]
 
