@@ -19,12 +19,12 @@
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="129"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="130"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="119"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="120"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
@@ -39,7 +39,7 @@
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="121"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="122"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
@@ -99,7 +99,7 @@
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="72"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="73"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
@@ -109,22 +109,22 @@
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="82"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="83"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="91"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="92"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="94"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="95"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="103"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="104"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
@@ -134,7 +134,7 @@
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="112"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="113"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
@@ -469,17 +469,17 @@
         <translation>{count} {count:okno bez własnego numeru otrzymało kolejny wolny numer|okna bez własnego numeru otrzymały kolejne wolne numery|okien bez własnego numeru otrzymało kolejne wolne numery}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="27"/>
+        <location filename="../plugin/toolkit/messages.py" line="28"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos; or leave the scheduler empty.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <location filename="../plugin/toolkit/messages.py" line="31"/>
         <source>The Dask scheduler at {address} does not answer ({error}); check the address or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="32"/>
+        <location filename="../plugin/toolkit/messages.py" line="33"/>
         <source>The Dask scheduler at {address} has no workers; start some or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
@@ -784,17 +784,17 @@
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="50"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="54"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="54"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="58"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="61"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="65"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
@@ -809,27 +809,27 @@
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="167"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="183"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="170"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="186"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="241"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="247"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="244"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="245"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="242"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
@@ -894,12 +894,12 @@
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="51"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="55"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="55"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="59"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
@@ -1289,12 +1289,12 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="25"/>
+        <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="136"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="141"/>
         <source>Add fields</source>
         <translation>Dodaj pola</translation>
     </message>
@@ -1309,7 +1309,7 @@
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="203"/>
+        <location filename="../plugin/seams/desk/session.py" line="207"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>
@@ -1884,7 +1884,7 @@
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="136"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="137"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
@@ -2834,7 +2834,7 @@
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="56"/>
+        <location filename="../plugin/toolkit/messages.py" line="57"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
@@ -2924,22 +2924,22 @@
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="22"/>
+        <location filename="../plugin/toolkit/messages.py" line="23"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="42"/>
+        <location filename="../plugin/toolkit/messages.py" line="43"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="44"/>
+        <location filename="../plugin/toolkit/messages.py" line="45"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="23"/>
+        <location filename="../plugin/toolkit/messages.py" line="24"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -5438,17 +5438,17 @@
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="33"/>
+        <location filename="../plugin/toolkit/messages.py" line="34"/>
         <source>The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="35"/>
+        <location filename="../plugin/toolkit/messages.py" line="36"/>
         <source>The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} od {seconds:.0f} s nie ma procesów roboczych; uruchom je, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="38"/>
+        <location filename="../plugin/toolkit/messages.py" line="39"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
@@ -6228,7 +6228,7 @@
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/notes_row.py" line="69"/>
+        <location filename="../plugin/seams/desk/judging/notes_row.py" line="94"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
@@ -6293,37 +6293,37 @@
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="58"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="62"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="58"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="62"/>
         <source>It can&apos;t be said. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="62"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="66"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="64"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="68"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="67"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="71"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="152"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="169"/>
         <source>Window {numbers}. What was found is hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="238"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="255"/>
         <source>Then the next window comes. Click again to take it back.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -6393,17 +6393,17 @@
         <translation>Pokaż, gdzie się różnią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging.py" line="186"/>
+        <location filename="../plugin/seams/desk/judging/judging.py" line="192"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging.py" line="194"/>
+        <location filename="../plugin/seams/desk/judging/judging.py" line="200"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging.py" line="196"/>
+        <location filename="../plugin/seams/desk/judging/judging.py" line="202"/>
         <source>Take back what was said of {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
@@ -6453,12 +6453,12 @@
         <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="37"/>
+        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="39"/>
         <source>{judged} of {count} judged, {left} to go</source>
         <translation>{judged} z {count}, zostało {left}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="44"/>
+        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="46"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
     </message>
@@ -6978,12 +6978,12 @@
         <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="277"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="274"/>
         <source>Save the windows</source>
         <translation>Zapisz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="277"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="274"/>
         <source>CSV files (*.csv)</source>
         <translation>Pliki CSV (*.csv)</translation>
     </message>
@@ -7365,17 +7365,17 @@
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="132"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="147"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="165"/>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="181"/>
         <source>No window is left to judge. Select one to judge it again.</source>
         <translation>Nie ma już okien do oceny. Wybierz okno, aby ocenić je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="287"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
@@ -7590,7 +7590,7 @@
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="55"/>
+        <location filename="../plugin/toolkit/messages.py" line="56"/>
         <source>What is written is {filters}, and {name} says something else; give it that ending.</source>
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
@@ -10741,12 +10741,12 @@
         <translation>Do odczytu pliku {name} potrzebny jest pakiet Pythona PyYAML, którego nie ma; zainstaluj go albo podaj AutoCal XML programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="19"/>
+        <location filename="../plugin/toolkit/messages.py" line="20"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a number.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="20"/>
+        <location filename="../plugin/toolkit/messages.py" line="21"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a whole number between -{most} and {most}.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
@@ -10953,27 +10953,27 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="46"/>
+        <location filename="../plugin/toolkit/messages.py" line="47"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is no file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="47"/>
+        <location filename="../plugin/toolkit/messages.py" line="48"/>
         <source>{path} is being written by another program; close it there, or choose another file.</source>
         <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="49"/>
+        <location filename="../plugin/toolkit/messages.py" line="50"/>
         <source>&apos;{output}&apos; can&apos;t be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name.</source>
         <translation>Wynik „{output}” nie może być tabelą o nazwie {name}, ponieważ nazwa tabeli w pliku GeoPackage nie może zaczynać się od {begins}; wybierz inną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="51"/>
+        <location filename="../plugin/toolkit/messages.py" line="52"/>
         <source>{path} can&apos;t be written; make room on the disk, or choose another folder.</source>
         <translation>Nie można zapisać pliku {path}; zwolnij miejsce na dysku albo wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="53"/>
+        <location filename="../plugin/toolkit/messages.py" line="54"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -10981,6 +10981,26 @@
         <location filename="../plugin/seams/desk/judging/window_orders.py" line="70"/>
         <source>Significant losses first; within a verdict the greatest loss.</source>
         <translation>Najpierw straty istotne; w obrębie oceny największa strata.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="256"/>
+        <source>The key S takes the seamlines off the map, and puts them back.</source>
+        <translation>Klawisz S ukrywa linie mozaikowania na mapie i pokazuje je znowu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="38"/>
+        <source>nothing to judge yet</source>
+        <translation>jeszcze nic do oceny</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging/notes_row.py" line="93"/>
+        <source>Remark on window {number}:</source>
+        <translation>Uwaga do okna {number}:</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
+        <source>&apos;{parameter}&apos; is {value}, which is no coordinate reference system; choose one.</source>
+        <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
 </context>
 </TS>
