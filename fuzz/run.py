@@ -16,8 +16,9 @@ from pathlib import Path
 
 from fuzz.cases import SOUND, Case
 from fuzz.judging import UNBROKEN, Report, kind_of
-from fuzz.workers import Worker
+from fuzz.workers import Worker, noted
 
+FINDINGS = "findings.txt"
 FRESH_AFTER = 500  # cases, so that what piles up in a process stays small
 ENDS = ("refused", "failed", "ran", UNBROKEN, "findings")
 
@@ -36,7 +37,7 @@ def main() -> int:
     seed = int(time.time()) if arguments.seed is None else arguments.seed
     folder = arguments.output.resolve()
     shutil.rmtree(folder, ignore_errors=True)
-    first = Worker(folder / "samples", folder / "worker-0-0")
+    first = Worker(folder / "samples", folder / "worker-0-0", folder / FINDINGS)
     kinds = [Case.of(text) for text in first.kinds]
     if arguments.case:
         return _again(first, arguments.case)
@@ -50,12 +51,11 @@ def main() -> int:
     session = Session(folder, endless_cases(kinds, seed), time.monotonic() + 60 * arguments.minutes, arguments.most)
     session.play(first, arguments.jobs)
     print_tables(session.reports)
-    write_findings(session.reports, folder / "findings.txt")
     return int(any(report.findings for report in session.reports))
 
 
 def endless_cases(kinds: list[Case], seed: int) -> Iterator[Case]:
-    """Each sound call, then without an end: algorithm by algorithm, each with its kinds in an order of chance."""
+    """Each sound call, then without an end: algorithm by algorithm, each with what was broken least so far."""
     yield from (kind for kind in kinds if kind.breakage == SOUND)
     chance = random.Random(seed)
     by_algorithm: dict[str, list[Case]] = defaultdict(list)
@@ -63,11 +63,14 @@ def endless_cases(kinds: list[Case], seed: int) -> Iterator[Case]:
         if kind.breakage != SOUND:
             by_algorithm[kind.algorithm].append(kind)
     waiting: dict[str, list[Case]] = {name: [] for name in by_algorithm}
+    played: Counter[str] = Counter()
     while by_algorithm:
         for name, own in by_algorithm.items():
             if not waiting[name]:
                 waiting[name] = chance.sample(own, len(own))
-            kind = waiting[name].pop()
+            kind = min(waiting[name], key=lambda one: played[one.breakage])
+            waiting[name].remove(kind)
+            played[kind.breakage] += 1
             yield Case(kind.algorithm, kind.call, kind.parameter, kind.breakage, chance.randrange(10**9))
 
 
@@ -104,6 +107,8 @@ class Session:
             report = worker.play(str(case))
             with self._lock:
                 self.reports.append(report)
+                if report.findings:
+                    noted(self._folder / FINDINGS, told(report))
             for finding in report.findings:
                 print(f"{report.case}\n    {finding[:500]}", flush=True)
         if worker is not None:
@@ -113,7 +118,7 @@ class Session:
         with self._lock:
             self._started += 1
             count = self._started
-        return Worker(self._folder / "samples", self._folder / f"worker-{number}-{count}")
+        return Worker(self._folder / "samples", self._folder / f"worker-{number}-{count}", self._folder / FINDINGS)
 
 
 def _again(worker: Worker, case: str) -> int:
@@ -146,14 +151,11 @@ def print_tables(reports: list[Report]) -> None:
         print(f"{len(cases):6}  {kind}\n        make fuzz CASE={cases[0]}")
 
 
-def write_findings(reports: list[Report], path: Path) -> None:
-    """All of them, whole."""
-    with open(path, "w", encoding="utf-8", errors="replace") as file:
-        for report in reports:
-            if report.findings:
-                parts = [report.case, *(f"    {one}" for one in report.findings)]
-                parts += [f"    said: {one[:2000]}" for one in report.said]
-                file.write("\n".join([*parts, report.stderr[:5000], ""]))
+def told(report: Report) -> str:
+    """All that was found and said."""
+    parts = [report.case, *(f"    {one}" for one in report.findings)]
+    parts += [f"    said: {one[:2000]}" for one in report.said]
+    return "\n".join([*parts, report.stderr[:5000], ""])
 
 
 if __name__ == "__main__":

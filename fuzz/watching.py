@@ -8,6 +8,7 @@ from pathlib import Path
 _OF_SQLITE = ("-wal", "-shm", "-journal")
 _HASHED = 4 * 2**20
 State = dict[str, str]
+_known: dict[str, tuple[tuple[int, ...], str]] = {}
 
 
 def state_of(folders: Iterable[Path]) -> State:
@@ -28,8 +29,23 @@ def _is_watched(path: Path) -> bool:
 
 
 def _content(path: Path) -> str:
+    """Read again only where the disk says that it was written: its time of change is nothing a program can set."""
+    stat = path.stat()
+    stamp = (stat.st_ino, stat.st_size, stat.st_mtime_ns, stat.st_ctime_ns)
+    before = _known.get(str(path))
+    if before is None or before[0] != stamp:
+        before = _known[str(path)] = (stamp, _digest(path, stat.st_size))
+    return before[1]
+
+
+def forget(folder: Path) -> None:
+    """What was known of a folder that is gone."""
+    for name in [one for one in _known if one.startswith(f"{folder}/")]:
+        del _known[name]
+
+
+def _digest(path: Path, size: int) -> str:
     """QGIS changes how the log of a GeoPackage is written when it opens one; that is not its content."""
-    size = path.stat().st_size
     with open(path, "rb") as file:
         head = bytearray(file.read(_HASHED))
     if head.startswith(b"SQLite format 3"):

@@ -1,10 +1,12 @@
 """The process that plays cases: reads their texts from standard input, writes a report of each as a line of JSON."""
 from __future__ import annotations
 
+import ctypes
 import faulthandler
 import gc
 import json
 import os
+import resource
 import shutil
 import signal
 import sys
@@ -22,9 +24,12 @@ from fuzz.cases import NOTHING, Case, kinds, values_of
 from fuzz.judging import MOST_BYTES, UNBROKEN, Report, judged
 from fuzz.running import Outcome, outputs, run
 from fuzz.samples import make_samples
-from fuzz.watching import differences, state_of
+from fuzz.watching import differences, forget, state_of
 
 SAID = "said.txt"
+MOST_ADDRESSES = 12 * 2**30
+"""Far more than what is used: only what would fall on the whole machine at once ends here."""
+_DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 MODELS = {"inspect_mosaic"}
 
 
@@ -87,6 +92,7 @@ class Player:
         said.close()
         if not report.findings:
             shutil.rmtree(folder, ignore_errors=True)
+        forget(folder)
         QgsProject.instance().clear()
         gc.collect()
         return report
@@ -124,8 +130,19 @@ def _holds_secret(folder: Path) -> bool:
                if path.is_file() and path.stat().st_size < 2**22)
 
 
+def _bind(parent: int) -> None:
+    """To the process that asks, without which nobody would stop this one, and to what the machine can spare."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(_DIES_WITH_PARENT, signal.SIGKILL)
+    if os.getppid() != parent:  # it ended before
+        sys.exit(1)
+    resource.setrlimit(resource.RLIMIT_AS, (MOST_ADDRESSES, MOST_ADDRESSES))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+
+
 def main() -> None:
     samples, folder = Path(sys.argv[1]), Path(sys.argv[2])
+    _bind(int(sys.argv[3]))
     answers: TextIO = os.fdopen(os.dup(1), "w", buffering=1)
     os.dup2(2, 1)
     faulthandler.enable()
@@ -142,6 +159,8 @@ def main() -> None:
             made.rename(samples)
     player = Player(Path(shutil.copytree(samples, folder / "samples")), folder)
     answers.write(json.dumps([str(case) for case in kinds()]) + "\n")
+    gc.collect()
+    gc.freeze()  # what stays is not looked through after each case
     for line in sys.stdin:
         answers.write(json.dumps(asdict(player.play(Case.of(line.strip())))) + "\n")
     application.exitQgis()

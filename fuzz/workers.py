@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 from fuzz.judging import MOST_BYTES, Report
 
@@ -19,7 +19,6 @@ CPU_SECONDS = 60.0
 IDLE_SECONDS = 60.0
 """Waiting for something, beyond what a busy machine makes it wait for the processor."""
 _BUSY = 8
-_STOPPED_BYTES = MOST_BYTES * 5 // 4
 _HERE = str(Path(__file__).parent)
 _TICKS = os.sysconf("SC_CLK_TCK")
 
@@ -31,9 +30,11 @@ class WorkerLostError(Exception):
 class Worker:
     """A process that plays one case after the other, in a folder of its own."""
 
-    def __init__(self, samples: Path, folder: Path) -> None:
+    def __init__(self, samples: Path, folder: Path, findings: Path) -> None:
+        """``findings``: a file where a case is noted before the process is stopped because of it."""
         folder.mkdir(parents=True, exist_ok=True)
         self.folder, self.played = folder, 0
+        self._findings, self._case = findings, ""
         home = folder / "home"
         home.mkdir(exist_ok=True, mode=0o700)
         (folder / "temporary").mkdir(exist_ok=True)
@@ -46,8 +47,8 @@ class Worker:
         environment.pop("GDAL_VRT_ENABLE_PYTHON", None)
         with open(folder / "worker.log", "ab") as log:
             self._process = subprocess.Popen(
-                [sys.executable, "-m", "fuzz.worker", str(samples), str(folder)], stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE, stderr=log, env=environment, start_new_session=True,
+                [sys.executable, "-m", "fuzz.worker", str(samples), str(folder), str(os.getpid())],
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log, env=environment, start_new_session=True,
             )  # fmt: skip
         self._rest = b""
         self.kinds: list[str] = self._answer(START_SECONDS)
@@ -55,6 +56,7 @@ class Worker:
     def play(self, case: str) -> Report:
         """A report also of a process that is lost; then another worker is needed."""
         self.played += 1
+        self._case = case
         assert self._process.stdin is not None
         start = time.monotonic()
         try:
@@ -90,19 +92,21 @@ class Worker:
                 continue
             worked = self._cpu() - used
             if worked > cpu_seconds or time.monotonic() - start > IDLE_SECONDS + _BUSY * worked:
-                self._stop()
-                raise WorkerLostError(f"hung: {worked:.0f} s of the processor, {time.monotonic() - start:.0f} s in all")
-            if self._memory() > _STOPPED_BYTES:
-                self._stop()
-                raise WorkerLostError(f"too much memory: over {_STOPPED_BYTES / 2**30:.1f} GB")
+                self._stop(f"hung: {worked:.0f} s of the processor, {time.monotonic() - start:.0f} s in all")
+            if self._memory() > MOST_BYTES:
+                self._stop(f"too much memory: over {MOST_BYTES / 2**30:.1f} GB")
         line, self._rest = self._rest.split(b"\n", 1)
         return json.loads(line)
 
-    def _stop(self) -> None:
+    def _stop(self, how: str) -> NoReturn:
+        """Written down first: whatever becomes of the process, or of this one, is known by then."""
+        if self._case:
+            noted(self._findings, f"{self._case}\n    {how}\n")
         os.kill(self._process.pid, signal.SIGUSR1)  # writes down where it is
         time.sleep(0.5)
         os.killpg(self._process.pid, signal.SIGKILL)
         self._process.wait()
+        raise WorkerLostError(how)
 
     def _cpu(self) -> float:
         try:
@@ -121,6 +125,12 @@ class Worker:
         folders = sorted((self.folder / "played").glob("*"), key=lambda one: int(one.name))
         path = folders[-1] / "said.txt" if folders else self.folder / "worker.log"
         return path.read_text(errors="replace") if path.is_file() else ""
+
+
+def noted(path: Path, text: str) -> None:
+    """At the end of a file, whole and at once."""
+    with open(path, "a", encoding="utf-8", errors="replace") as file:
+        file.write(text)
 
 
 def _last_lines(said: str) -> str:

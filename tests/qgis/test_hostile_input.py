@@ -61,7 +61,7 @@ def test_a_few_cases_find_nothing(tmp_path: Path) -> None:
     """No crash, no hang, no traceback, nothing outside the outputs, no error without a sentence."""
     broken = [case for case in kinds() if case.algorithm in QUICK and case.breakage != SOUND]
     chosen = [*FOUND, *map(str, islice(endless_cases(broken, 1), COUNT))]
-    worker = Worker(tmp_path / "samples", tmp_path / "worker")
+    worker = Worker(tmp_path / "samples", tmp_path / "worker", tmp_path / "findings.txt")
     findings = {}
     for case in chosen:
         report = worker.play(case)
