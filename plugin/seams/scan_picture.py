@@ -33,6 +33,7 @@ class PictureSoFar:
         self._failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
         dataset = created_cells(str(path), mosaic, cell_px, BANDS[:1], self._failure)
         with gdal_writing(self._failure):
+            dataset.GetRasterBand(1).Fill(NODATA)
             dataset.FlushCache()
         self.has_content = False
         """Whether something was filled in."""

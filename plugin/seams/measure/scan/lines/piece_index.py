@@ -12,6 +12,7 @@ from .seam_pieces import SeamPiece
 
 STEP_PX = 0.5
 """Lines are looked up by points at most this far apart; the distance is then taken to the line itself."""
+_SHORTEST_PX = 1e-6
 TILE_PX = 2048
 """Side of the tiles by which stretches of line are found, and places are looked up together."""
 
@@ -107,8 +108,7 @@ class PieceIndex:
                 hit, stretch = self._nearest_of(places[group], reach_px)
                 hit = group[hit]
                 step, away = stretch["step"], places[hit] - stretch["start"]
-                along = (away * step.conj()).real / np.maximum(abs(step) ** 2, np.finfo(float).tiny)
-                along = along.clip(0, 1)
+                along = _along(stretch, places[hit]).clip(0, 1)
                 away = away - along * step
                 kept = abs(away) <= reach_px
                 hit, stretch, away, along = hit[kept], stretch[kept], away[kept], along[kept]
@@ -126,10 +126,17 @@ class PieceIndex:
         width, height = int(np.ceil(places.real.max())) - column, int(np.ceil(places.imag.max())) - row
         stretches = self.near(PixelWindow(column, row, width, height), reach_px)._stretches
         counts = np.maximum(np.ceil(abs(stretches["step"]) / STEP_PX), 1).astype(int)
-        of_point = np.repeat(np.arange(len(stretches)), counts)
-        share = (np.arange(len(of_point)) - np.repeat(np.cumsum(counts) - counts, counts) + 0.5) / counts[of_point]
+        # Of a long stretch, which may run far beyond, only points about the places are made.
+        middle, half = complex(column + width / 2, row + height / 2), max(width, height) / 2 + reach_px + 2 * STEP_PX
+        along, length = _along(stretches, middle), abs(stretches["step"]) / counts
+        spread = np.sqrt(2) * half / np.maximum(length, _SHORTEST_PX) + 1
+        first = np.floor((along * counts - spread).clip(0, counts)).astype(int)
+        number = np.ceil((along * counts + spread).clip(0, counts)).astype(int) - first
+        of_point = np.repeat(np.arange(len(stretches)), number)
+        place = np.arange(len(of_point)) - np.repeat(np.cumsum(number) - number, number) + first[of_point]
+        share = (place + 0.5) / counts[of_point]
         points = stretches["start"][of_point] + share * stretches["step"][of_point]
-        # What is out of reach isn't looked up: a long stretch may run far beyond.
+        # What is out of reach isn't looked up.
         reached = (abs(points.real - column - width / 2) <= width / 2 + reach_px + STEP_PX) & (
             abs(points.imag - row - height / 2) <= height / 2 + reach_px + STEP_PX
         )
@@ -166,6 +173,13 @@ class PieceIndex:
         last = np.searchsorted(self._tile, _key(np.full(len(rows), last_column), rows), side="right")
         found = [self._of_tile[one:other] for one, other in zip(first, last)]
         return np.unique(np.concatenate(found)) if found else np.empty(0, dtype=int)
+
+
+def _along(stretches: np.ndarray, places: complex | np.ndarray) -> np.ndarray:
+    """Where a place is beside each stretch: 0 at its start, 1 at its end, less or more beyond them."""
+    step = stretches["step"]
+    away = (places - stretches["start"]) * step.conj()
+    return np.asarray(away.real / np.maximum(abs(step) ** 2, np.finfo(float).tiny))
 
 
 def _tile(columns: np.ndarray, rows: np.ndarray) -> np.ndarray:

@@ -116,7 +116,7 @@ def loss_raster(
     """
     failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
     with whole_raster(path) as unfinished:
-        options = ("COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND")
+        options = ("COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND", "SPARSE_OK=TRUE")
         dataset = created_cells(unfinished, mosaic, cell_px, BANDS, failure, options)
         with gdal_writing(failure):
             dataset.SetMetadata(dict(settings or {}), SETTINGS_DOMAIN)
@@ -126,7 +126,10 @@ def loss_raster(
 def created_cells(
     path: str, mosaic: Raster, cell_px: int, bands: Sequence[str], failure: Message, options: Sequence[str] = ()
 ) -> gdal.Dataset:
-    """A GeoTIFF of cells of a mosaic, all of them ``NODATA``. Raises RasterError with ``failure`` where none can be."""
+    """A GeoTIFF of cells of a mosaic, empty: with SPARSE_OK they are ``NODATA`` without being written.
+
+    Raises RasterError with ``failure`` where none can be made.
+    """
     columns, rows = -(-mosaic.columns // cell_px), -(-mosaic.rows // cell_px)
     kind, options = gdal.GDT_Float32, ["TILED=YES", "BIGTIFF=IF_SAFER", *options]
     dataset = gdal_call(
@@ -140,5 +143,4 @@ def created_cells(
             band = dataset.GetRasterBand(number)
             band.SetDescription(name)
             band.SetNoDataValue(NODATA)
-            band.Fill(NODATA)
     return dataset

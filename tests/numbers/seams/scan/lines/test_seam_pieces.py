@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import pickle
 import time
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -172,6 +173,17 @@ def test_stretches_much_longer_than_a_block_are_found() -> None:
     number, distance = PieceIndex(pieces, GRID).nearest(np.array([3000.0, 3000]), np.array([2250.0, 2350]), 500)
     assert number.tolist() == [0, 0]
     np.testing.assert_allclose(distance, [0, 80], atol=0.1)
+
+
+def test_a_stretch_that_runs_far_beyond_costs_what_is_near_alone() -> None:
+    """As one does where the file says that its pixels are millionths of a metre."""
+    index = PieceIndex([seam((0, 100), (5e6, 200))], GRID)
+    tracemalloc.start()
+    number, distance = index.nearest(np.array([3000.0, 3000, 3000]), np.array([400.0, 480, 1000]), 500)
+    assert tracemalloc.get_traced_memory()[1] < 10e6
+    tracemalloc.stop()
+    assert number.tolist() == [0, 0, -1]
+    np.testing.assert_allclose(distance[:2], [0.06, 79.94], atol=0.01)
 
 
 def test_an_index_without_pieces_finds_none() -> None:

@@ -1,6 +1,7 @@
 """The picture of losses: what its pixels say, and the file."""
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -164,6 +165,16 @@ def test_a_band_of_which_nothing_is_known_has_no_statistics(tmp_path: Path, mosa
         raster.close([])
     dataset = gdal.Open(str(tmp_path / "loss.tif"))
     assert (dataset.ReadAsArray() == NODATA).all()
+
+
+def test_what_is_not_measured_takes_neither_time_nor_room(tmp_path: Path, mosaic: Raster) -> None:
+    huge = replace(mosaic, columns=10**6, rows=10**6)
+    with loss_raster(str(tmp_path / "loss.tif"), huge, 256):
+        pass
+    dataset = gdal.Open(str(tmp_path / "loss.tif"))
+    assert dataset.RasterXSize == dataset.RasterYSize == 3907
+    assert (tmp_path / "loss.tif").stat().st_size < 100_000
+    assert (dataset.ReadAsArray(2000, 2000, 9, 9) == NODATA).all()
 
 
 def test_a_picture_that_was_not_finished_is_not_there(tmp_path: Path, mosaic: Raster) -> None:
