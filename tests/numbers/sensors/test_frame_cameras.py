@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -167,6 +168,7 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"camera.yaml": "a: [1"}, "no interior orientation"),
     ({"camera.yaml": "[1, 2]"}, "no interior orientation"),
     ({"camera.yaml": "!!python/object/apply:os.system ['true']"}, "no interior orientation"),
+    ({"camera.yaml": re.sub("sensor_size: .*", "sensor_size: [0, 0]", YAML)}, "no interior orientation"),
     ({"camera.yaml": YAML.replace("60\n  sensor", "-1\n  sensor")}, "no interior orientation"),
     ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "[60, 80]\n  focal")}, "another shape"),
     ({"camera.yaml": YAML + "  k6: 0.2\n"}, "distortion that is not known"),

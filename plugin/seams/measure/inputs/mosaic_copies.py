@@ -173,10 +173,12 @@ def _differences(bands: np.ndarray, valid: np.ndarray) -> np.ndarray:
 
 
 def covered_share(first: Extent, second: Extent) -> float:
-    """What a second rectangle has of the first, as a share of that."""
+    """What a second rectangle has of the first, as a share of that; 0 where that has no area, as where its pixels are
+    smaller than coordinates can tell apart."""
     width = min(first[2], second[2]) - max(first[0], second[0])
     height = min(first[3], second[3]) - max(first[1], second[1])
-    return max(width, 0.0) * max(height, 0.0) / ((first[2] - first[0]) * (first[3] - first[1]))
+    area = (first[2] - first[0]) * (first[3] - first[1])
+    return max(width, 0.0) * max(height, 0.0) / area if area > 0 else 0.0
 
 
 def _same_place(first: Extent, second: Extent, tolerance: float) -> bool:

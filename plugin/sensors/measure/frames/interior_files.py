@@ -79,7 +79,8 @@ def _orthority(content: bytes, path: Path, camera: str) -> tuple[FrameInterior, 
     size = np.array(values["im_size"], float)
     sensor = values.get("sensor_size")
     # Without a sensor's size the focal length is one of sensor widths.
-    focal = np.array(values["focal_len"], float) * (size / np.array(sensor, float) if sensor else size[0])
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # what is not finite is refused
+        focal = np.array(values["focal_len"], float) * (size / np.array(sensor, float) if sensor else size[0])
     offset = np.array([values.get("cx") or 0.0, values.get("cy") or 0.0], float)
     principal = size / 2 + offset * size.max()
     radial, tangential = (np.array([values.get(key) or 0.0 for key in keys], float) for keys in (_RADIAL, _TANGENTIAL))

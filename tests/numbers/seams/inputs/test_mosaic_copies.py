@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery import raster_pool
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.inputs import messages
-from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import leave_out_copies
+from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import covered_share, leave_out_copies
 from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources
 
 from tests.numbers.conftest import MakeRaster
@@ -156,3 +156,9 @@ def test_brighton_and_copies_of_it(data_folder: Path, tmp_path: Path, name: str)
         "nearest.tif": messages.OVERVIEW_AMONG_SOURCES.template,
         "jpeg.tif": messages.COPY_AMONG_SOURCES.template,
     }
+
+
+def test_a_rectangle_without_area_is_covered_by_nothing() -> None:
+    """As that of a mosaic whose pixels are smaller than its coordinates can tell apart."""
+    assert covered_share((5.0, 5.0, 5.0, 6.0), (0.0, 0.0, 10.0, 10.0)) == 0
+    assert covered_share((0.0, 0.0, 10.0, 10.0), (5.0, 0.0, 15.0, 10.0)) == pytest.approx(0.5)
