@@ -14,7 +14,7 @@ from pathlib import Path
 
 from . import reading
 from .desktop import REPOSITORY, play, why_not
-from .screenshot import shrink
+from .screenshot import as_jpeg
 
 SCENARIO = REPOSITORY / "tests" / "desktop" / "scenarios" / "first_inspection.py"
 SCREEN = "1300x920"
@@ -36,7 +36,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         run = play(SCENARIO, Path(folder), parameters, seconds=900, screen=SCREEN)
     for picture in run.report.get("screenshots", []):
-        shrink(Path(picture))
+        as_jpeg(Path(picture))
     if run.status != "passed":
         print(f"Not all steps could be played: {run.status.strip().splitlines()[-1]}")
         return 1

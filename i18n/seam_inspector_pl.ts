@@ -599,7 +599,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="44"/>
+        <location filename="../plugin/seams/window_summary.py" line="45"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -2189,11 +2189,6 @@
         <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany korelacją krzyżową i mierzony z podpikselową dokładnością jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="53"/>
-        <source>Root mean square of the residuals (um)</source>
-        <translation>Średnia kwadratowa odchyłek (µm)</translation>
-    </message>
-    <message>
         <location filename="../plugin/photos/algorithms/interiororientation.py" line="54"/>
         <source>Marks measured or given</source>
         <translation>Znaczki zmierzone lub podane</translation>
@@ -2202,11 +2197,6 @@
         <location filename="../plugin/photos/algorithms/interiororientation.py" line="55"/>
         <source>Marks that failed</source>
         <translation>Znaczki odrzucone</translation>
-    </message>
-    <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="127"/>
-        <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um.</source>
-        <translation>{marks} {marks:znaczek|znaczki|znaczków}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
         <location filename="../plugin/photos/algorithms/photo_parameters.py" line="53"/>
@@ -2754,11 +2744,6 @@
         <translation>Drugi pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="79"/>
-        <source>Pixel size (um)</source>
-        <translation>Wielkość piksela (µm)</translation>
-    </message>
-    <message>
         <location filename="../plugin/photos/algorithms/comparemarks.py" line="82"/>
         <source>Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
@@ -3004,22 +2989,17 @@
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
-        <source>The rules in {name} are no JSON (line {line}: {error}); mend the file.</source>
-        <translation>Reguły w pliku {name} nie są poprawnym JSON (wiersz {line}: {error}); popraw plik.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="122"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -3029,17 +3009,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="124"/>
+        <location filename="../plugin/imagery/messages.py" line="125"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="125"/>
+        <location filename="../plugin/imagery/messages.py" line="126"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="126"/>
+        <location filename="../plugin/imagery/messages.py" line="127"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -4081,14 +4061,6 @@
         <translation>y, mm</translation>
     </message>
     <message>
-        <source>Residual x, um</source>
-        <translation>Odchyłka x, µm</translation>
-    </message>
-    <message>
-        <source>Residual y, um</source>
-        <translation>Odchyłka y, µm</translation>
-    </message>
-    <message>
         <source>Correlation</source>
         <translation>Korelacja</translation>
     </message>
@@ -4543,52 +4515,52 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="58"/>
+        <location filename="../plugin/seams/window_summary.py" line="59"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="60"/>
+        <location filename="../plugin/seams/window_summary.py" line="61"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="64"/>
+        <location filename="../plugin/seams/window_summary.py" line="65"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="66"/>
+        <location filename="../plugin/seams/window_summary.py" line="67"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="67"/>
+        <location filename="../plugin/seams/window_summary.py" line="68"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="70"/>
+        <location filename="../plugin/seams/window_summary.py" line="71"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="72"/>
+        <location filename="../plugin/seams/window_summary.py" line="73"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="74"/>
+        <location filename="../plugin/seams/window_summary.py" line="75"/>
         <source>the sources lie {length} px apart</source>
         <translation>ortoobrazy są od siebie odsunięte o {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="77"/>
+        <location filename="../plugin/seams/window_summary.py" line="78"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="79"/>
+        <location filename="../plugin/seams/window_summary.py" line="80"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
@@ -4598,22 +4570,22 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="94"/>
+        <location filename="../plugin/seams/window_summary.py" line="95"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="96"/>
+        <location filename="../plugin/seams/window_summary.py" line="97"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="98"/>
+        <location filename="../plugin/seams/window_summary.py" line="99"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="100"/>
+        <location filename="../plugin/seams/window_summary.py" line="101"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
@@ -5010,47 +4982,47 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="112"/>
+        <location filename="../plugin/seams/window_summary.py" line="128"/>
         <source>There is no seam in the window to be judged.</source>
         <translation>W oknie nie ma linii mozaikowania, którą można by ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="114"/>
+        <location filename="../plugin/seams/window_summary.py" line="110"/>
         <source>The window has {percent} % of the sharpness of its sources.</source>
         <translation>Okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="120"/>
+        <location filename="../plugin/seams/window_summary.py" line="134"/>
         <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="124"/>
+        <location filename="../plugin/seams/window_summary.py" line="138"/>
         <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="128"/>
+        <location filename="../plugin/seams/window_summary.py" line="142"/>
         <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="142"/>
+        <location filename="../plugin/seams/window_summary.py" line="156"/>
         <source>{percent} % of the pixels are from none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pochodzi z żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="192"/>
+        <location filename="../plugin/seams/window_summary.py" line="206"/>
         <source>; the rest is as sharp as its sources.</source>
         <translation>; reszta jest tak ostra jak ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="193"/>
+        <location filename="../plugin/seams/window_summary.py" line="207"/>
         <source>; the whole window has {percent} % of the sharpness of its sources.</source>
         <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="204"/>
+        <location filename="../plugin/seams/window_summary.py" line="218"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -6113,22 +6085,22 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="162"/>
+        <location filename="../plugin/seams/window_summary.py" line="176"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="165"/>
+        <location filename="../plugin/seams/window_summary.py" line="179"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="173"/>
+        <location filename="../plugin/seams/window_summary.py" line="187"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="177"/>
+        <location filename="../plugin/seams/window_summary.py" line="191"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -7340,17 +7312,17 @@
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="130"/>
+        <location filename="../plugin/seams/window_summary.py" line="144"/>
         <source>Along the seam no loss can be told from chance: {kept} % of the finest detail is left ({low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania straty nie da się odróżnić od przypadku: zostało {kept} % najdrobniejszych detali (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="168"/>
+        <location filename="../plugin/seams/window_summary.py" line="182"/>
         <source>it takes detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="170"/>
+        <location filename="../plugin/seams/window_summary.py" line="184"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
@@ -7360,7 +7332,7 @@
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="133"/>
+        <location filename="../plugin/seams/window_summary.py" line="147"/>
         <source>The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
     </message>
@@ -8150,27 +8122,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>{name} says &apos;{key}&apos; twice in one object; leave one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="120"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="121"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="122"/>
+        <location filename="../plugin/imagery/messages.py" line="123"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="123"/>
+        <location filename="../plugin/imagery/messages.py" line="124"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -8795,17 +8767,17 @@
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="108"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="109"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="113"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="116"/>
         <source>at least {kept:g} kept, sampled at level {level}, AQL {aql}</source>
         <translation>zachowane co najmniej {kept:g}, próba na poziomie {level}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
         <source>at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break</source>
         <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
     </message>
@@ -10295,11 +10267,6 @@
         <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone. Znaczek odległy o więcej niż jedną tysięczną ramki jest odrzucany tak samo jak zmierzony.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="128"/>
-        <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in um, correlation, status, reason and the photo&apos;s name.</source>
-        <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
-    </message>
-    <message>
         <location filename="../plugin/photos/algorithms/photo_parameters.py" line="147"/>
         <source>MicMac measurement</source>
         <translation>Pomiar MicMac</translation>
@@ -11001,6 +10968,54 @@
         <location filename="../plugin/toolkit/messages.py" line="19"/>
         <source>&apos;{parameter}&apos; is {value}, which is no coordinate reference system; choose one.</source>
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="108"/>
+        <source>the plugin&apos;s standard ({parameter})</source>
+        <translation>standard wtyczki ({parameter})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
+        <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
+        <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/comparemarks.py" line="79"/>
+        <source>Pixel size (µm)</source>
+        <translation>Wielkość piksela (µm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="53"/>
+        <source>Root mean square of the residuals (µm)</source>
+        <translation>Średnia kwadratowa odchyłek (µm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/interiororientation.py" line="127"/>
+        <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm.</source>
+        <translation>{marks} {marks:znaczek|znaczki|znaczków}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="128"/>
+        <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in µm, correlation, status, reason and the photo&apos;s name.</source>
+        <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="114"/>
+        <source>That leaves {left} % of its detail; as within a wide feather, no source wins clearly in much of the window, so it is held against the seams&apos; limit.</source>
+        <translation>Zostaje w nim {left} % detali; jak w szerokim wtapianiu, w znacznej części okna żaden ortoobraz nie przeważa, więc obowiązuje próg dla linii mozaikowania.</translation>
+    </message>
+    <message>
+        <source>Residual x, µm</source>
+        <translation>Odchyłka x, µm</translation>
+    </message>
+    <message>
+        <source>Residual y, µm</source>
+        <translation>Odchyłka y, µm</translation>
     </message>
 </context>
 </TS>

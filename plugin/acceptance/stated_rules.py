@@ -105,7 +105,10 @@ def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
         return float(str(given[name]))
 
     def source(name: str) -> str:
-        return filled(tr("stated for this decision ({parameter})"), parameter=name)
+        text = tr("the plugin's standard ({parameter})") if given[name] == DEFAULTS[name] else tr(
+            "stated for this decision ({parameter})"
+        )
+        return filled(text, parameter=name)
 
     kept, measured = limit(MIN_KEPT), AcceptanceRule(MEASURED_SHARE, limit(MIN_MEASURED) / 100, source(MIN_MEASURED))
     if given[PLAN] == ISO2859:

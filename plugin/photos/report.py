@@ -73,7 +73,7 @@ def _figures(made: PhotoOrientation) -> list[tuple[str, str]]:
     )  # fmt: skip
     figures = [(str(made.count(status)), name) for status, name in words]
     if made.fitted is not None and made.fitted.redundancy:
-        rms = filled("{rms:.1f} um", rms=made.fitted.rms)
+        rms = filled("{rms:.1f} µm", rms=made.fitted.rms)
         figures.insert(0, (rms, tr("root mean square of the residuals")))
     return figures
 
@@ -108,7 +108,7 @@ def _scan(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, str]]:
     values = orientation_parameters(job.photo, job.calibration, made)
     camera = job.calibration
     facts = [
-        (tr("pixel size"), filled("{x:.3f} x {y:.3f} um", **values.pixel_size_um)),
+        (tr("pixel size"), filled("{x:.3f} x {y:.3f} µm", **values.pixel_size_um)),
         (tr("rotation"), filled("{angle:.3f} deg", angle=values.rotation_deg)),
         (tr("shear"), filled("{angle:.4f} deg", angle=values.shear_deg)),
         (tr("principal point"), filled("{column:.2f}, {row:.2f} px", **values.principal_point_px)),

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ..toolkit.translation import filled, percent, shown_number, tr
 from .cause_words import cause_clause, causes_words, judged_change
 from .judged_value import judged_kept
+from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED
 from .measure.window_records import SEAM
 from .verdict_words import verdict_sentence, verdict_word
 
@@ -102,6 +103,21 @@ def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
+def _as_a_whole(row: WindowRecord) -> list[str]:
+    """How sharp the window is, and by which limit that was judged."""
+    if row.sharpness is None:
+        return []
+    said = [filled(tr("The window has {percent} % of the sharpness of its sources."), percent=percent(row.sharpness))]
+    left = row.sharpness**2
+    if row.verdict == "significant" and left > MAX_SIGNIFICANT_SHARPNESS_SQUARED:
+        text = tr(
+            "That leaves {left} % of its detail; as within a wide feather, no source wins clearly in much of the "
+            "window, so it is held against the seams' limit."
+        )
+        said.append(filled(text, left=percent(left)))
+    return said
+
+
 def _along_the_seam(row: WindowRecord) -> list[str]:
     """What is kept beside the seam and in the whole, and what could not be compared."""
     said = []
@@ -110,9 +126,7 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
     if kept is None or low is None or high is None or is_whole:
         if not is_whole:
             said.append(row.reason or tr("There is no seam in the window to be judged."))
-        if row.sharpness is not None:
-            text = tr("The window has {percent} % of the sharpness of its sources.")
-            said.append(filled(text, percent=percent(row.sharpness)))
+        said += _as_a_whole(row)
     elif high < 1:
         values = {"lost": percent(1 - kept), "least": percent(1 - high), "most": percent(1 - low)}
         if row.band_width:

@@ -95,13 +95,14 @@ def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made])
     """
     try:
         text = document_bytes(path).decode("utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        why = getattr(error, "strerror", None) or "no UTF-8 text"
-        raise SettingsError(messages.RULES_NOT_READABLE(name=path.name, error=why)) from None
+    except UnicodeDecodeError:
+        raise SettingsError(messages.RULES_NOT_TEXT(name=path.name)) from None
+    except OSError as error:
+        raise SettingsError(messages.RULES_NOT_READABLE(name=path.name, error=error.strerror or error)) from None
     try:
         content = json_document(text, lambda pairs: _object(path.name, pairs))
     except json.JSONDecodeError as error:
-        raise SettingsError(messages.RULES_NOT_JSON(name=path.name, line=error.lineno, error=error.msg)) from None
+        raise SettingsError(messages.RULES_NOT_JSON(name=path.name, line=error.lineno)) from None
     rules = content.get("rules") if isinstance(content, dict) else None
     if not isinstance(rules, list) or not rules or not all(isinstance(rule, dict) for rule in rules):
         raise SettingsError(messages.RULES_NO_OBJECT(name=path.name))

@@ -76,7 +76,7 @@ class CompareMarks(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             QgsProcessingParameterNumber(
-                PIXEL_SIZE, tr("Pixel size (um)"), QgsProcessingParameterNumber.Type.Double, optional=True,
+                PIXEL_SIZE, tr("Pixel size (µm)"), QgsProcessingParameterNumber.Type.Double, optional=True,
                 minValue=0.001,
             ),
             tr("Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them."),

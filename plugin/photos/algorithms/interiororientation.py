@@ -50,7 +50,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         for definition, description in photo_parameters.output_parameters():
             self.addDescribed(definition, description)
         self.addNumbers({
-            RMS_UM: tr("Root mean square of the residuals (um)"),
+            RMS_UM: tr("Root mean square of the residuals (µm)"),
             MARKS: tr("Marks measured or given"),
             FAILED: tr("Marks that failed"),
         })
@@ -124,7 +124,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
                 run.tell(imagery_messages.ABOUT(what=mark.name, why=mark.reason).as_warning())
         if made.fitted is not None:
             run.inform(
-                filled(tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} um."),
+                filled(tr("{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm."),
                     marks=made.fitted.marks, rms=made.fitted.rms,
                     model=sentence(messages.WORDS[made.fitted.to_mm.model.value]),
                 )

@@ -126,7 +126,7 @@ def output_parameters() -> list[Described]:
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Marks"), point),
             tr(
                 "A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, "
-                "residuals in um, correlation, status, reason and the photo's name."
+                "residuals in µm, correlation, status, reason and the photo's name."
             ),
         ),
         (

@@ -78,7 +78,7 @@ def test_a_rule_and_its_range(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        ("{", r"no JSON \(line 1"),
+        ("{", r"no JSON \(see line 1"),
         ("[]", "holds no rules"),
         ({"rules": []}, "holds no rules"),
         ({"rules": ["contrast"]}, "holds no rules"),
@@ -115,6 +115,6 @@ def test_a_wrong_file_is_refused_in_one_sentence(tmp_path: Path, content: Any, w
 
 def test_files_that_are_not_there_or_no_text(tmp_path: Path) -> None:
     (tmp_path / "binary.json").write_bytes(b"\xff\xfe\x00")
-    for name, words in (("none.json", "No such file"), ("binary.json", "no UTF-8 text")):
+    for name, words in (("none.json", "No such file"), ("binary.json", "no text in UTF-8")):
         with pytest.raises(SettingsError, match=words):
             load_rules(tmp_path / name)

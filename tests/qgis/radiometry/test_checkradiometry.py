@@ -170,7 +170,7 @@ def test_a_bad_raster_is_named_and_the_others_are_checked(mosaics: list[str], tm
     [
         ({"RASTERS": []}, "No rasters are given"),
         ({"RASTERS": ["/nowhere/a.tif"]}, "None of the rasters can be used: a.tif is left out"),
-        ({"RULES": "broken"}, r"The rules in broken.json are no JSON \(line 1"),
+        ({"RULES": "broken"}, r"The rules in broken.json are no JSON \(see line 1"),
         ({"RULES": "/nowhere/rules.json"}, "The rules in rules.json can't be read"),
         ({"WINDOWS": []}, "The window layer is empty"),
         ({"WINDOWS": [(9000, 0, 128, 128)]}, "Window 1 lies on none of the rasters"),

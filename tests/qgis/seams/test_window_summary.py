@@ -180,7 +180,9 @@ def test_numbers_that_say_nothing_are_left_out(qgis_app: QgsApplication) -> None
         ),
         (
             {"kept": (1.04,), "kept_low": 0.99, "kept_high": 1.1, "band_width": 0.0, "sharpness": 0.79},
-            "Significant loss. The window has 79 % of the sharpness of its sources. Images are feathered.",
+            ("Significant loss. The window has 79 % of the sharpness of its sources. That leaves 62 % of its detail; "
+             "as within a wide feather, no source wins clearly in much of the window, so it is held against the seams' "
+             "limit. Images are feathered."),
         ),
         (
             {"verdict": "reduced", "kept": (None,), "kept_low": None, "kept_high": None, "band_width": None,
