@@ -158,9 +158,15 @@ def _is_same(layer: QgsVectorLayer, other: QgsVectorLayer) -> bool:
     return not in_memory and (layer.source(), layer.subsetString()) == (other.source(), other.subsetString())
 
 
+def _name(layer: QgsVectorLayer) -> str:
+    """Of a file whose name has dots all but its ending, where QGIS ends at the first one."""
+    name, file = layer.name(), Path(layers.layer_path(layer))
+    return file.stem if name and name == file.name.split(".")[0] else name
+
+
 def _names(found: Sequence[QgsVectorLayer]) -> list[str]:
     """Names of layers; those of one name are told apart by their folder, else by a number."""
-    names = [layer.name() for layer in found]
+    names = [_name(layer) for layer in found]
     counts = Counter(names)
     folders = [Path(layers.layer_path(layer)).parent.name if layers.layer_path(layer) else "" for layer in found]
     names = [f"{folder}/{name}" if counts[name] > 1 and folder else name for name, folder in zip(names, folders)]

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
+from ..imagery.documents.printable import in_sentence
 from ..toolkit.band_titles import band_title
 from ..toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
 from .measure import rules as checks
@@ -43,7 +44,7 @@ def band_words(band: str) -> str:
 
 def title(result: Assessment) -> str:
     """The image, and the window where it is not all of it."""
-    name = result.image.ref.name
+    name = in_sentence(result.image.ref.name)
     if result.window_id is None:
         return name
     return filled(tr("{name}, window {window}"), name=name, window=result.window_id)

@@ -36,6 +36,13 @@ def test_percent_is_no_share() -> None:
     assert_refused("acceptmosaic", "kept_1 in s is 50 in the middle.* write 86 % as 0.86", SEAMS=[given])
 
 
+def test_a_sheet_has_the_whole_name_of_its_file(tmp_path: Path) -> None:
+    """Sheets of maps are numbered with dots."""
+    whole, spoilt = [file(seams([kept] * 3, y=50 * place), tmp_path / f"6.131.{place}.gpkg")
+                     for place, kept in enumerate((P, 86.0))]  # fmt: skip
+    assert_refused("acceptmosaic", "kept_1 in 6.131.1 is 86", SEAMS=[whole, spoilt])
+
+
 def test_shares_that_can_not_be_are_told() -> None:
     outcome = decide(pieces(kept_1=("double", [-1.0, 7.5] + [P] * 8)))
     assert warned(outcome, "kept_1 of 1 pieces of s is below 0")

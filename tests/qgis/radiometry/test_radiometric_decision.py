@@ -61,6 +61,14 @@ def test_one_bad_sheet_rejects_and_is_named(sheets: dict[str, str], tmp_path: Pa
     assert 'class="decision bad"' in page
 
 
+def test_a_name_that_turns_or_breaks_lines_is_made_plain(tmp_path: Path) -> None:
+    turned = write_raster(tmp_path / "flat\u202egnp\nW: made up.tif", ground(128, 128, 128, sigma=10))
+    word, why, log = decided([turned])
+    assert word == "rejected"
+    assert "flat\ufffdgnp W: made up.tif" in why
+    assert not any(mark in said for mark in ("\u202e", "\n") for said in (why, *log.infos, *log.warnings))
+
+
 def test_the_stricter_rules_leave_it_open_without_grey_areas(sheets: dict[str, str]) -> None:
     word, why, _ = decided([sheets["good"]], READY_RULES="jrc_lpis_each_band")
     assert (word, why) == ("undecided", "Not measurable and required: colour balance; in good.tif.")
@@ -157,4 +165,4 @@ def test_rules_of_ones_own_count_before_the_ready_ones(sheets: dict[str, str], t
         {"check": "contrast", "band": "nir", "most": 1, "source": "contract 4"},
     ]}))
     word, why, _ = decided([sheets["good"]], RULES=str(rules), READY_RULES="jrc_lpis")
-    assert (word, why) == ("undecided", "Not measurable and required: contrast (nir); in good.tif.")
+    assert (word, why) == ("undecided", "Not measurable and required: contrast (near infrared); in good.tif.")
