@@ -11007,7 +11007,7 @@
     <message>
         <location filename="../plugin/seams/window_summary.py" line="114"/>
         <source>That leaves {left} % of its detail; as within a wide feather, no source wins clearly in much of the window, so it is held against the seams&apos; limit.</source>
-        <translation>Zostaje w nim {left} % detali; jak w szerokim wtapianiu, w znacznej części okna żaden ortoobraz nie przeważa, więc obowiązuje próg dla linii mozaikowania.</translation>
+        <translation>Zostaje w nim {left} % detali; jak w szerokim wtapianiu, w znacznej części okna żaden ortoobraz nie przeważa, więc obowiązuje próg dla linii mozaikowania.</translation>
     </message>
     <message>
         <source>Residual x, µm</source>
