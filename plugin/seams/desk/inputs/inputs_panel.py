@@ -214,7 +214,7 @@ class InputsPanel(QWidget):
             self._fitted = inputs.side_m, fitting
             self._session.set_inputs(replace(inputs, side_m=fitting))
 
-    def _show_side(self) -> None:
+    def _show_side(self, *_: object) -> None:
         """What becomes of the side: pixels, and the metres that these span; and what it was changed from."""
         inputs, grid = self._session.inputs, self._session.mosaic_grid()
         text = tip = ""
@@ -235,7 +235,7 @@ class InputsPanel(QWidget):
                 "{asked:.1f} m is too large for this mosaic")
             note = filled(note, asked=asked)
         self.side_note.setText(note)
-        self.side_note.setVisible(bool(note))
+        self.side_note.setVisible(bool(note) and not self.box.isCollapsed())  # else it lies on the folded box's title
 
     def _table_fields(self) -> None:
         self.box = SummaryBox(self)
@@ -266,6 +266,7 @@ class InputsPanel(QWidget):
         self.doubts.setVisible(False)
         self.more = MoreBox(self.box)
         self.box.foldedByHand.connect(self._folded_by_hand)
+        self.box.collapsedStateChanged.connect(self._show_side)
         self.mosaic.chosen.connect(self.suggesting.choose_mosaic)
         self.sources.changed.connect(partial(self._chosen.emit, "sources"))
         self.sources.suggestionWanted.connect(self.suggesting.take_suggested)

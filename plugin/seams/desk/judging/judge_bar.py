@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
     from ..session import Session
 
-_LINES, _HIGH_LINES = (2, 3), (3, 5)  # of the sentence, and where the dock is high
+_LINES, _HIGH_LINES = (2, 3), (3, 6)  # of the sentence, and where the dock is high
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 _TENTHS = {key: 10 * digit or 100 for digit, key in enumerate(range(Qt.Key.Key_0, Qt.Key.Key_9 + 1))}
 

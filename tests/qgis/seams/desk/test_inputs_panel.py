@@ -319,6 +319,10 @@ def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(
     assert desk.panel.side.value() == pytest.approx(becomes)
     assert desk.panel.side_px.text() == shown
     assert desk.panel.side_note.text() == note
+    desk.panel.show()
+    for folded in (False, True, False):
+        desk.panel.box.fold(folded)
+        assert desk.panel.side_note.isVisibleTo(desk.panel.box) == (bool(note) and not folded)
 
 
 def test_stays_open_and_says_what_is_missing_until_all_is_set(desk: Desk) -> None:
