@@ -16,7 +16,6 @@ from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.greatest_loss import greatest_loss
 from seam_inspector.plugin.seams.measure.window_records import PairRecord, contrast_of
-from seam_inspector.plugin.seams.report.map_sketch import Box, Sketch, SketchBackground, SketchShape, map_sketch
 
 from tests.numbers.synthetic import ORIGIN, orthoimage, texture
 
@@ -56,68 +55,6 @@ def test_the_part_lies_inside(rows: int, columns: int, side: int, with_source: b
     row, column = greatest_loss(mosaic, [source] if with_source else [], side)
     assert 0 <= row <= rows - side
     assert 0 <= column <= columns - side
-
-
-# --- the map sketch --------------------------------------------------------------------------------------------
-
-
-def shape(x: float, y: float, label: str = "1", side: float = 100) -> SketchShape:
-    return SketchShape((x, y, x + side, y + side), "#d55e00", label, "")
-
-
-def boxes(sketch: Sketch) -> list[Box]:
-    """Left, top, width and height in mm of the shapes, in the order they are drawn."""
-    return [box for box, _ in sketch.shapes]
-
-
-def millimetres_per_metre(sketch: Sketch) -> float:
-    """By the scale bar."""
-    number, unit = sketch.bar_words.split()
-    return sketch.bar / (float(number) * {"km": 1000, "m": 1}[unit])
-
-
-@pytest.mark.parametrize(
-    ("step", "metres"), [(1000.0, (1.0, 1.0)), (0.01, (78000.0, 111000.0)), (2e5, (0.3048, 0.3048))]
-)
-def test_the_sketch_is_to_scale_and_north_is_up(step: float, metres: tuple[float, float]) -> None:
-    side = step / 4
-    sketch = map_sketch([shape(0, 0, "sw", side), shape(step, 2 * step, "ne", side)], *metres)
-    south_west, north_east = boxes(sketch)
-    scale = millimetres_per_metre(sketch)
-    assert north_east[0] - south_west[0] == pytest.approx(step * metres[0] * scale, rel=0.01)
-    assert south_west[1] - north_east[1] == pytest.approx(2 * step * metres[1] * scale, rel=0.01)
-    assert south_west[2:] == pytest.approx((side * metres[0] * scale, side * metres[1] * scale), rel=0.01)
-    assert sketch.width <= 170.01
-    assert sketch.height + sketch.strip <= 132
-
-
-def test_tiny_windows_are_seen_and_labels_do_not_cover_each_other() -> None:
-    sketch = map_sketch([shape(20 * i, 0, str(i)) for i in range(200)] + [shape(5e4, 4e4, "far")])
-    assert min(min(box[2:]) for box in boxes(sketch)) >= 1.59
-    labels = [words for _, _, words in sketch.labels]
-    assert 0 < len(labels) < 20
-    assert "far" in labels
-
-
-def test_one_tall_window_leaves_room_for_the_scale() -> None:
-    sketch = map_sketch([SketchShape((0, 0, 10, 5000), "#000", "1", "")])
-    assert sketch.width == 60
-    (box,) = boxes(sketch)
-    assert box[0] + box[2] / 2 == pytest.approx(30)
-    assert millimetres_per_metre(sketch) == pytest.approx(box[3] / 5000, rel=0.02)
-
-
-def test_the_background_lies_where_its_pixels_do() -> None:
-    shapes = [shape(0, 0), shape(900, 900)]
-    background = SketchBackground(b"jpeg", (0, 0, 1000, 500))
-    sketch = map_sketch(shapes, background=background)
-    assert sketch.background is not None
-    (x, y, width, height), jpeg = sketch.background
-    assert jpeg == b"jpeg"
-    first, last = boxes(sketch)
-    assert (x, y + height) == pytest.approx((first[0], first[1] + first[3]), abs=0.02)
-    assert x + width == pytest.approx(last[0] + last[2], abs=0.02)
-    assert width == pytest.approx(2 * height, abs=0.02)
 
 
 # --- the overview ----------------------------------------------------------------------------------------------
