@@ -10951,8 +10951,8 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/judge_bar.py" line="256"/>
-        <source>The key S takes the seamlines off the map, and puts them back.</source>
-        <translation>Klawisz S ukrywa linie mozaikowania na mapie i pokazuje je znowu.</translation>
+        <source>The key S takes the seamlines and a scan&apos;s layers off the map, and puts them back.</source>
+        <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging/judging_progress.py" line="38"/>

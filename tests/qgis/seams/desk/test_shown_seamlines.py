@@ -15,7 +15,7 @@ def test_seamlines_go_and_come_back(project: QgsProject) -> None:
     for one in (seams, other):
         project.addMapLayer(one, False)
         group.addLayer(one)
-    session = SimpleNamespace(inputs=SimpleNamespace(seamlines=seams.id()))
+    session = SimpleNamespace(inputs=SimpleNamespace(seamlines=seams.id(), mosaic=""))
     node, beside = (project.layerTreeRoot().findLayer(one.id()) for one in (seams, other))
     assert toggle_seamlines(session)  # type: ignore[arg-type]
     assert (node.isVisible(), beside.isVisible()) == (False, True)
@@ -27,4 +27,21 @@ def test_seamlines_go_and_come_back(project: QgsProject) -> None:
 
 
 def test_without_seamlines_the_key_is_somebody_else_s(project: QgsProject) -> None:
-    assert not toggle_seamlines(SimpleNamespace(inputs=SimpleNamespace(seamlines="")))  # type: ignore[arg-type]
+    assert not toggle_seamlines(SimpleNamespace(inputs=SimpleNamespace(seamlines="", mosaic="")))  # type: ignore[arg-type]
+
+
+def test_what_a_scan_found_goes_with_them(project: QgsProject) -> None:
+    """Its squares and lines tell the eye what to find."""
+    worst, windows = (layer("Polygon", []) for _ in range(2))
+    worst.setCustomProperty("seam_inspector/mosaic", "the mosaic")
+    group = project.layerTreeRoot().addGroup("scan")
+    project.addMapLayer(worst, False)
+    group.addLayer(worst).setItemVisibilityChecked(False)
+    project.addMapLayer(windows)
+    session = SimpleNamespace(inputs=SimpleNamespace(seamlines="", mosaic="the mosaic"))
+    assert toggle_seamlines(session)  # type: ignore[arg-type]
+    assert not group.isVisible()
+    assert project.layerTreeRoot().findLayer(windows.id()).isVisible()
+    assert toggle_seamlines(session)  # type: ignore[arg-type]
+    assert group.isVisible()
+    assert not project.layerTreeRoot().findLayer(worst.id()).itemVisibilityChecked()
