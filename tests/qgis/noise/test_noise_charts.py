@@ -42,7 +42,7 @@ def test_the_rule_is_drawn_at_the_level_before() -> None:
     measured = measure_noise(orthoimage((128, 128), bands=1), ("band_1",))
     axes = new_figure(4, 3).subplots()
     draw_noise_clip(axes, measured)
-    levels = [line.get_ydata()[0] for line in axes.get_lines() if line.get_label() != "band_1"]
+    levels = [line.get_ydata()[0] for line in axes.get_lines() if line.get_label() != "band 1"]
     assert levels == pytest.approx(measured["band_1"].curve.detail[:-1])
 
 

@@ -201,7 +201,7 @@ def test_without_orthoimages_seamlines_are_enough(feathered: Files) -> None:
         ({"DENSITY": "some"}, "some is no density"),
         ({"WAVELET": "bior2.2"}, "not orthogonal"),
         ({"LOSS": "/nowhere/loss.tif"}, "choose another folder"),
-        ({"LOSS": "/tmp"}, "ending .tif"),
+        ({"LOSS": "/tmp"}, "/tmp can.t be written"),
         ({"SCHEDULER": "nowhere"}, "Dask"),
     ],
 )
