@@ -1,6 +1,6 @@
 """Render the help that comes with the plugin: resources/help/NAME.html of the algorithms and first steps.
 
-A machine without internet shows them as well as any: one file each, no script, no picture. Links among them stay
+A machine without internet shows them as well as any: no script, no picture, one help.css for all. Links among them stay
 among them, others lead to the guide at the homepage of metadata.txt.
 """
 from __future__ import annotations
@@ -29,31 +29,7 @@ PAGE = """\
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{title}</title>
-<style>
-:root {{ color-scheme: light dark; --ink: #1d2530; --soft: #5a6675; --paper: #fff; --shade: #f3f5f8; --line: #d8dee6;
-  --link: #1a5fb4; }}
-@media (prefers-color-scheme: dark) {{ :root {{ --ink: #e3e7ec; --soft: #a2adba; --paper: #1b1f24; --shade: #252b32;
-  --line: #3a424c; --link: #83b6f5; }} }}
-body {{ margin: 0 auto; max-width: 60rem; padding: 1rem 1.5rem 3rem; background: var(--paper); color: var(--ink);
-  font: 16px/1.55 "Open Sans", "Segoe UI", "Helvetica Neue", Arial, sans-serif; }}
-nav {{ color: var(--soft); font-size: .875rem; border-bottom: 1px solid var(--line); padding-bottom: .5rem; }}
-h1 {{ font-size: 1.75rem; line-height: 1.25; margin: 1.25rem 0 .5rem; }}
-h2 {{ font-size: 1.25rem; margin: 2rem 0 .5rem; }}
-h3 {{ font-size: 1rem; margin: 1.5rem 0 .25rem; }}
-a {{ color: var(--link); }}
-code {{ background: var(--shade); border-radius: 3px; font: .875em "DejaVu Sans Mono", Consolas, Menlo, monospace;
-  padding: .1em .25em; }}
-pre {{ background: var(--shade); border: 1px solid var(--line); border-radius: 4px; overflow-x: auto;
-  padding: .75rem 1rem; line-height: 1.4; }}
-pre code {{ background: none; padding: 0; }}
-div.table {{ overflow-x: auto; }}
-table {{ border-collapse: collapse; font-size: .875rem; line-height: 1.4; width: 100%; }}
-th, td {{ border-bottom: 1px solid var(--line); padding: .4rem .75rem .4rem 0; text-align: left; vertical-align: top; }}
-th {{ color: var(--soft); font-weight: 600; }}
-td:first-child {{ min-width: 9rem; }}
-td:first-child code {{ overflow-wrap: anywhere; }}
-@media print {{ nav {{ display: none; }} body {{ max-width: none; padding: 0; }} }}
-</style>
+<link rel="stylesheet" href="help.css">
 </head>
 <body>
 <nav>Seam Inspector {version}{trail} · <a href="{homepage}">more on the internet</a></nav>

@@ -79,7 +79,8 @@ def test_the_help_is_that_of_the_guide(repository: Path) -> None:
     """`make help-pages` renews it."""
     help_pages = tool(repository, "help_pages")
     pages = help_pages.sources()
-    assert sorted(path.name for path in help_pages.HELP.iterdir()) == sorted(f"{name}.html" for name in pages)
+    names = [*(f"{name}.html" for name in pages), "help.css"]
+    assert sorted(path.name for path in help_pages.HELP.iterdir()) == sorted(names)
     for name in pages:
         found = (help_pages.HELP / f"{name}.html").read_text("utf-8")
         assert found == help_pages.rendered(name, pages), f"{name}: {RENEW}"
