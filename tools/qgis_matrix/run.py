@@ -5,6 +5,7 @@ import argparse
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -84,6 +85,8 @@ class Row:
 def main() -> int:
     """Run everything; 1 where something failed."""
     wanted = _arguments()
+    for end in (signal.SIGTERM, signal.SIGHUP):  # as Ctrl+C does: what runs in a chroot ends, too
+        signal.signal(end, lambda number, _frame: sys.exit(128 + number))
     data = str(Path(os.environ.get("SEAM_INSPECTOR_DATA", REPOSITORY.parent / "shared" / "data")).resolve())
     OUTPUT.mkdir(parents=True, exist_ok=True)
     package, rows = make_package(REPOSITORY / "build"), []
