@@ -694,27 +694,27 @@
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="284"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -1609,11 +1609,6 @@
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="51"/>
-        <source>Red, green and blue on the image&apos;s own pixels, in its data type.</source>
-        <translation>Czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
-    </message>
-    <message>
         <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="28"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
@@ -2429,132 +2424,132 @@
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="61"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="63"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="252"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="254"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="66"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="68"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="68"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="70"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="71"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="73"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="72"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="74"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="75"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="77"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="76"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="78"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="81"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="83"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="82"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="85"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="87"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="85"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="87"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="85"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="87"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="88"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="90"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="109"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="111"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="111"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="113"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="111"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="113"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="113"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="115"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="113"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="115"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="114"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="116"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="118"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="120"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="119"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="121"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="120"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="122"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="258"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="260"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="258"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="260"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="260"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="262"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
@@ -4227,42 +4222,42 @@
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="18"/>
+        <location filename="../plugin/radiometry/words.py" line="19"/>
         <source>clipped at the dark end</source>
         <translation>obcięcie w cieniach</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="19"/>
+        <location filename="../plugin/radiometry/words.py" line="20"/>
         <source>clipped at the bright end</source>
         <translation>obcięcie w światłach</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="20"/>
+        <location filename="../plugin/radiometry/words.py" line="21"/>
         <source>histogram peak from mid-scale</source>
         <translation>odległość maksimum histogramu od środka skali</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="21"/>
+        <location filename="../plugin/radiometry/words.py" line="22"/>
         <source>contrast</source>
         <translation>kontrast</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="22"/>
+        <location filename="../plugin/radiometry/words.py" line="23"/>
         <source>signal to noise</source>
         <translation>stosunek sygnału do szumu</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="23"/>
+        <location filename="../plugin/radiometry/words.py" line="24"/>
         <source>colour balance</source>
         <translation>balans barw</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="24"/>
+        <location filename="../plugin/radiometry/words.py" line="25"/>
         <source>step at the seams</source>
         <translation>skok na liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="25"/>
+        <location filename="../plugin/radiometry/words.py" line="26"/>
         <source>contrast beside the seams</source>
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
@@ -4281,7 +4276,7 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="49"/>
+        <location filename="../plugin/radiometry/words.py" line="50"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
@@ -4307,7 +4302,7 @@
         <translation>Dostępny zakres: od {low:g} do {high:g} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="33"/>
+        <location filename="../plugin/radiometry/words.py" line="34"/>
         <source>between bands</source>
         <translation>między kanałami</translation>
     </message>
@@ -4321,7 +4316,7 @@
         <translation>wynik</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="65"/>
+        <location filename="../plugin/radiometry/words.py" line="66"/>
         <source>{least} to {most}</source>
         <translation>od {least} do {most}</translation>
     </message>
@@ -8032,52 +8027,47 @@
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="89"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="91"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="90"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="92"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="94"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="96"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="95"/>
-        <source>GeoTIFF files (*.tif *.TIF)</source>
-        <translation>Pliki GeoTIFF (*.tif *.TIF)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="96"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="98"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="100"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="102"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="101"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="103"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="104"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="121"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="123"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="122"/>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="124"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
@@ -8472,77 +8462,77 @@
         <translation>odrzucono</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="30"/>
+        <location filename="../plugin/radiometry/words.py" line="31"/>
         <source>undecided</source>
         <translation>nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="34"/>
+        <location filename="../plugin/radiometry/words.py" line="35"/>
         <source>each band</source>
         <translation>każdy kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="35"/>
+        <location filename="../plugin/radiometry/words.py" line="36"/>
         <source>luminosity</source>
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="107"/>
+        <location filename="../plugin/radiometry/words.py" line="108"/>
         <source>The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}.</source>
         <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="122"/>
+        <location filename="../plugin/radiometry/words.py" line="123"/>
         <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
         <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}; {green:.1f}; {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="139"/>
+        <location filename="../plugin/radiometry/words.py" line="140"/>
         <source>{check} is {value}; the limit is {limit}.</source>
         <translation>{check}: {value}; granica: {limit}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="145"/>
+        <location filename="../plugin/radiometry/words.py" line="146"/>
         <source>Not measurable and required: {checks}.</source>
         <translation>Niemierzalne i wymagane: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="147"/>
+        <location filename="../plugin/radiometry/words.py" line="148"/>
         <source>Not measurable and not required: {checks}.</source>
         <translation>Niemierzalne i niewymagane: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="149"/>
+        <location filename="../plugin/radiometry/words.py" line="150"/>
         <source>The rules set no limit that it could be held against.</source>
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="163"/>
+        <location filename="../plugin/radiometry/words.py" line="164"/>
         <source>Beyond their limits: {images}; by {checks}.</source>
         <translation>Poza granicami: {images}; reguły: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="166"/>
+        <location filename="../plugin/radiometry/words.py" line="167"/>
         <source>Not measurable and required: {checks}; in {images}.</source>
         <translation>Niemierzalne i wymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="170"/>
+        <location filename="../plugin/radiometry/words.py" line="171"/>
         <source>Not looked at: {count}.</source>
         <translation>Nie sprawdzono: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="174"/>
+        <location filename="../plugin/radiometry/words.py" line="175"/>
         <source>Not measurable and not required: {checks}; in {images}.</source>
         <translation>Niemierzalne i niewymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="177"/>
+        <location filename="../plugin/radiometry/words.py" line="178"/>
         <source>All figures keep their limits.</source>
         <translation>Wszystkie wartości mieszczą się w granicach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="188"/>
+        <location filename="../plugin/radiometry/words.py" line="189"/>
         <source>{names} and {count} more</source>
         <translation>{names} i jeszcze {count}</translation>
     </message>
@@ -11016,6 +11006,16 @@
     <message>
         <source>Residual y, µm</source>
         <translation>Odchyłka y, µm</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="51"/>
+        <source>A GeoTIFF: red, green and blue on the image&apos;s own pixels, in its data type.</source>
+        <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="97"/>
+        <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
+        <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
 </context>
 </TS>

@@ -24,6 +24,7 @@ from .sensors.algorithms.comparesensormodels import CompareSensorModels
 from .sensors.algorithms.fitsensormodel import FitSensorModel
 from .sensors.algorithms.orthorectify import Orthorectify
 from .sensors.algorithms.planpoints import PlanPoints
+from .toolkit.algorithms.output_files import RASTER_ENDINGS
 from .toolkit.algorithms.ready_model import ReadyModel
 from .toolkit.resources import icon_path, model_paths
 
@@ -65,6 +66,9 @@ class SeamInspectorProvider(QgsProcessingProvider):
 
     def svgIconPath(self) -> str:
         return icon_path()
+
+    def supportedOutputRasterLayerExtensions(self) -> list[str]:
+        return list(RASTER_ENDINGS)
 
     def loadAlgorithms(self) -> None:
         for algorithm in ALGORITHMS:

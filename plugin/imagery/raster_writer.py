@@ -49,10 +49,9 @@ def whole_raster(path: str) -> Iterator[str]:
 
 @contextmanager
 def raster_writer(
-    path: str, like: Raster, bands: int, data_type: np.dtype,
-    driver: str = GEOTIFF, colours: bool = False, nodata: float | None = None,
+    path: str, like: Raster, bands: int, data_type: np.dtype, colours: bool = False, nodata: float | None = None
 ) -> Iterator[RasterWriter]:
-    """Writes a raster with the size and the place of another one, which is there when the block ends.
+    """Writes a GeoTIFF with the size and the place of another one, which is there when the block ends.
 
     ``colours``: the bands are red, green and blue. An exception in the block leaves nothing, and an older file as it
     was. Raises RasterError where the raster can't be written.
@@ -61,7 +60,7 @@ def raster_writer(
         raise RasterError(messages.TOO_WIDE(name=like.ref.name, columns=like.columns, most=limits.WIDEST_PX))
     failure = messages.RASTER_NOT_WRITTEN(path=path)
     with whole_raster(path) as unfinished:
-        dataset = _created(unfinished, like, bands, data_type, driver, colours, failure)
+        dataset = _created(unfinished, like, bands, data_type, colours, failure)
         for index in range(1, bands + 1):
             band = dataset.GetRasterBand(index)
             if colours:
@@ -109,24 +108,13 @@ class RasterWriter:
             self._mask = self._dataset = None
 
 
-def format_of(path: str) -> str:
-    """GDAL's name of the format that can be written pixel by pixel and whose files end so; GeoTIFF without one."""
-    ending = Path(path).suffix.lower().lstrip(".")
-    for index in range(gdal.GetDriverCount() if ending not in ("", "tif", "tiff") else 0):
-        driver = gdal.GetDriver(index)
-        endings = (driver.GetMetadataItem(gdal.DMD_EXTENSIONS) or "").split()
-        if ending in endings and driver.GetMetadataItem(gdal.DCAP_RASTER) and driver.GetMetadataItem(gdal.DCAP_CREATE):
-            return str(driver.ShortName)
-    return GEOTIFF
-
-
 def _created(
-    path: str, like: Raster, bands: int, data_type: np.dtype, driver: str, colours: bool, failure: Message
+    path: str, like: Raster, bands: int, data_type: np.dtype, colours: bool, failure: Message
 ) -> gdal.Dataset:
     options = ["TILED=YES", "COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", *["PHOTOMETRIC=RGB"] * colours]
     kind = gdal_array.NumericTypeCodeToGDALTypeCode(data_type.type)
-    size = like.columns, like.rows, bands, kind, options if driver == GEOTIFF else []
-    dataset = gdal_call(lambda: gdal.GetDriverByName(driver).Create(path, *size), failure)
+    size = like.columns, like.rows, bands, kind, options
+    dataset = gdal_call(lambda: gdal.GetDriverByName(GEOTIFF).Create(path, *size), failure)
     if like.geotransform is not None:
         dataset.SetGeoTransform(like.geotransform)
     if like.wkt:

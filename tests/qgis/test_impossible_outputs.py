@@ -64,6 +64,21 @@ def test_what_can_not_be_written_is_refused_first(name: str, tmp_path: Path, cap
     assert not capfd.readouterr().err
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_a_raster_is_no_jpeg(name: str, tmp_path: Path) -> None:
+    """Every one is a GeoTIFF, and a file's name doesn't say otherwise; QGIS offers no other."""
+    job = algorithm(name)
+    rasters = [one for one in job.destinationParameterDefinitions() if isinstance(one, LAYERS[1])]
+    for output in rasters:
+        assert output.defaultFileExtension() == "tif"
+        assert set(output.supportedOutputRasterLayerExtensions()) == {"tif", "tiff"}
+        for ending in ("jpg", "PNG", "img", "vrt", "xyzzy"):
+            assert_refused(name, r"GeoTIFF \(\*\.tif \*\.tiff\)", **{output.name(): str(tmp_path / f"out.{ending}")})
+    if name == "fitsensormodel":
+        assert_refused(name, r"GeoTIFF files \(\*\.tif", RPC_IMAGE=str(tmp_path / "out.jpg"))
+    assert not list(tmp_path.iterdir())
+
+
 def test_a_name_that_no_table_can_have(tmp_path: Path) -> None:
     for name in ("-rf", "%s{0}", "<img src=x onerror=alert(1)>", "'; drop table x; --", "=cmd|' /C calc'!A0"):
         words = "none in a GeoPackage begins with"

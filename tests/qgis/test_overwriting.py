@@ -132,10 +132,6 @@ def test_the_rasters_of_a_virtual_one_are_kept(image: Path, tmp_path: Path) -> N
     gdal.BuildVRT(outer, [inner]).FlushCache()
     for output in (image, inner, outer):
         assert_refused("simulatebayer", REFUSED, RASTER=outer, OUTPUT=str(output))
-    before = image.read_bytes()
-    other = write_raster(tmp_path / "other.tif", np.full((3, 16, 16), 9, np.uint8))
-    assert run("enhancephoto", PHOTO=other, OUTPUT=inner).complaint is None  # no input, and what it was made of stays
-    assert image.read_bytes() == before
 
 
 def test_a_raster_in_an_archive_keeps_the_archive(image: Path, tmp_path: Path) -> None:

@@ -82,6 +82,14 @@ def test_a_new_raster_replaces_an_older_one_and_what_lay_beside_it(job: Job, fol
     assert gdal.Open(made.results["OUTPUT"]).ReadAsArray().any()
 
 
+@pytest.mark.parametrize("ending", ["", ".TIF", ".tiff"])
+def test_a_raster_is_a_geotiff_under_the_names_that_one_has(job: Job, tmp_path: Path, ending: str) -> None:
+    name, given = job
+    path = str(tmp_path / f"out{ending}")
+    assert run(name, OUTPUT=path, **given).results["OUTPUT"] == path
+    assert gdal.Open(path).GetDriver().ShortName == "GTiff"
+
+
 def test_cancelled_midway_nothing_is_left_of_it_and_an_older_raster_stays(job: Job, folder: Path) -> None:
     name, given = job
     before = contents(folder)

@@ -48,7 +48,7 @@ class SimulateBayer(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             QgsProcessingParameterRasterDestination(OUTPUT, tr("Seen by a single chip")),
-            tr("Red, green and blue on the image's own pixels, in its data type."),
+            tr("A GeoTIFF: red, green and blue on the image's own pixels, in its data type."),
         )
 
     def check(self, run: Run) -> None:

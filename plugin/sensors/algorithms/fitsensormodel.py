@@ -55,6 +55,8 @@ class FitSensorModel(SensorAlgorithm):
         "part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification."
     )
 
+    NAMED_BY_FORMAT = (RPC_IMAGE,)
+
     def initAlgorithm(self, configuration: Any = None) -> None:
         self.addDescribed(*sensor_parameters.gcps())
         self.addDescribed(
@@ -92,7 +94,7 @@ class FitSensorModel(SensorAlgorithm):
             (
                 RPC_IMAGE,
                 tr("Image with the RPC"),
-                tr("GeoTIFF files (*.tif *.TIF)"),
+                tr("GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)"),
                 tr("A copy of the image that carries the model as RPC in its tags, and no other georeference."),
             ),
             (

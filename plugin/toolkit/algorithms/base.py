@@ -40,6 +40,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     """Outputs with charts: where they are asked for, the package that draws them has to be there."""
     PAGES: tuple[str, ...] = (common.REPORT,)
     """Outputs that are made from templates, likewise."""
+    NAMED_BY_FORMAT: tuple[str, ...] = ()
+    """Output files whose ending has to be one that is offered, beside pages; that of rasters always has."""
 
     def name(self) -> str:
         return self.ID
@@ -139,7 +141,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         common.check_numbers(self, parameters, context)
         common.check_systems(self, parameters, context)
         run = Run(self, parameters, context)
-        run.check_pages(self._pages())
+        run.check_endings([*self._pages(), *self.NAMED_BY_FORMAT])
         return run
 
     def check(self, run: Run) -> None:

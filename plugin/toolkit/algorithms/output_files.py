@@ -15,6 +15,9 @@ from qgis.core import (
     QgsVectorFileWriter,
 )
 
+RASTER_ENDINGS = ("tif", "tiff")
+GEOTIFF_FILES = f"GeoTIFF ({' '.join(f'*.{ending}' for ending in RASTER_ENDINGS)})"
+"""What every output raster is: other formats hold no five bands, no float, or can't be written strip by strip."""
 _DATABASES = {".gpkg", ".sqlite"}  # files that a table can be added to
 _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
     ".shp": (".shx", ".dbf", ".prj", ".cpg"),

@@ -16,6 +16,7 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
+    QgsProcessingParameterRasterDestination,
     QgsProperty,
     QgsRectangle,
     QgsVectorLayer,
@@ -28,7 +29,7 @@ from ..translation import sentence
 from . import parameters as common
 from .feature_sinks import FeatureSinks, Sink
 from .layer_stylers import layer_styler
-from .output_files import is_file, output_text, table_place
+from .output_files import GEOTIFF_FILES, is_file, output_text, table_place
 
 if TYPE_CHECKING:
     from ...imagery.message import Message
@@ -228,13 +229,16 @@ class Run:
 
             check_figure_path(path)
 
-    def check_pages(self, names: Iterable[str]) -> None:
-        """Raise SettingsError for an output file whose ending says that it is something else than is written."""
-        for name in names:
-            path = self.file_path(name)
-            filters = self._algorithm.parameterDefinition(name).fileFilter()
-            if path is not None and path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
-                raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters))
+    def check_endings(self, files: Iterable[str]) -> None:
+        """Raise SettingsError for a raster, or one of these files, whose ending says something else than is written."""
+        for name in files:
+            path, filters = self.file_path(name), self._algorithm.parameterDefinition(name).fileFilter()
+            if path is not None:
+                _check_ending(path, filters)
+        for definition in self._algorithm.destinationParameterDefinitions():
+            path = Path(output_text(self.parameters.get(definition.name()), self.context))
+            if isinstance(definition, QgsProcessingParameterRasterDestination) and path.suffix:
+                _check_ending(path, GEOTIFF_FILES)
 
     def save(self, name: str, write: Callable[[Path], object]) -> dict[str, Any]:
         """Write an output file by ``write(path)`` where it is wanted: its name and path for the results.
@@ -285,3 +289,8 @@ class Run:
         """The same, and whether the user wants more."""
         self.progress(share)
         return not self.is_cancelled()
+
+
+def _check_ending(path: Path, filters: str) -> None:
+    if path.suffix.lower() not in re.findall(r"\*(\.\w+)", filters):
+        raise SettingsError(messages.FILE_FORMAT_OTHER(name=path.name, filters=filters))

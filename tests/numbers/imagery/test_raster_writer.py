@@ -12,7 +12,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import CancelledError, RasterError
 from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
-from seam_inspector.plugin.imagery.raster_writer import format_of, raster_writer
+from seam_inspector.plugin.imagery.raster_writer import raster_writer
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
 from tests.numbers.disks import full_disk
@@ -156,10 +156,3 @@ def test_a_raster_without_a_place_gives_none(tmp_path: Path) -> None:
     write(tmp_path / "out.tif", like)
     made = describe(RasterRef(str(tmp_path / "out.tif")))
     assert (made.geotransform, made.wkt) == (None, "")
-
-
-@pytest.mark.parametrize(("name", "driver"), [
-    ("a.tif", "GTiff"), ("a.TIFF", "GTiff"), ("a", "GTiff"), ("a.img", "HFA"), ("a.png", "GTiff"), ("a.xyzzy", "GTiff")
-])
-def test_the_ending_says_the_format_that_can_be_written_strip_by_strip(name: str, driver: str) -> None:
-    assert format_of(name) == driver
