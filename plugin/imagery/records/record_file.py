@@ -82,6 +82,10 @@ class RecordFile:
         found = record_at(self._file, self._places[key], self._end)
         return found[1] if found is not None and found[0] == key else None
 
+    def holds(self, key: str) -> bool:
+        """Whether there is a payload, which may be damaged. For any thread."""
+        return key in self._places
+
     def items(self) -> Iterator[tuple[str, bytes]]:
         """All that can be read."""
         for key in self.keys:

@@ -43,6 +43,10 @@ class RecordKeeper:
         found: bytes | None = self._do(lambda: self._load(key)).result()
         return found
 
+    def holds(self, key: str) -> bool:
+        """Whether a payload is in the file by now, be it an earlier one; nobody is waited for."""
+        return self._file is not None and self._file.holds(key)
+
     def all(self) -> dict[str, bytes]:
         """All payloads; none where there is no file, or it can't be had."""
         found: dict[str, bytes] | None = self._do(self._all).result()

@@ -16,6 +16,7 @@ from ...toolkit.layer_editing import edit_step
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 from ..clip_pictures import ClipPicture
+from ..measure.inputs.source_use import SourceUse
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.inspection import Block, WindowRequest
 from ..measure.live.live_window import LiveWindow
@@ -250,9 +251,9 @@ class Session(QObject):
         row = self.row(fid)
         return self._results.result(row.window_id) if row is not None else None
 
-    def results(self) -> list[WindowResult]:
+    def source_uses(self) -> list[SourceUse]:
         """Of all windows that were inspected in this session."""
-        return self._results.results()
+        return self._results.source_uses()
 
     def clips(self, fid: int) -> WindowCurves | None:
         """The curves of a window, which ``curvesArrived`` tells before the rest; its result once that is there."""

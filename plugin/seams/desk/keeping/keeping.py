@@ -66,9 +66,19 @@ class Keeping(QObject):
             results.keep(result)
 
     def result(self, row: WindowRecord) -> WindowResult | None:
-        """What was kept of a window of the layer that is looked at."""
+        """What was kept of a window of the layer that is looked at, if its row still says so."""
         results = self._kept_results()
         return results.result(row) if results is not None else None
+
+    def last_result(self, window_id: int) -> WindowResult | None:
+        """What was last kept of it, whatever its row says."""
+        results = self._kept_results()
+        return results.last(window_id) if results is not None else None
+
+    def holds_result(self, window_id: int) -> bool:
+        """Whether what was last measured need not be held in memory."""
+        results = self._kept_results()
+        return results is not None and results.holds(window_id)
 
     def _kept_results(self) -> KeptResults | None:
         layer = self._watch.layer

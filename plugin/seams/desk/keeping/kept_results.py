@@ -34,15 +34,24 @@ class KeptResults(QObject):
         self._missing.discard(result.window_id)
         self._keeper.save(str(result.window_id), partial(result_record, result))
 
+    def holds(self, window_id: int) -> bool:
+        """Whether a result of a window is written by now."""
+        return self._keeper.holds(str(window_id))
+
     def result(self, row: WindowRecord) -> WindowResult | None:
         """What was measured in a window, if its row still says so; None where that is not known and can't be read."""
-        if not row.verdict or row.window_id in self._missing:
+        found = self.last(row.window_id) if row.verdict else None
+        return found if found is not None and _is_of(found, row) else None
+
+    def last(self, window_id: int) -> WindowResult | None:
+        """What was last measured in a window, whatever its row says."""
+        if window_id in self._missing:
             return None
-        record = self._keeper.load(str(row.window_id))
+        record = self._keeper.load(str(window_id))
         found = result_of(record) if record is not None else None
         if found is None:
-            self._missing.add(row.window_id)
-        return found if found is not None and _is_of(found, row) else None
+            self._missing.add(window_id)
+        return found
 
     def flush(self) -> None:
         """Wait until all is written."""

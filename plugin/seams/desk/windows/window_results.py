@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
+from itertools import islice
 from typing import Any
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -12,6 +13,7 @@ from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
+from ...measure.inputs.source_use import SourceUse, source_use
 from ...measure.window.measured_window import MeasureWindow, measure_window
 from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
 from ...tables import window_layer
@@ -19,6 +21,8 @@ from ..inputs.block_cache import BlockCache
 from ..keeping.keeping import Keeping
 from .window_watch import Version, WindowWatch
 
+MOST_HELD = 500
+"""Results in memory, of 30 to 150 kB each; others are read from the file beside the layer when somebody asks."""
 _WRITE_MS = 1000  # results of a long run are written together: all that show windows follow each time
 
 
@@ -50,7 +54,8 @@ class WindowResults(QObject):
         self._watch = watch
         self._background = background
         self._keeping = keeping
-        self._results: dict[int, WindowResult] = {}
+        self._results: dict[int, WindowResult] = {}  # the last asked for last
+        self._uses: dict[int, SourceUse] = {}  # of all windows that have a result
         self._clips: dict[int, WindowClips] = {}  # of windows whose results are still to come
         self._versions: dict[int, Version] = {}  # of the results
         self._unwritten: dict[int, tuple[WindowResult, Version]] = {}
@@ -61,17 +66,18 @@ class WindowResults(QObject):
 
     def result(self, window_id: int) -> WindowResult | None:
         """What was measured, now or before the project was opened; None while it is being measured anew."""
-        if window_id not in self._results and window_id not in self._waiting:
-            fid = self._watch.fid(window_id)
-            row = self._watch.row(fid) if fid is not None else None
-            found = self._keeping.result(row) if row is not None else None
-            if found is not None:
-                self._results[window_id] = found
-        return self._results.get(window_id)
+        if window_id in self._results:
+            self._results[window_id] = found = self._results.pop(window_id)
+            return found
+        row = None if window_id in self._waiting else self._watch.numbered(window_id)
+        kept = self._keeping.result(row) if row is not None else None
+        if kept is not None:
+            self._hold(window_id, kept)
+        return kept
 
-    def results(self) -> list[WindowResult]:
-        """All of them."""
-        return list(self._results.values())
+    def source_uses(self) -> list[SourceUse]:
+        """Of all windows whose results came or were asked for."""
+        return list(self._uses.values())
 
     def clips(self, window_id: int) -> WindowCurves | None:
         """The curves of its clips, which are there before the rest of the result."""
@@ -99,8 +105,8 @@ class WindowResults(QObject):
             asked = {row.window_id: Version(row.extent, state) for row in rows}
             self._waiting.update(asked)
             for number in asked:
-                self._results.pop(number, None)
-                self._clips.pop(number, None)
+                for kept in (self._results, self._uses, self._clips):
+                    kept.pop(number, None)
             job = jobs.inspection_job(self._block.requests(block, layer, rows), len(rows), self._measure)
             self._background.start(tr("Inspect windows"), job, partial(self._take, asked), steps=len(rows))
 
@@ -126,7 +132,7 @@ class WindowResults(QObject):
 
     def forget(self) -> None:
         """They are of a layer that is followed no more."""
-        for kept in (self._results, self._versions, self._clips, self._unwritten, self._waiting):
+        for kept in (self._results, self._uses, self._versions, self._clips, self._unwritten, self._waiting):
             kept.clear()
 
     def forget_asked(self) -> None:
@@ -147,9 +153,10 @@ class WindowResults(QObject):
                 self.curvesArrived.emit(fid)
             return
         self._clips.pop(number, None)
-        self._results[number], self._versions[number] = result, asked[number]
+        self._versions[number] = asked[number]
         self._unwritten[number] = result, asked[number]
         self._keeping.keep_result(result)
+        self._hold(number, result)
         if self._waiting.get(number) == asked[number]:
             del self._waiting[number]
         if not self._writer.isActive():
@@ -157,14 +164,23 @@ class WindowResults(QObject):
         if (fid := self._watch.fid(number)) is not None:
             self.arrived.emit(fid)
 
+    def _hold(self, number: int, result: WindowResult) -> None:
+        """As the last that was asked for; the first ones go, unless they would be lost."""
+        self._results.pop(number, None)
+        self._results[number], self._uses[number] = result, source_use(result)
+        for other in list(islice(self._results, max(len(self._results) - MOST_HELD, 0))):
+            if other not in self._unwritten and self._keeping.holds_result(other):
+                del self._results[other]
+
     def _bring_back(self) -> None:
         """What undo and redo bring back comes without what was not written by a step of theirs."""
         for row in self._watch.take_bereft():
             number = row.window_id
             version = self._versions.get(number)
-            result = self._results.get(number)
-            is_pending = self.is_pending(number)
-            if result is not None and version is not None and version.extent == row.extent and not is_pending:
+            if version is None or version.extent != row.extent or self.is_pending(number):
+                continue
+            result = self._results.get(number) or self._keeping.last_result(number)
+            if result is not None:
                 self._unwritten[number] = result, version
         if self._unwritten and not self._writer.isActive():
             self._writer.start()

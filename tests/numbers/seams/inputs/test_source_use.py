@@ -9,7 +9,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inputs.source_use import FEWEST_WINDOWS, source_doubts
+from seam_inspector.plugin.seams.measure.inputs.source_use import FEWEST_WINDOWS, source_doubts, source_use
 from seam_inspector.plugin.seams.measure.inspection import (
     InspectionSettings,
     inspect_window,
@@ -48,7 +48,7 @@ def inspected(mosaic: str, *sources: str) -> list[WindowResult]:
 
 
 def said(results: list[WindowResult], *followed: str) -> list[str]:
-    found: list[Message] = list(source_doubts(results, followed))
+    found: list[Message] = list(source_doubts(map(source_use, results), followed))
     return [str(one) for one in found]
 
 

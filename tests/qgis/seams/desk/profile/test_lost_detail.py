@@ -10,6 +10,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QApplication
+from seam_inspector.plugin.seams.desk.map import loss_overlay
 from seam_inspector.plugin.seams.desk.map.loss_legend import LossLegend
 from seam_inspector.plugin.seams.desk.map.loss_overlay import LossOverlay
 from seam_inspector.plugin.seams.desk.map.picture_overlay import PictureOverlay, PlacedPicture, rgba_image
@@ -123,6 +124,27 @@ def test_results_that_come_are_painted_and_those_of_changed_windows_are_not(qgis
     session.rows[1] = replace(session.rows[1], stale=True)
     session.windowsChanged.emit()
     wait_until(lambda: not overlay.pictures)
+    overlay.close()
+
+
+def test_thousands_of_windows_are_painted_in_turns_with_the_operator(
+    qgis_app: QApplication, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(loss_overlay, "_SLICE_S", 0.0)  # one window a turn
+    canvas, session, asked = QgsMapCanvas(), ProfileSession(), []
+    row, found = session.rows[1], session.results[1]
+    session.rows = {fid: replace(row, fid=fid, window_id=fid) for fid in range(1, 9)}
+    session.results = {fid: replace(found, window_id=fid) for fid in session.rows if fid != 4}  # one has none yet
+    monkeypatch.setattr(session, "result", lambda fid: asked.append(fid) or session.results.get(fid))
+    overlay = LossOverlay(canvas, session)
+    session.loss_view.show(True)
+    assert len(overlay.pictures) == 1
+    wait_until(lambda: len(overlay.pictures) == 7)
+    asked.clear()
+    session.results[4] = replace(found, window_id=4)
+    session.resultArrived.emit(4)
+    wait_until(lambda: len(overlay.pictures) == 8)
+    assert set(asked) == {4}  # what is painted is not read again
     overlay.close()
 
 
