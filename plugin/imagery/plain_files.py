@@ -7,6 +7,7 @@ import stat
 from collections.abc import Iterator
 from functools import lru_cache
 from html import unescape
+from typing import NamedTuple
 
 from . import messages
 from .errors import RasterError
@@ -21,55 +22,74 @@ _SOURCE = re.compile(r"<Source(?:Filename|Dataset)([^>]*)>\s*(?:<!\[CDATA\[)?([^
 _RELATIVE = re.compile(r"relativeToVRT\s*=\s*[\"']1[\"']")
 
 
+class _Look(NamedTuple):
+    """What a path is, as long as it stays the same file."""
+
+    is_no_file: bool
+    """Whether it has no end, or is memory."""
+    parts: tuple[str, ...]
+    """What a VRT names; none of what is no VRT."""
+
+
 def is_endless(path: str) -> bool:
     """Whether a path is no file with an end: a device, a pipe, a socket, or a file that the system makes up."""
-    try:
-        mode = os.stat(path).st_mode
-    except (OSError, ValueError):
-        return False
-    if not (stat.S_ISREG(mode) or stat.S_ISDIR(mode)):
-        return True
-    return os.path.realpath(path).startswith(_OF_THE_SYSTEM) and not stat.S_ISDIR(mode)
+    return _looked_at(path).is_no_file
 
 
 def check_raster_path(path: str, name: str) -> None:
-    """Raise RasterError for what GDAL must not open: no file with an end, memory, or a VRT that leads to those."""
-    if _NOT_FILES.search(path) or is_endless(path):
+    """Raise RasterError for what GDAL must not open: no file with an end, memory, or a VRT that leads to those.
+
+    Each part is asked for what it is now; only what changed is looked at anew, as mosaics are opened for every window.
+    """
+    look = _looked_at(path)
+    if look.is_no_file:
         raise RasterError(messages.NO_FILE(name=name))
-    waiting, seen = [path], {path}
+    waiting, seen = [look.parts], {path}
     while waiting:
-        for part in vrt_parts(waiting.pop()):
+        for part in waiting.pop():
             if part in seen:
                 continue
-            if _NOT_FILES.search(part) or is_endless(part):
+            look = _looked_at(part)
+            if look.is_no_file:
                 raise RasterError(messages.VRT_LEADS_OUT(name=name, path=part))
             seen.add(part)
-            waiting.append(part)
+            waiting += [look.parts] * bool(look.parts)
         if len(seen) > _MOST_PARTS:
             raise RasterError(messages.VRT_OF_TOO_MANY(name=name, most=_MOST_PARTS))
 
 
 def vrt_parts(path: str) -> tuple[str, ...]:
     """The files that a VRT on this machine names, as far as it can be read; none of what is no VRT."""
+    return _looked_at(path).parts
+
+
+def _looked_at(path: str) -> _Look:
     try:
         found = os.stat(path)
     except (OSError, ValueError):
-        return ()
-    return _sources_in(path, found.st_mtime_ns, found.st_size)
+        return _Look(_NOT_FILES.search(path) is not None, ())
+    return _look(
+        path, found.st_mode, found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns
+    )  # fmt: skip
 
 
-@lru_cache(4096)
-def _sources_in(path: str, changed_ns: int, size: int) -> tuple[str, ...]:
-    """What a VRT names, as long as it does not change; none of what is no VRT."""
-    if not stat.S_ISREG(os.stat(path).st_mode):
-        return ()
+@lru_cache(_MOST_PARTS)
+def _look(path: str, mode: int, *identity: int) -> _Look:
+    """Of what is there: links may lead elsewhere by now, but then to a file of another ``identity``."""
+    is_folder, is_file = stat.S_ISDIR(mode), stat.S_ISREG(mode)
+    is_made_up = is_file and os.path.realpath(path).startswith(_OF_THE_SYSTEM)
+    if _NOT_FILES.search(path) or is_made_up or not (is_file or is_folder):
+        return _Look(True, ())
+    if is_folder:
+        return _Look(False, ())
     try:
         with open(path, "rb") as file:
             head = file.read(64)
             content = head + file.read(_MOST_BYTES) if _HEAD.match(head) else b""
     except OSError:
-        return ()
-    return tuple(_named(unescape(content.decode(errors="replace")), os.path.dirname(os.path.abspath(path))))
+        return _Look(False, ())
+    text, folder = unescape(content.decode(errors="replace")), os.path.dirname(os.path.abspath(path))
+    return _Look(False, tuple(_named(text, folder)))
 
 
 def _named(text: str, folder: str) -> Iterator[str]:

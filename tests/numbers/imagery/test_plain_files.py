@@ -1,6 +1,7 @@
 """What must not be opened: devices, pipes, memory, and VRTs that lead there; what declares more than memory holds."""
 from __future__ import annotations
 
+import builtins
 import os
 import threading
 from pathlib import Path
@@ -13,7 +14,7 @@ from seam_inspector.plugin.imagery.documents.document_files import document_byte
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
-from seam_inspector.plugin.imagery.plain_files import vrt_parts
+from seam_inspector.plugin.imagery.plain_files import check_raster_path, vrt_parts
 from seam_inspector.plugin.imagery.rasters import RasterRef
 
 from tests.numbers.synthetic import write_raster
@@ -69,6 +70,36 @@ def test_vrts_in_a_ring_are_read_no_further_than_once(tmp_path: Path) -> None:
         (tmp_path / f"{number}.vrt").write_text(VRT.format(SOURCE.format(tmp_path / f"{(number + 1) % 5}.vrt")))
     assert vrt_parts(str(tmp_path / "4.vrt")) == (str(tmp_path / "0.vrt"),)
     assert refusal(tmp_path / "0.vrt").endswith(".")
+
+
+def test_what_stays_as_it_is_is_looked_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A mosaic of ten thousand files is opened for every window."""
+    parts = [tmp_path / f"{number}.tif" for number in range(20)]
+    for part in parts:
+        part.write_bytes(b"II*")
+    mosaic = tmp_path / "mosaic.vrt"
+    mosaic.write_text(VRT.format("".join(SOURCE.format(part) for part in parts)))
+    check_raster_path(str(mosaic), "mosaic.vrt")
+    with monkeypatch.context() as patch:
+        for module, name in ((os.path, "realpath"), (builtins, "open")):
+            patch.setattr(module, name, lambda *path: pytest.fail("it is looked at again"))
+        check_raster_path(str(mosaic), "mosaic.vrt")
+    parts[7].unlink()
+    parts[7].symlink_to("/dev/zero")
+    with pytest.raises(RasterError, match=r"mosaic\.vrt is a VRT that leads to .*7\.tif"):
+        check_raster_path(str(mosaic), "mosaic.vrt")
+
+
+def test_a_part_that_changed_is_looked_at_though_its_size_and_time_are_as_before(tmp_path: Path) -> None:
+    mosaic, inner = tmp_path / "mosaic.vrt", tmp_path / "inner.vrt"
+    mosaic.write_text(VRT.format(SOURCE.format(inner)))
+    inner.write_text(VRT.format(SOURCE.format("/old/null")))
+    before = inner.stat()
+    check_raster_path(str(mosaic), "mosaic.vrt")
+    inner.write_text(VRT.format(SOURCE.format("/dev/null")))
+    os.utime(inner, ns=(before.st_atime_ns, before.st_mtime_ns))
+    with pytest.raises(RasterError, match="leads to /dev/null"):
+        check_raster_path(str(mosaic), "mosaic.vrt")
 
 
 def test_bands_and_blocks_beyond_all_memory_are_refused(tmp_path: Path) -> None:
