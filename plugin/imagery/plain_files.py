@@ -22,7 +22,7 @@ _SOURCE = re.compile(r"<Source(?:Filename|Dataset)([^>]*)>\s*(?:<!\[CDATA\[)?([^
 _RELATIVE = re.compile(r"relativeToVRT\s*=\s*[\"']1[\"']")
 
 
-class _Look(NamedTuple):
+class _PathLook(NamedTuple):
     """What a path is, as long as it stays the same file."""
 
     is_no_file: bool
@@ -63,33 +63,33 @@ def vrt_parts(path: str) -> tuple[str, ...]:
     return _looked_at(path).parts
 
 
-def _looked_at(path: str) -> _Look:
+def _looked_at(path: str) -> _PathLook:
     try:
         found = os.stat(path)
     except (OSError, ValueError):
-        return _Look(_NOT_FILES.search(path) is not None, ())
+        return _PathLook(_NOT_FILES.search(path) is not None, ())
     return _look(
         path, found.st_mode, found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns
     )  # fmt: skip
 
 
 @lru_cache(_MOST_PARTS)
-def _look(path: str, mode: int, *identity: int) -> _Look:
+def _look(path: str, mode: int, *identity: int) -> _PathLook:
     """Of what is there: links may lead elsewhere by now, but then to a file of another ``identity``."""
     is_folder, is_file = stat.S_ISDIR(mode), stat.S_ISREG(mode)
     is_made_up = is_file and os.path.realpath(path).startswith(_OF_THE_SYSTEM)
     if _NOT_FILES.search(path) or is_made_up or not (is_file or is_folder):
-        return _Look(True, ())
+        return _PathLook(True, ())
     if is_folder:
-        return _Look(False, ())
+        return _PathLook(False, ())
     try:
         with open(path, "rb") as file:
             head = file.read(64)
             content = head + file.read(_MOST_BYTES) if _HEAD.match(head) else b""
     except OSError:
-        return _Look(False, ())
+        return _PathLook(False, ())
     text, folder = unescape(content.decode(errors="replace")), os.path.dirname(os.path.abspath(path))
-    return _Look(False, tuple(_named(text, folder)))
+    return _PathLook(False, tuple(_named(text, folder)))
 
 
 def _named(text: str, folder: str) -> Iterator[str]:
