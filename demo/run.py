@@ -155,7 +155,7 @@ def inspect(job: Inputs, output: Path, side: float | None, spacing: float | None
         **tables,
     )
     found = f"{package}|layername=inspected"
-    run("report", WINDOWS=found, OUTPUT=str(output / "report.html"), **images, **tables)
+    run("report", WINDOWS=found, OUTPUT=str(output / "report.html"), PROFILES=str(profiles), **images, **tables)
     inspected = read_windows(found)
     chosen = representative(inspected, job.damage)
     if not chosen:

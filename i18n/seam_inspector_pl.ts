@@ -84,7 +84,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="177"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="186"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -499,7 +499,7 @@
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/charts/variance_axes.py" line="23"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="42"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
@@ -1309,7 +1309,7 @@
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="207"/>
+        <location filename="../plugin/seams/desk/session.py" line="208"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>
@@ -3826,7 +3826,7 @@
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="93"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="48"/>
         <source>hard-cut composite</source>
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
@@ -4187,7 +4187,7 @@
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="109"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="111"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -4197,27 +4197,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="132"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="134"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="151"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="153"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="152"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="154"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="153"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="155"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="179"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="181"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4756,7 +4756,7 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="177"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="186"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -4774,22 +4774,14 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <source>Map</source>
-        <translation>Mapa</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/paper/charts.py" line="178"/>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="243"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="252"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
-    </message>
-    <message>
-        <source>Relative variance: the share of a clip&apos;s variance that lies in the details of each level, finest first, and in the background that is left (wavelet decomposition; Pyka 2010). Ratio 1 is the mosaic&apos;s share at level 1 divided by a source&apos;s; a window&apos;s ratio is the largest over its sources.</source>
-        <translation>Wariancja względna: część wariancji wycinka przypadająca na detale każdego poziomu, od najdrobniejszych, i na pozostałe tło (dekompozycja falkowa; Pyka 2010). Stosunek 1 to udział ortofotomapy na poziomie 1 podzielony przez udział źródła; stosunek okna jest największym ze stosunków do jego źródeł.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/packages.py" line="34"/>
@@ -5032,12 +5024,12 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="165"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="167"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="166"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="168"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
@@ -5379,18 +5371,11 @@
         <translation>część, poziom</translation>
     </message>
     <message>
-        <source>Kept: the share of the sources&apos; detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
-        <translation>Zachowane: część detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
-    </message>
-    <message>
-        <source>Verdicts by the seam: significant, where 70 % or less is kept (or what the inspection was set to), or the whole window is blurred badly; reduced, where surely less than all is; else preserved. The paper&apos;s rule looks at ratio 1 in whole clips: significant up to 0.5, reduced below 1. Observer: what the operator saw at 2x magnification.</source>
-        <translation>Oceny według linii mozaikowania: istotna strata, gdy zachowano 70 % lub mniej (albo tyle, ile ustawiono przy kontroli) lub całe okno jest mocno rozmyte; osłabione, gdy na pewno zachowano mniej niż wszystko; w innym razie zachowane. Reguła z artykułu patrzy na stosunek 1 w całych wycinkach: istotna strata do 0,5, osłabione poniżej 1. Obserwator: co operator widział w powiększeniu 2×.</translation>
-    </message>
-    <message>
         <source>median</source>
         <translation>mediana</translation>
     </message>
     <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="30"/>
         <source>kept 1</source>
         <translation>zachow. 1</translation>
     </message>
@@ -5400,7 +5385,7 @@
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="130"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="132"/>
         <source>Main cause: {cause}.</source>
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
@@ -6110,17 +6095,17 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="130"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="132"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="140"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="142"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="142"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="144"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
@@ -8697,24 +8682,19 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="150"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="159"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="151"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="160"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="155"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="164"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="175"/>
-        <source>Clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
-        <translation>Wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="132"/>
@@ -10517,22 +10497,6 @@
         <translation>strata detali na tle ortofotomapy; w ramce wycinki</translation>
     </message>
     <message>
-        <source>detail that is kept</source>
-        <translation>zachowane detale</translation>
-    </message>
-    <message>
-        <source>Seam profile: the share of the detail that is kept by distance from the seam, level 1 the finest, with its 95 % interval; where it drops below the dashed line, the loss is significant.</source>
-        <translation>Profil linii mozaikowania: część zachowanych detali w zależności od odległości od linii, poziom 1 najdrobniejszy, z 95 % przedziałem ufności; gdzie opada poniżej linii przerywanej, strata jest istotna.</translation>
-    </message>
-    <message>
-        <source>Lost detail: the colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
-        <translation>Utracone detale: barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
-    </message>
-    <message>
-        <source>The clips show, all stretched alike, the part of the window where the mosaic lost most of the finest detail. JPEG takes a little of it from all of them.</source>
-        <translation>Wycinki pokazują, z jednakowym rozciągnięciem, część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali. JPEG zabiera ich trochę wszystkim.</translation>
-    </message>
-    <message>
         <source>The cross stands where the mark was found, of a failed one where the others put it: column, row.</source>
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
@@ -11016,6 +10980,132 @@
         <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="97"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="177"/>
+        <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
+        <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="26"/>
+        <source>Looks at ratio 1 in whole windows. Significant: {limit:.2f} or less. Reduced: below 1. Preserved: 1 or more.</source>
+        <translation>Patrzy na stosunek 1 w całych oknach. Istotna strata: {limit:.2f} lub mniej. Osłabione: poniżej 1. Zachowane: 1 lub więcej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="21"/>
+        <source>Significant: {percent} % or less of the finest detail is kept along the seam, or the whole window is blurred badly. Reduced: surely less than all is kept. Preserved: no loss is sure.</source>
+        <translation>Istotna strata: wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="18"/>
+        <source>flagged</source>
+        <translation>oznaczone</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="18"/>
+        <source>Has a significant loss, or one that the observer saw.</source>
+        <translation>Okno z istotną stratą lub ze stratą, którą zauważył obserwator.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="28"/>
+        <source>the paper&apos;s rule</source>
+        <translation>reguła z artykułu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="29"/>
+        <source>What the operator saw at 2x magnification.</source>
+        <translation>Co operator widział w powiększeniu 2×.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="31"/>
+        <source>The share of the sources&apos; finest detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
+        <translation>Część najdrobniejszych detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="40"/>
+        <source>The mosaic&apos;s relative variance at level 1 divided by a source&apos;s; a window&apos;s is the largest over its sources.</source>
+        <translation>Wariancja względna ortofotomapy na poziomie 1 podzielona przez wariancję ortoobrazu źródłowego; stosunek okna jest największym spośród jego źródeł.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="43"/>
+        <source>The share of a clip&apos;s variance that lies in the details of each level, and in the background that is left (wavelet decomposition; Pyka 2010).</source>
+        <translation>Część wariancji wycinka przypadająca na detale każdego poziomu i na pozostałe tło (dekompozycja falkowa; Pyka 2010).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="46"/>
+        <source>level of detail</source>
+        <translation>poziom detali</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="46"/>
+        <source>Level 1 is the finest, of some 2 px; each further one is twice as coarse.</source>
+        <translation>Poziom 1 jest najdrobniejszy, około 2 px; każdy następny jest dwa razy grubszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="36"/>
+        <source>sharpness 1</source>
+        <translation>ostrość 1</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="37"/>
+        <source>The contrast of the finest detail in the whole window, 1 for that of its sources in the mosaic&apos;s tones.</source>
+        <translation>Kontrast najdrobniejszych detali w całym oknie; 1 to kontrast jego ortoobrazów źródłowych w tonach ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="49"/>
+        <source>What the mosaic would be if its sources had been cut along the seam and nothing were mixed.</source>
+        <translation>Czym byłaby ortofotomapa, gdyby jej źródła przycięto wzdłuż linii mozaikowania i niczego nie zmieszano.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="53"/>
+        <source>What would be left of the sources&apos; detail if the two were averaged.</source>
+        <translation>Ile zostałoby z detali ortoobrazów źródłowych, gdyby dwa z nich uśredniono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="56"/>
+        <source>seam profile</source>
+        <translation>profil linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="57"/>
+        <source>The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 drops below the dashed line, the loss is significant.</source>
+        <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="61"/>
+        <source>lost detail</source>
+        <translation>utracone detale</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="62"/>
+        <source>The colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
+        <translation>Barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="65"/>
+        <source>clips</source>
+        <translation>wycinki</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="66"/>
+        <source>The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes a little of it from all of them.</source>
+        <translation>Część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali, wszystkie z jednakowym rozciągnięciem. JPEG zabiera ich trochę wszystkim.</translation>
+    </message>
+    <message>
+        <source>what it means</source>
+        <translation>co to znaczy</translation>
+    </message>
+    <message>
+        <source>How to read this</source>
+        <translation>Jak to czytać</translation>
+    </message>
+    <message>
+        <source>Window {number}: {place}</source>
+        <translation>Okno {number}: {place}</translation>
+    </message>
+    <message>
+        <source>Window {number}: relative variance by level</source>
+        <translation>Okno {number}: wariancja względna według poziomów</translation>
     </message>
 </context>
 </TS>

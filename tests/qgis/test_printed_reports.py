@@ -120,7 +120,7 @@ def printer() -> None:
         pytest.skip(why)
 
 
-POLISH = (acceptance, many_groups)
+POLISH = (acceptance, many_groups, inspection)
 """Their tables are the widest, and Polish words are longer."""
 PRINTED = [(one, "en") for one in REPORTS if one is not many_groups] + [(one, "pl") for one in POLISH]
 

@@ -31,6 +31,7 @@ CHART_MM = 84.6  # 320 px, as wide as a clip
 class WindowSection:
     """What the page shows of one window."""
 
+    number: int
     anchor: str
     title: str
     facts: Sequence[str]
@@ -105,6 +106,7 @@ class WindowSections:
         has_curve = any(curve.detail[0] == curve.detail[0] for curve in curves if curve.role == "mosaic")
         same = [curve for curve in curves if len(curve.detail) == len(curves[0].detail)] if has_curve else []
         return WindowSection(
+            record.window_id,
             anchor(record.window_id),
             filled(tr("Window {number}: {verdict}"), number=record.window_id, verdict=verdict_word(record.verdict)),
             list(self._facts(record)),
@@ -172,7 +174,7 @@ def _place_words(clips: WindowParts) -> str:
     xmin, ymin, xmax, ymax = clips.extent
     side = clips.pictures[0].columns
     digits = max(0, 1 - math.floor(math.log10((xmax - xmin) / side)))  # to a tenth of a pixel
-    words = filled(tr("Clips of {side} px a side around x {x}, y {y}, at 2x on the screen."),
+    words = filled(tr("clips of {side} px a side around x {x}, y {y}, at 2x on the screen."),
         side=side, x=formatted((xmin + xmax) / 2, f".{digits}f"), y=formatted((ymin + ymax) / 2, f".{digits}f")
     )
     if clips.left_out:

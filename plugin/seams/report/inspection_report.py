@@ -24,7 +24,7 @@ from ...toolkit.pages.how_measured import HowMeasured, each_raster, measured_ras
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page, sentences_once
 from ...toolkit.translation import filled, shown_number, tr
-from ..cause_words import cause_word
+from ..cause_words import cause_sentence, cause_word
 from ..clip_pictures import bytes_picture
 from ..judged_value import judged_value, judged_words
 from ..loss_colours import loss_legend
@@ -36,6 +36,7 @@ from ..verdict_words import VERDICTS, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, MAGNIFICATION, WindowSection, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
 from .profile_picture import HEIGHT, WIDTH
+from .reading_terms import reading_terms
 from .variance_table import anchor, window_rows
 
 MAX_REPORT_DETAILS = 300  # flagged windows with curves and clips; the others stand in the table
@@ -110,6 +111,7 @@ def write_report(
             notices=sentences_once(notices),
             **_summary(request),
             **_map(request, linked),
+            terms=_terms(request),
             levels=levels,
             ratio_levels=max((len(one.ratios) for one in request.records), default=0),
             windows=(
@@ -124,6 +126,13 @@ def write_report(
     except _CancelledError:
         return None
     return notices + sections.notices
+
+
+def _terms(request: ReportRequest) -> list[tuple[str, str]]:
+    """The words that stand in this report."""
+    parts = {"curves": request.curves, "profiles": request.profiles, "clips": request.block}
+    shown = {name for name, part in parts.items() if part}
+    return list(reading_terms(request.records, request.min_kept, request.max_ratio, shown))
 
 
 class _CancelledError(Exception):
@@ -188,7 +197,7 @@ def _summary(request: ReportRequest) -> dict[str, object]:
         "verdicts": [verdict_word(verdict) for verdict in verdicts],
         "mosaics": [(mosaic, _counts(records, verdicts)) for mosaic, records in _by_mosaic(request).items()],
         "causes": [
-            (mosaic, cause_word(cause), (main[mosaic, cause], count, flagged[mosaic, cause]))
+            (mosaic, cause_word(cause), cause_sentence(cause), (main[mosaic, cause], count, flagged[mosaic, cause]))
             for (mosaic, cause), count in ordered
         ],
     }

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from ...imagery.grids import Extent
 from ...toolkit.translation import formatted
 
-_WIDTH, _HEIGHT, _STRIP = 170.0, 120.0, 11.0  # mm: the map at most, and what stands below it
+_WIDTH, _HEIGHT, _STRIP = 170.0, 90.0, 11.0  # mm: the map at most, below the summary, and what stands below it
 _NARROWEST = 60.0  # mm: room for the scale bar
 _MARGIN = 0.06  # of the longer side, around all shapes
 _SMALLEST = 1.6  # mm: a shape's side, so that it is seen

@@ -25,7 +25,7 @@ from tests.qgis.runs import Log, Run, assert_refused, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, windows
 
 EVIL = "<b>Łódź & \"co\" 'x'</b>"
-PART = re.compile(r"Clips of (\d+) px a side around x ([\d.]+), y ([\d.]+), at 2x")
+PART = re.compile(r"clips of (\d+) px a side around x ([\d.]+), y ([\d.]+), at 2x")
 
 
 @pytest.fixture(scope="module")
@@ -178,7 +178,9 @@ def test_what_later_tables_hold_is_told(inspected: Run, tmp_path: Path) -> None:
     assert ["hard-cut composite", "0.040", "0.090", "0.870"] in [row[-4:] for row in page.rows]
     assert [row[0] for row in page.rows if len(row) == 11] == ["made", "mosaic.tif", "other.tif"]  # by mosaic
     assert len(page.pictures("svg+xml")) == 2
-    assert [row for row in page.rows if "colour shift" in row] == [["other.tif", "colour shift", "1", "1", "1"]]
+    meaning = "The channels were corrected one by one, so that colours turned."
+    found = [row for row in page.rows if "colour shift" in row]
+    assert found == [["other.tif", "colour shift", "1", "1", "1", meaning]]
 
 
 def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_path: Path) -> None:
@@ -207,8 +209,8 @@ def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_p
         "cause: feathering, compressed",
     ):  # fmt: skip
         assert words in found[1]
-    assert ["feathering", "2", "2", "2"] in [row[1:] for row in page.rows]
-    assert ["compressed", "0", "1", "1"] in [row[1:] for row in page.rows]
+    assert ["feathering", "2", "2", "2"] in [row[:4] for row in page.rows]
+    assert ["compressed", "0", "1", "1"] in [row[:4] for row in page.rows]
 
 
 def test_a_source_that_can_not_be_read_leaves_the_others(inspected: Run, scene: Scene, tmp_path: Path) -> None:
@@ -357,3 +359,16 @@ def test_what_a_window_is_found_to_have_matches_its_verdict(tmp_path: Path) -> N
     assert not [row for row in page.rows if "none" in row]
     counts = next(row for row in page.rows if row[:2] == ["", "3"])
     assert counts[-5:-2] == ["1", "0", "1"]  # visible, invisible, not sure
+
+
+def test_the_words_that_stand_in_a_report_are_explained(inspected: Run, scene: Scene, tmp_path: Path) -> None:
+    rasters = {"MOSAIC": str(scene.mosaic), "SOURCES": scene.sources}
+    page = read(report(inspected, tmp_path / "report.html", **rasters, MIN_KEPT=0.6))
+    terms = dict(row for row in page.rows if len(row) == 2)
+    assert terms["verdict"].startswith("Significant: 60 % or less of the finest detail is kept along the seam")
+    for word in ("flagged", "kept 1", "sharpness 1", "ratio 1", "relative variance", "hard-cut composite", "clips"):
+        assert word in page.words
+        assert terms[word]
+    assert "seam profile" not in terms  # without their table there is none
+    bare = read(run("report", WINDOWS=inspected.layer(), OUTPUT=str(tmp_path / "bare.html")))
+    assert not {"clips", "lost detail", "hard-cut composite"} & {row[0] for row in bare.rows}

@@ -137,7 +137,7 @@ def test_the_clips_show_where_most_was_lost(qgis_app: object, tmp_path: Path) ->
     record = WindowRecord(1, block.mosaic.extent, "significant", reference="seam")
     page = page_of(tmp_path / "report.html", ReportRequest((record,), block=block, wkt=block.mosaic.wkt))
     assert "lost detail over the mosaic; in the frame the clips" in page.captions
-    found = re.search(r"Clips of \d+ px a side around x ([\d.]+),", page.words)
+    found = re.search(r"clips of \d+ px a side around x ([\d.]+),", page.words)
     assert found is not None
     middle = (block.mosaic.extent[0] + block.mosaic.extent[2]) / 2
     assert float(found[1]) == pytest.approx(middle, abs=80 * PIXEL)
