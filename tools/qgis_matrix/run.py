@@ -33,7 +33,7 @@ class Step:
     folder: str
     options: tuple[str, ...] = ()
     variables: tuple[tuple[str, str], ...] = ()
-    most_minutes: int = 20
+    most_minutes: int = 40
     """With FULL=1 five times as many."""
 
 
