@@ -96,6 +96,9 @@ def cut_off(dock: QWidget) -> list[str]:
             continue  # those of Qt's and QGIS's own frames are smaller than they ask for
         least = widget.minimumSizeHint()
         right = widget.mapTo(dock, widget.rect().topRight()).x()
-        if widget.height() < least.height() or widget.width() < least.width() or right > dock.width():
-            found.append(f"{type(widget).__name__} {text!r} {widget.width()}x{widget.height()} at {right}")
+        # A theme's style sheet rounds its paddings, one way for what is asked and another for what is given
+        is_small = widget.height() < least.height() - 1 or widget.width() < least.width() - 1
+        if is_small or right > dock.width():
+            size, asked = widget.size(), f"{least.width()}x{least.height()}"
+            found.append(f"{type(widget).__name__} {text!r} {size.width()}x{size.height()} of {asked} at {right}")
     return found
