@@ -1036,7 +1036,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/windows_columns.py" line="129"/>
         <source>sources</source>
-        <translation>źródła</translation>
+        <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/windows_columns.py" line="135"/>
@@ -1304,7 +1304,7 @@
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="176"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="177"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
@@ -1314,7 +1314,7 @@
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="226"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="227"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -10349,6 +10349,7 @@
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="41"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
@@ -10401,6 +10402,7 @@
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="83"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
@@ -11106,6 +11108,145 @@
     <message>
         <source>Window {number}: relative variance by level</source>
         <translation>Okno {number}: wariancja względna według poziomów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="14"/>
+        <source>station (m)</source>
+        <translation>pikietaż (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="15"/>
+        <source>length (m)</source>
+        <translation>długość (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="17"/>
+        <source>verdict by the paper&apos;s rule</source>
+        <translation>ocena według reguły z artykułu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="18"/>
+        <source>verdict against</source>
+        <translation>ocena względem</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="20"/>
+        <source>sources that took part</source>
+        <translation>liczba ortoobrazów źródłowych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="22"/>
+        <source>orthoimage on the left</source>
+        <translation>ortoobraz z lewej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="23"/>
+        <source>orthoimage on the right</source>
+        <translation>ortoobraz z prawej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="24"/>
+        <source>its date, left</source>
+        <translation>jego data, z lewej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="25"/>
+        <source>its date, right</source>
+        <translation>jego data, z prawej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="26"/>
+        <source>ratio of the background</source>
+        <translation>stosunek tła</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="27"/>
+        <source>kept 1, at least</source>
+        <translation>zachowane 1, co najmniej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="28"/>
+        <source>kept 1, at most</source>
+        <translation>zachowane 1, co najwyżej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="29"/>
+        <source>width of the band (m)</source>
+        <translation>szerokość pasa (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="30"/>
+        <source>share where no source wins clearly</source>
+        <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="31"/>
+        <source>share that the sources explain</source>
+        <translation>udział pikseli objaśnionych przez źródła</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="35"/>
+        <source>sure (%)</source>
+        <translation>pewność (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="38"/>
+        <source>sure 2 (%)</source>
+        <translation>pewność 2 (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="40"/>
+        <source>failure</source>
+        <translation>usterka</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="42"/>
+        <source>picture</source>
+        <translation>obraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="45"/>
+        <source>kept {level}</source>
+        <translation>zachowane {level}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="47"/>
+        <source>ratio {level} against the composite</source>
+        <translation>stosunek {level} względem kompozycji</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="48"/>
+        <source>ratio {level} expected of a feather</source>
+        <translation>stosunek {level} oczekiwany po wtapianiu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="49"/>
+        <source>kept {level} in the window</source>
+        <translation>zachowane {level} w oknie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="50"/>
+        <source>kept {level} in the strip</source>
+        <translation>zachowane {level} w pasie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="51"/>
+        <source>contrast {level}</source>
+        <translation>kontrast {level}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="52"/>
+        <source>sharpness {level}</source>
+        <translation>ostrość {level}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="53"/>
+        <source>added detail {level}</source>
+        <translation>dodane detale {level}</translation>
+    </message>
+    <message>
+        <source>the sources</source>
+        <translation>ortoobrazów źródłowych</translation>
     </message>
 </context>
 </TS>

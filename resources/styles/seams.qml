@@ -674,4 +674,13 @@
   <featureBlendMode>0</featureBlendMode>
   <mapTip>&lt;b>[% coalesce(replace("left_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') %] | [% coalesce(replace("right_source", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '?') %]&lt;/b>: [% coalesce(map_get(map('significant', /*tr*/'significant loss', 'reduced', /*tr*/'reduced', 'preserved', /*tr*/'preserved', 'not_comparable', /*tr*/'not comparable'), "verdict"), '') %]&lt;br>[% coalesce(replace("reason", map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), /*tr*/'kept along the seam' || ': ' || format_number(100 * "kept_1", 0) || ' % (' || format_number(100 * "kept_low", 0) || '–' || format_number(100 * "kept_high", 0) || ' %)' || if("band_width" > 0, ', ' || /*tr*/'width of the band' || ': ' || format_number("band_width", 2) || ' m', ''), '') %]</mapTip>
   <layerGeometryType>1</layerGeometryType>
+  <previewExpression>coalesce("left_source", '?') || ' | ' || coalesce("right_source", '?') || ': ' || coalesce(map_get(map('significant', /*tr*/'significant loss', 'reduced', /*tr*/'reduced', 'preserved', /*tr*/'preserved', 'not_comparable', /*tr*/'not comparable'), "verdict"), '')</previewExpression>
+  <fieldWords>
+    <field names="verdict">
+      <item value="significant" label="significant loss"/>
+      <item value="reduced" label="reduced"/>
+      <item value="preserved" label="preserved"/>
+      <item value="not_comparable" label="not comparable"/>
+    </field>
+  </fieldWords>
 </qgis>

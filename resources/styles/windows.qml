@@ -784,4 +784,43 @@
   <featureBlendMode>0</featureBlendMode>
   <mapTip>&lt;b&gt;[% /*tr*/'Window' || ' ' || coalesce(replace(to_string("window_id"), map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %]&lt;/b&gt;: [% map_get(map('significant', /*tr*/'significant loss', 'reduced', /*tr*/'reduced', 'preserved', /*tr*/'preserved', 'not_comparable', /*tr*/'not comparable', '', /*tr*/'not inspected'), coalesce("verdict", '')) %][% coalesce('&lt;br&gt;' || replace(attribute('reason'), map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')), '') %][% coalesce('&lt;br&gt;' || if(attribute('reference') = 'seam', /*tr*/'kept along the seam' || ': ' || format_number(100 * attribute('kept_1'), 0) || ' % (' || format_number(100 * attribute('kept_low'), 0) || '–' || format_number(100 * attribute('kept_high'), 0) || ' %)', /*tr*/'ratio 1' || ': ' || format_number(attribute('ratio_1'), 2)), '') %][% coalesce('&lt;br&gt;' || array_to_string(array_foreach(string_to_array(attribute('causes'), '; '), coalesce(map_get(map('missing source', /*tr*/'missing source', 'misregistration', /*tr*/'misregistration', 'feathering', /*tr*/'feathering', 'blur', /*tr*/'blur', 'resampled', /*tr*/'resampled', 'sharpened', /*tr*/'sharpened', 'compressed', /*tr*/'compressed', 'noise added', /*tr*/'noise added', 'clipping', /*tr*/'clipping', 'dodging', /*tr*/'dodging', 'gamma', /*tr*/'gamma', 'colour shift', /*tr*/'colour shift', 'narrowed histogram', /*tr*/'narrowed histogram', 'balanced', /*tr*/'balanced', 'none', /*tr*/'none', 'unclear', /*tr*/'unclear'), @element), replace(@element, map('&amp;', '&amp;amp;', '&lt;', '&amp;lt;')))), '; '), '') %][% coalesce('&lt;br&gt;' || /*tr*/'observer' || ': ' || map_get(map('visible', /*tr*/'visible', 'invisible', /*tr*/'invisible', 'unsure', /*tr*/'not sure'), attribute('observer')), '') %]</mapTip>
   <layerGeometryType>2</layerGeometryType>
+  <previewExpression>/*tr*/'Window' || ' ' || coalesce(to_string("window_id"), '') || ': ' || coalesce(map_get(map('significant', /*tr*/'significant loss', 'reduced', /*tr*/'reduced', 'preserved', /*tr*/'preserved', 'not_comparable', /*tr*/'not comparable', '', /*tr*/'not inspected'), coalesce("verdict", '')), "verdict")</previewExpression>
+  <fieldWords>
+    <field names="verdict paper_verdict">
+      <item value="significant" label="significant loss"/>
+      <item value="reduced" label="reduced"/>
+      <item value="preserved" label="preserved"/>
+      <item value="not_comparable" label="not comparable"/>
+      <item value="" label="not inspected"/>
+    </field>
+    <field names="reference">
+      <item value="seam" label="the seam"/>
+      <item value="composite" label="the composite"/>
+      <item value="sources" label="the sources"/>
+    </field>
+    <field names="cause">
+      <item value="missing source" label="missing source"/>
+      <item value="misregistration" label="misregistration"/>
+      <item value="feathering" label="feathering"/>
+      <item value="blur" label="blur"/>
+      <item value="resampled" label="resampled"/>
+      <item value="sharpened" label="sharpened"/>
+      <item value="compressed" label="compressed"/>
+      <item value="noise added" label="noise added"/>
+      <item value="clipping" label="clipping"/>
+      <item value="dodging" label="dodging"/>
+      <item value="gamma" label="gamma"/>
+      <item value="colour shift" label="colour shift"/>
+      <item value="narrowed histogram" label="narrowed histogram"/>
+      <item value="balanced" label="balanced"/>
+      <item value="none" label="none"/>
+      <item value="unclear" label="unclear"/>
+    </field>
+    <field names="observer observer_2">
+      <item value="visible" label="visible"/>
+      <item value="invisible" label="invisible"/>
+      <item value="unsure" label="not sure"/>
+      <item value="" label="not judged"/>
+    </field>
+  </fieldWords>
 </qgis>

@@ -31,7 +31,7 @@ from ...imagery.statistics.observers import FIRST, JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.attribute_values import is_known
 from ...toolkit.layer_editing import change_quietly, edit_step
-from ...toolkit.layer_styles import load_style
+from ...toolkit.layer_styles import load_style, name_fields
 from ...toolkit.table_fields import column_fields, column_values
 from ...toolkit.translation import tr
 from ...toolkit.version_differences import field
@@ -127,6 +127,7 @@ def complete_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str] =
             layer.deleteFeature(old.id())
             layer.addFeature(new)
             renewed[old.id()] = new.id()
+    name_fields(layer, "windows")
     return renewed
 
 

@@ -107,6 +107,9 @@ def test_what_is_written_is_saved_whatever_the_format(project: QgsProject, tmp_p
     renewed = window_layer.complete_fields(drawn, 3)
     assert list(renewed) == [unsaved.id()]
     assert window_layer.complete_fields(drawn, 3) == {}
+    verdict = drawn.fields().indexOf("verdict")
+    assert drawn.attributeAlias(verdict) == "verdict"
+    assert {"significant loss": "significant"} in drawn.editorWidgetSetup(verdict).config()["map"]
     fids = sorted(row.fid for row in window_layer.read_layer(drawn))
     window_layer.write_numbers(drawn, {fid: number for number, fid in enumerate(fids, 1)})
     window_layer.write_results(drawn, {fid: result(number) for number, fid in enumerate(fids, 1)})

@@ -1,12 +1,18 @@
 """Layers look as resources/styles says, in the user's language."""
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFeature, QgsVectorLayer
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
+from seam_inspector.plugin.acceptance.paper.defect_layer import DEFECT_COLUMNS
+from seam_inspector.plugin.imagery.statistics.observers import JUDGING_FIELDS
+from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS, PLACED_COLUMNS, WINDOW_COLUMNS
+from seam_inspector.plugin.seams.tables.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
+from seam_inspector.plugin.toolkit.field_titles import field_title
 from seam_inspector.plugin.toolkit.layer_styles import load_style
 from seam_inspector.plugin.toolkit.resources import style_path
 
@@ -14,10 +20,10 @@ from tools.template_texts import texts
 
 
 class Shouting(QTranslator):
-    """A language that is told from English everywhere."""
+    """A language that is told from English everywhere but in the names of values."""
 
     def translate(self, context: str, text: str, disambiguation: str | None = None, count: int = -1) -> str:
-        return text.upper()
+        return re.sub(r"\{\w+\}|[^{]+", lambda found: found[0] if found[0][0] == "{" else found[0].upper(), text)
 
     def isEmpty(self) -> bool:
         return False
@@ -96,6 +102,36 @@ def test_a_map_tip_of_a_layer_that_lacks_fields_stays_short(qgis_app: QgsApplica
     assert tip(layer, window_id=3, verdict="reduced") == "<b>Window 3</b>: reduced"
 
 
+def test_the_table_is_in_the_users_language_and_its_fields_keep_their_names(shouted: None) -> None:
+    layer = windows()
+    names = layer.fields().names()
+    layer.setFieldAlias(names.index("reason"), "why")  # what its user calls a field stays
+    load_style(layer, "windows")
+    assert layer.fields().names() == names
+    assert [field.alias() for field in layer.fields()] == [
+        "WINDOW", "VERDICT", "why", "VERDICT AGAINST", "KEPT 1", "KEPT 1, AT LEAST", "KEPT 1, AT MOST", "ALL CAUSES",
+        "OBSERVER",
+    ]  # fmt: skip
+    words = layer.editorWidgetSetup(names.index("verdict"))
+    formatter = QgsApplication.fieldFormatterRegistry().fieldFormatter("ValueMap")
+    shown = formatter.representValue(layer, names.index("verdict"), words.config(), None, "significant")
+    assert shown == "SIGNIFICANT LOSS"
+    assert layer.editorWidgetSetup(names.index("kept_1")).isNull()
+
+
+def test_a_window_is_called_by_its_number_and_its_verdict_in_words(shouted: None) -> None:
+    layer = windows()
+    load_style(layer, "windows")
+    feature = QgsFeature(layer.fields())
+    context = QgsExpressionContext(layer.createExpressionContext())
+    called = []
+    for verdict in ("not_comparable", None, "of a later version"):
+        feature["window_id"], feature["verdict"] = 7, verdict
+        context.setFeature(feature)
+        called.append(QgsExpression(layer.displayExpression()).evaluate(context))
+    assert called == ["WINDOW 7: NOT COMPARABLE", "WINDOW 7: NOT INSPECTED", "WINDOW 7: of a later version"]
+
+
 def test_the_style_without_the_plugin_is_the_english_one(qgis_app: QgsApplication) -> None:
     plain, ours = windows(), windows()
     assert plain.loadNamedStyle(style_path("windows"))[1]
@@ -107,3 +143,11 @@ def test_the_style_without_the_plugin_is_the_english_one(qgis_app: QgsApplicatio
 def test_all_texts_of_styles_are_collected_for_translation(repository: Path) -> None:
     found = set(texts(repository / "resources" / "styles"))
     assert {"significant loss", "more than three quarters", "90 % and more: even ground", "observer"} <= found
+
+
+def test_every_field_of_a_styled_layer_has_a_title(qgis_app: QgsApplication) -> None:
+    columns = (*WINDOW_COLUMNS, *FORECAST_COLUMNS, *PLACED_COLUMNS, *SEAM_COLUMNS, *CELL_COLUMNS, *DEFECT_COLUMNS)
+    names = {name for column in columns for name in column.names(2)} | set(JUDGING_FIELDS)
+    assert {name for name in names if not field_title(name)} == {"x", "y"}  # which nobody has to explain
+    assert field_title("kept_12") == "kept 12"
+    assert field_title("somebody's own") == field_title("own_1") == ""

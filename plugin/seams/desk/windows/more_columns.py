@@ -80,7 +80,7 @@ CHOSEN_COLUMNS = (
         QT_TRANSLATE_NOOP("@default", "Upper end of the 95 % interval of what is kept along the seam."), _percent,
     ),
     _number(
-        "band_width", QT_TRANSLATE_NOOP("@default", "band"),
+        "band_width", QT_TRANSLATE_NOOP("@default", "band width"),
         QT_TRANSLATE_NOOP("@default", "Width of the band along the seam in which detail was lost."), _metres,
     ),
     _number(

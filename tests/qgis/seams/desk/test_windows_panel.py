@@ -432,9 +432,9 @@ def test_columns_are_chosen_moved_and_kept(
     panel: WindowsPanel, session: WindowsSession, show: Show, own_settings: None
 ) -> None:
     before = titles(panel)
-    choose_column(panel, "band")
+    choose_column(panel, "band width")
     choose_column(panel, "verdict")
-    assert titles(panel) == [*(title for title in before if title != "verdict"), "band"]
+    assert titles(panel) == [*(title for title in before if title != "verdict"), "band width"]
     header = panel.table.horizontalHeader()
     header.moveSection(header.visualIndex(KEPT), 0)
     other = WindowsPanel(session)

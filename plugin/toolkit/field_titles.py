@@ -1,0 +1,73 @@
+"""What the fields of our tables are called for the user: aliases of layers, whose fields keep their names."""
+from __future__ import annotations
+
+import re
+
+from qgis.core import QgsVectorLayer
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from .translation import filled, tr
+
+_TITLES = {
+    "window_id": QT_TRANSLATE_NOOP("@default", "window"),
+    "seam_id": QT_TRANSLATE_NOOP("@default", "seam"),
+    "station": QT_TRANSLATE_NOOP("@default", "station (m)"),
+    "length": QT_TRANSLATE_NOOP("@default", "length (m)"),
+    "verdict": QT_TRANSLATE_NOOP("@default", "verdict"),
+    "paper_verdict": QT_TRANSLATE_NOOP("@default", "verdict by the paper's rule"),
+    "reference": QT_TRANSLATE_NOOP("@default", "verdict against"),
+    "reason": QT_TRANSLATE_NOOP("@default", "reason"),
+    "sources": QT_TRANSLATE_NOOP("@default", "sources that took part"),
+    "source": QT_TRANSLATE_NOOP("@default", "orthoimage"),
+    "left_source": QT_TRANSLATE_NOOP("@default", "orthoimage on the left"),
+    "right_source": QT_TRANSLATE_NOOP("@default", "orthoimage on the right"),
+    "left_date": QT_TRANSLATE_NOOP("@default", "its date, left"),
+    "right_date": QT_TRANSLATE_NOOP("@default", "its date, right"),
+    "background_ratio": QT_TRANSLATE_NOOP("@default", "ratio of the background"),
+    "kept_low": QT_TRANSLATE_NOOP("@default", "kept 1, at least"),
+    "kept_high": QT_TRANSLATE_NOOP("@default", "kept 1, at most"),
+    "band_width": QT_TRANSLATE_NOOP("@default", "width of the band (m)"),
+    "unclear_share": QT_TRANSLATE_NOOP("@default", "share where no source wins clearly"),
+    "explained": QT_TRANSLATE_NOOP("@default", "share that the sources explain"),
+    "cause": QT_TRANSLATE_NOOP("@default", "cause"),
+    "causes": QT_TRANSLATE_NOOP("@default", "all causes"),
+    "observer": QT_TRANSLATE_NOOP("@default", "observer"),
+    "confidence": QT_TRANSLATE_NOOP("@default", "sure (%)"),
+    "remark": QT_TRANSLATE_NOOP("@default", "remark"),
+    "observer_2": QT_TRANSLATE_NOOP("@default", "observer 2"),
+    "confidence_2": QT_TRANSLATE_NOOP("@default", "sure 2 (%)"),
+    "remark_2": QT_TRANSLATE_NOOP("@default", "remark 2"),
+    "defect": QT_TRANSLATE_NOOP("@default", "failure"),
+    "sheet": QT_TRANSLATE_NOOP("@default", "sheet"),
+    "picture": QT_TRANSLATE_NOOP("@default", "picture"),
+}
+_OF_LEVEL = {
+    "kept": QT_TRANSLATE_NOOP("@default", "kept {level}"),
+    "ratio": QT_TRANSLATE_NOOP("@default", "ratio {level}"),
+    "composite_ratio": QT_TRANSLATE_NOOP("@default", "ratio {level} against the composite"),
+    "expected_ratio": QT_TRANSLATE_NOOP("@default", "ratio {level} expected of a feather"),
+    "window_kept": QT_TRANSLATE_NOOP("@default", "kept {level} in the window"),
+    "strip_kept": QT_TRANSLATE_NOOP("@default", "kept {level} in the strip"),
+    "contrast": QT_TRANSLATE_NOOP("@default", "contrast {level}"),
+    "sharpness": QT_TRANSLATE_NOOP("@default", "sharpness {level}"),
+    "added": QT_TRANSLATE_NOOP("@default", "added detail {level}"),
+}
+"""By the name in front of ``_1``..``_R``."""
+_LEVELLED = re.compile(r"(\w+)_(\d+)")
+
+
+def field_title(name: str) -> str:
+    """A field for the user; empty for one that is not of our tables."""
+    if name in _TITLES:
+        return tr(_TITLES[name])
+    found = _LEVELLED.fullmatch(name)
+    if found is None or found[1] not in _OF_LEVEL:
+        return ""
+    return filled(tr(_OF_LEVEL[found[1]]), level=found[2])
+
+
+def title_fields(layer: QgsVectorLayer) -> None:
+    """Call the fields of a layer so, but for those that are called something already."""
+    for index, field in enumerate(layer.fields()):
+        if not field.alias() and (title := field_title(field.name())):
+            layer.setFieldAlias(index, title)
