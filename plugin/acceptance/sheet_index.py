@@ -50,9 +50,9 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
 
     Pieces in no sheet keep theirs, which is told.
 
-    Raises SettingsError where the polygons have no names, or none holds a piece.
+    Raises SettingsError where the polygons have no names or no numbers for coordinates, or none holds a piece.
     """
-    from ..toolkit.layers import features
+    from ..toolkit.layers import features, has_numbers
 
     if not run.parameters.get(SHEETS):
         return delivery
@@ -65,6 +65,8 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
     outlines: list[tuple[str, QgsGeometry]] = []
     for row in attributes(features(source), names):
         outline = QgsGeometry(row.feature.geometry())
+        if not has_numbers(outline):
+            raise SettingsError(messages.SHEET_WITHOUT_PLACE(name=text(row[field])))
         try:
             outline.transform(transform)
         except QgsCsException:

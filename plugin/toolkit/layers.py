@@ -107,9 +107,16 @@ def window_geometry(feature: QgsFeature, transform: QgsCoordinateTransform) -> Q
         raise WindowError(messages.WINDOW_NOT_POLYGON())
     if geometry.isMultipart() and geometry.constGet().numGeometries() > 1:
         raise WindowError(messages.WINDOW_MULTIPART())
+    if not has_numbers(geometry):
+        raise WindowError(messages.WINDOW_EMPTY())
     if not geometry.isGeosValid():
         raise WindowError(messages.WINDOW_SELF_CROSSING())
     return _transformed(geometry, transform)
+
+
+def has_numbers(geometry: QgsGeometry) -> bool:
+    """Whether all coordinates are numbers; of others GEOS writes lines of its own, and bounding boxes lack them."""
+    return all(math.isfinite(vertex.x()) and math.isfinite(vertex.y()) for vertex in geometry.vertices())
 
 
 def extent(geometry: QgsGeometry) -> Extent:

@@ -10,6 +10,7 @@ SHEETS_WITHOUT_NAMES = Message(
 SHEETS_ELSEWHERE = Message(
     "No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system."
 )
+SHEET_WITHOUT_PLACE = Message("The outline of the sheet {name} has coordinates that are no numbers; draw it again.")
 PIECES_OFF_SHEETS = Message("{count} pieces of seam lie in none of the sheets and keep their layer's name.", WARNING)
 # a file with rules
 TWO_RULES_FOR_CHECK = Message("{name} has two rules for '{check}' ({place} is the second); leave one.")

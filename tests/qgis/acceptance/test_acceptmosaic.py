@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsGeometry, QgsProject, QgsRectangle, QgsVectorLayer
+from qgis.core import QgsGeometry, QgsPointXY, QgsProject, QgsRectangle, QgsVectorLayer
 
 from tests.pages import outline
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
@@ -356,6 +356,14 @@ def test_nothing_is_written_over_the_seams(tmp_path: Path) -> None:
     path = file(seams([P] * 4), tmp_path / "seams.gpkg")
     for given in (path, f"{path}|layername=seams"):
         assert_refused("acceptmosaic", "would be written over", SEAMS=[given], DEFECTS=path)
+
+
+@pytest.mark.parametrize("number", [float("nan"), float("inf")])
+def test_a_sheet_whose_corner_is_no_number_is_named(number: float, capfd: pytest.CaptureFixture[str]) -> None:
+    corners = [QgsPointXY(*place) for place in ((0, 0), (9, 0), (number, 9))]
+    index = layer("Polygon", [QgsGeometry.fromPolygonXY([corners])], UTM33, name=("string", ["north"]))
+    assert_refused("acceptmosaic", "sheet north has coordinates that are no numbers", SEAMS=[seams([P])], SHEETS=index)
+    assert "GEOS" not in capfd.readouterr().err
 
 
 def test_a_piece_over_a_border_counts_in_both_sheets(tmp_path: Path) -> None:
