@@ -170,17 +170,14 @@ def layer_system(broken: Broken) -> str:
 
 @breakage(*LAYERS)
 def database_tricks(broken: Broken) -> str:
-    """Views, triggers and tables that are not there, or never end."""
+    """Views and tables that are not there, or are something else. A view that never ends hangs QGIS itself."""
     path = _database(broken)
     table, _ = _table(path)
-    endless = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n)"
     statements = broken.random.choice((
         [f'DROP TABLE "{table}"'],
         ["DROP TABLE gpkg_geometry_columns"],
         ["DELETE FROM gpkg_contents"],
         ["UPDATE gpkg_contents SET table_name = 'nowhere'"],
-        [f'ALTER TABLE "{table}" RENAME TO kept',
-         f'CREATE VIEW "{table}" AS {endless} SELECT kept.* FROM kept, n LIMIT 3000'],
         [f'ALTER TABLE "{table}" RENAME TO kept',
          f'CREATE VIEW "{table}" AS SELECT load_extension(\'x\'), * FROM kept'],
         [f'ALTER TABLE "{table}" RENAME TO kept', f'CREATE VIEW "{table}" AS SELECT * FROM "{table}"'],

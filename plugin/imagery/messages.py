@@ -27,6 +27,9 @@ NO_REFERENCE_SYSTEM = Message(
     "{name} has no coordinate reference system; set it in the layer's properties or write it into the file."
 )
 NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a north-up grid first.")
+NOT_ON_GROUND = Message(
+    "{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates."
+)
 SOURCE_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 # reference systems
 EXTENT_NOT_TRANSFORMED = Message(

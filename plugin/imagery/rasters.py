@@ -93,9 +93,11 @@ class Raster:
 
     @cached_property
     def grid(self) -> Grid:
-        """Where its pixels lie. Raises RasterError when it is not north-up."""
+        """Where its pixels lie. Raises RasterError when it is not north-up, or lies nowhere on the ground."""
         if not self.is_north_up:
             raise RasterError(messages.NOT_NORTH_UP(name=self.ref.name))
+        if not all(math.isfinite(metres) and metres > 0 for metres in self._metres):
+            raise RasterError(messages.NOT_ON_GROUND(name=self.ref.name))
         left, right, _, top, _, down = self.placement
         return Grid(left, top, right, -down, self.columns, self.rows, *self._metres)
 

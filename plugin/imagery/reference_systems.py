@@ -61,7 +61,8 @@ def same_coordinates(wkt: str, other: str, extent: Extent, tolerance: float) -> 
 
 
 def metres_per_unit(wkt: str, y: float) -> tuple[float, float]:
-    """Metres on the ground per map unit along x and y; for degrees on the ellipsoid at latitude ``y``."""
+    """Metres on the ground per map unit along x and y; for degrees on the ellipsoid at latitude ``y``, and NaN beyond
+    its poles."""
     if not wkt:
         return 1.0, 1.0
     system = _system(wkt)
@@ -70,6 +71,8 @@ def metres_per_unit(wkt: str, y: float) -> tuple[float, float]:
     semi_major, flattening = system.GetSemiMajor(), system.GetInvFlattening()
     squared_eccentricity = (2 - 1 / flattening) / flattening if flattening else 0.0
     unit = system.GetAngularUnits()
+    if abs(y * unit) >= math.pi / 2:
+        return math.nan, math.nan
     sine, cosine = math.sin(y * unit), math.cos(y * unit)
     prime_vertical = semi_major / math.sqrt(1 - squared_eccentricity * sine**2)
     meridian = prime_vertical * (1 - squared_eccentricity) / (1 - squared_eccentricity * sine**2)

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -154,6 +155,18 @@ def test_metres_mean_metres_whatever_the_unit_of_the_system(
     grid = describe_mosaic(RasterRef(path)).grid
     assert (grid.metres_x, grid.metres_y) == pytest.approx((metres, metres))
     assert grid.ground_sample_distance == pytest.approx(0.5 * metres)
+
+
+@pytest.mark.parametrize(
+    ("system", "top"),
+    [(wkt(4326), 5000000.0), (wkt(4326), 90.5), ('LOCAL_CS["no length",UNIT["metre",0]]', 5000000.0)],
+    ids=["metres said to be degrees", "over a pole", "a unit without length"],
+)
+def test_what_lies_nowhere_on_the_ground_is_refused(make_raster: MakeRaster, system: str, top: float) -> None:
+    path = make_raster("lost.tif", orthoimage((64, 64)), geotransform=(15.0, 1e-7, 0.0, top, 0.0, -1e-7))
+    raster = replace(describe(RasterRef(path)), own_wkt=system)
+    with pytest.raises(RasterError, match=r"lost.tif lies beyond what its coordinate reference system describes"):
+        assert raster.grid
 
 
 def test_rasters_in_degrees_are_compared_as_they_are(make_raster: MakeRaster) -> None:
