@@ -639,11 +639,6 @@
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
-        <source>{pixels} px, {metres:.1f} m</source>
-        <translation>{pixels} px, {metres:.1f} m</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
@@ -689,32 +684,32 @@
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="259"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="285"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -1112,11 +1107,6 @@
         <location filename="../plugin/seams/desk/images/picture_view.py" line="119"/>
         <source>{name} (resampled)</source>
         <translation>{name} (przepróbkowany)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="15"/>
-        <source>{width:.1f} x {height:.1f} m, {columns} x {rows} px</source>
-        <translation>{width:.1f} × {height:.1f} m, {columns} × {rows} px</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/new_windows.py" line="82"/>
@@ -6685,62 +6675,62 @@
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="17"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="18"/>
         <source>no source has pixels there</source>
         <translation>żaden ortoobraz nie ma tam pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="22"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="23"/>
         <source>{counted} or more</source>
         <translation>{counted} lub więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="24"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="25"/>
         <source>{share:.0f} % of the mosaic is empty there</source>
         <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="25"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="26"/>
         <source>{share:.1f} % of the mosaic is empty there</source>
         <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
         <source>east</source>
         <translation>wschód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
         <source>north-east</source>
         <translation>północny wschód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
         <source>north</source>
         <translation>północ</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
         <source>north-west</source>
         <translation>północny zachód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
         <source>west</source>
         <translation>zachód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
         <source>south-west</source>
         <translation>południowy zachód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="44"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
         <source>south</source>
         <translation>południe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="46"/>
         <source>south-east</source>
         <translation>południowy wschód</translation>
     </message>
@@ -7025,17 +7015,7 @@
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
-        <source>{asked:.1f} m is too small for this mosaic</source>
-        <translation>{asked:.1f} m to za mało dla tej ortofotomapy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
-        <source>{asked:.1f} m is too large for this mosaic</source>
-        <translation>{asked:.1f} m to za dużo dla tej ortofotomapy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="262"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="263"/>
         <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
@@ -11257,6 +11237,26 @@
         <location filename="../plugin/imagery/messages.py" line="31"/>
         <source>{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
+        <source>{asked} m is too small for this mosaic</source>
+        <translation>{asked} m to za mało dla tej ortofotomapy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
+        <source>{asked} m is too large for this mosaic</source>
+        <translation>{asked} m to za dużo dla tej ortofotomapy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
+        <source>{pixels} px, {metres} m</source>
+        <translation>{pixels} px, {metres} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/map/window_words.py" line="15"/>
+        <source>{width} x {height} m, {columns} x {rows} px</source>
+        <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
 </context>
 </TS>

@@ -34,6 +34,11 @@ def shown_number(value: float, decimals: int = 2) -> str:
     return QLocale().toString(float(value), "f", decimals)
 
 
+def shown_metres(length: float) -> str:
+    """Metres as the user writes them: tenths, or hundredths where tenths would be another length."""
+    return shown_number(length, 1 if abs(length - round(length, 1)) < 0.005 else 2)
+
+
 def formatted(value: float, spec: str) -> str:
     """A number in a format of Python's, as the user writes it."""
     return local_digits(format(value, spec))

@@ -15,6 +15,7 @@ from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines.seamlines import Seam, find_seams
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.placing.window_placing import Placement, place_windows
+from seam_inspector.plugin.seams.measure.placing.window_sides import fitting_side_m, window_side_px
 
 KILOMETRE = Grid(left=576000, top=5188000, pixel_width=0.5, pixel_height=0.5, columns=4000, rows=2000)
 """2000 m x 1000 m; a window of 100 m has 256 px, that is 128 m."""
@@ -281,3 +282,12 @@ def test_packo_windows_stay_on_the_tile(data_folder: Path) -> None:
     assert all(grid.contains(placed.window) for placed in placement.windows)
     assert {placed.seam_id for placed in placement.windows} == {1, 2}
     assert {placed.window.width for placed in placement.windows} == {64}
+
+
+# --- a side that fits ------------------------------------------------------------------------------------------
+
+
+def test_a_side_that_replaces_one_is_that_of_its_windows_to_the_centimetre() -> None:
+    grid = Grid(left=576000, top=5188000, pixel_width=0.03, pixel_height=0.03, columns=2100, rows=2100)
+    assert fitting_side_m(grid, 100, 200, 3) == 15.36
+    assert window_side_px(grid, 15.36, 200, 3) == 512

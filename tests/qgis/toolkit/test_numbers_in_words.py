@@ -20,6 +20,7 @@ from seam_inspector.plugin.toolkit.translation import (
     language,
     percent,
     sentence,
+    shown_metres,
 )
 
 SHARE = Message("A share of {share:.1%} in {name}, {count} of {most:.1f}.")
@@ -112,3 +113,12 @@ def test_a_figure_that_fails_is_not_written_as_its_limit(qgis_app: QgsApplicatio
     assert figure_words(rule, 0.000503) == "0.0503\u00a0%"
     assert figure_words(rule, 0.0005) == "0.05\u00a0%"
     assert figure_words(rule, 0.000514) == "0.051\u00a0%"
+
+
+@pytest.mark.parametrize(
+    ("metres", "shown"), [(15.36, "15.36"), (102.4, "102.4"), (60, "60.0"), (0.64, "0.64"), (51.2 - 1e-12, "51.2")]
+)
+def test_metres_have_hundredths_where_tenths_would_be_another_length(
+    qgis_app: QgsApplication, metres: float, shown: str
+) -> None:
+    assert shown_metres(metres) == shown

@@ -16,7 +16,7 @@ from ....imagery.message import WARNING
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.summary_box import SummaryBox
 from ....toolkit.desk.timers import single_shot
-from ....toolkit.translation import filled, sentence, tr
+from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
 from ...measure.inputs.source_use import source_doubts
 from ...measure.placing.window_sides import fitting_side_m, window_side_px
@@ -222,7 +222,7 @@ class InputsPanel(QWidget):
             try:
                 pixels = window_side_px(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
                 metres = pixels * grid.ground_sample_distance
-                text = filled(tr("{pixels} px, {metres:.1f} m"), pixels=pixels, metres=metres)
+                text = filled(tr("{pixels} px, {metres} m"), pixels=pixels, metres=shown_metres(metres))
                 tip = tr("The smallest power of two of the mosaic's pixels that spans at least the given metres")
             except SettingsError as error:
                 text, tip = tr("too short"), sentence(error.message)
@@ -231,9 +231,9 @@ class InputsPanel(QWidget):
         note = ""
         if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
             asked, fits = self._fitted
-            note = tr("{asked:.1f} m is too small for this mosaic") if asked < fits else tr(
-                "{asked:.1f} m is too large for this mosaic")
-            note = filled(note, asked=asked)
+            note = tr("{asked} m is too small for this mosaic") if asked < fits else tr(
+                "{asked} m is too large for this mosaic")
+            note = filled(note, asked=shown_metres(asked))
         self.side_note.setText(note)
         self.side_note.setVisible(bool(note) and not self.box.isCollapsed())  # else it lies on the folded box's title
 
@@ -256,6 +256,7 @@ class InputsPanel(QWidget):
         self.windows = LayerBox(_Filter.PolygonLayer, tr("new layer"), self.box)
         self.windows.setToolTip(tr("The polygon layer that holds the windows; a new one is made with the first window"))
         self.side = metres_box(imagery_limits.STANDARD_SIDE_M, 10, self.box)
+        self.side.setDecimals(2)  # 15.4 m would need twice the pixels of 15.36 m, 512 of 3 cm
         self.side.setToolTip(tr("Metres that a clicked or placed window spans at least"))
         self.side_px = QLabel(self.box)
         self.side_note = QLabel(self.box)

@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 
 from ....imagery.grids import Grid, PixelWindow
-from ....toolkit.translation import filled, tr
+from ....toolkit.translation import filled, shown_metres, tr
 from ...measure.inputs.valid_cells import is_mosaic_enough
 from .window_coverage import Coverage
 
@@ -12,8 +12,9 @@ from .window_coverage import Coverage
 def described(grid: Grid, window: PixelWindow, coverage: Coverage) -> str:
     """``102.4 x 102.4 m, 1024 x 1024 px, 3 sources``; less while less is known."""
     width, height = window.width * grid.pixel_width * grid.metres_x, window.height * grid.pixel_height * grid.metres_y
-    size = tr("{width:.1f} x {height:.1f} m, {columns} x {rows} px")
-    parts = [filled(size, width=width, height=height, columns=window.width, rows=window.height)]
+    size = tr("{width} x {height} m, {columns} x {rows} px")
+    spans = {"width": shown_metres(width), "height": shown_metres(height)}
+    parts = [filled(size, **spans, columns=window.width, rows=window.height)]
     few = {0: tr("no source has pixels there"), 1: tr("1 source")}
     counted = few.get(coverage.sources) or filled(tr("{count} sources"), count=coverage.sources)
     if not coverage.unread:

@@ -31,7 +31,7 @@ def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> 
 
 
 def fitting_side_m(grid: Grid, side_m: float, spacing_m: float, levels: int) -> float:
-    """The side itself where mosaic and levels allow it; else one that they do, in tenths of a metre.
+    """The side itself where mosaic and levels allow it; else one that they do, in centimetres.
 
     Of a mosaic that no window fits on, the side itself.
     """
@@ -46,4 +46,4 @@ def fitting_side_m(grid: Grid, side_m: float, spacing_m: float, levels: int) -> 
         wanted = min(max(2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1))), fewest), LONGEST_SIDE_PX)
     if wanted > shorter:
         return side_m
-    return max(math.floor(10 * wanted * grid.ground_sample_distance + 1e-6) / 10, 0.1)
+    return max(math.floor(100 * wanted * grid.ground_sample_distance + 1e-6) / 100, 0.1)

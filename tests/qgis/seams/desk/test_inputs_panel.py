@@ -304,6 +304,7 @@ def test_following_the_session_changes_nothing(desk: Desk) -> None:
     [
         (100.0, 3, 100.0, "1024 px, 102.4 m", ""),
         (10.0, 3, 10.0, "128 px, 12.8 m", ""),
+        (12.79, 3, 12.79, "128 px, 12.8 m", ""),  # not 12.8, as tenths would say
         (3.0, 3, 6.4, "64 px, 6.4 m", "3.0 m is too small for this mosaic"),
         (10.0, 8, 25.6, "256 px, 25.6 m", "10.0 m is too small for this mosaic"),
         (300.0, 3, 51.2, "512 px, 51.2 m", "300.0 m is too large for this mosaic"),

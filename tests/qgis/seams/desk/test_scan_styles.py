@@ -73,6 +73,7 @@ def test_seams_have_the_colours_of_verdicts(qgis_app: QgsApplication) -> None:
     for verdict in ("significant", "reduced", "preserved"):
         symbol = categories[verdict].symbol()
         assert symbol.symbolLayer(symbol.symbolLayerCount() - 1).color().name() == VERDICTS[verdict].colour
+        assert symbol.symbolLayer(symbol.symbolLayerCount() - 1).useCustomDashPattern()  # windows' frames are not
     widths = [categories[verdict].symbol().width() for verdict in ("significant", "reduced", "preserved")]
     assert sorted(widths, reverse=True) == widths
     thin = categories["not_comparable"].symbol()
