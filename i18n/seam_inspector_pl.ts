@@ -3968,7 +3968,7 @@
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="183"/>
+        <location filename="../plugin/seams/cause_words.py" line="185"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
@@ -4008,12 +4008,12 @@
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="179"/>
+        <location filename="../plugin/seams/cause_words.py" line="181"/>
         <source>No step of production is found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="184"/>
+        <location filename="../plugin/seams/cause_words.py" line="186"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -4665,7 +4665,7 @@
         <translation>ortofotomapa nie leży tam, gdzie jej ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="185"/>
+        <location filename="../plugin/seams/cause_words.py" line="187"/>
         <source>the cause is unclear: its detail is not that of the sources</source>
         <translation>przyczyna jest niejasna: jej detale nie są detalami ortoobrazów</translation>
     </message>
@@ -4984,11 +4984,6 @@
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="156"/>
-        <source>{percent} % of the pixels are from none of the given sources and took no part.</source>
-        <translation>{percent} % pikseli nie pochodzi z żadnego z podanych ortoobrazów i nie brało udziału.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="206"/>
         <source>; the rest is as sharp as its sources.</source>
         <translation>; reszta jest tak ostra jak ortoobrazy źródłowe.</translation>
@@ -5114,147 +5109,132 @@
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="119"/>
-        <source>A part of the mosaic is from an orthoimage that is not among the sources; add that one.</source>
-        <translation>Część ortofotomapy pochodzi z ortoobrazu, którego nie ma wśród źródłowych; dodaj go.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/cause_words.py" line="121"/>
-        <source>a part of it is from none of these sources</source>
-        <translation>jej część nie pochodzi z żadnego z tych ortoobrazów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/cause_words.py" line="122"/>
-        <source>{value} % of it are from none of these sources</source>
-        <translation>{value} % jej pikseli nie pochodzi z żadnego z tych ortoobrazów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/cause_words.py" line="127"/>
+        <location filename="../plugin/seams/cause_words.py" line="129"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="129"/>
+        <location filename="../plugin/seams/cause_words.py" line="131"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="131"/>
+        <location filename="../plugin/seams/cause_words.py" line="133"/>
         <source>resampling explains it</source>
         <translation>wyjaśnia to przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="131"/>
+        <location filename="../plugin/seams/cause_words.py" line="133"/>
         <source>it was resampled</source>
         <translation>została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="133"/>
+        <location filename="../plugin/seams/cause_words.py" line="135"/>
         <source>resampling, {value} px off the sources&apos; pixels, explains it</source>
         <translation>wyjaśnia to przepróbkowanie z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="134"/>
+        <location filename="../plugin/seams/cause_words.py" line="136"/>
         <source>it was resampled, {value} px off the sources&apos; pixels</source>
         <translation>została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="140"/>
+        <location filename="../plugin/seams/cause_words.py" line="142"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="141"/>
+        <location filename="../plugin/seams/cause_words.py" line="143"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="142"/>
+        <location filename="../plugin/seams/cause_words.py" line="144"/>
         <source>it was sharpened</source>
         <translation>została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="143"/>
+        <location filename="../plugin/seams/cause_words.py" line="145"/>
         <source>it was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="148"/>
+        <location filename="../plugin/seams/cause_words.py" line="150"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="149"/>
+        <location filename="../plugin/seams/cause_words.py" line="151"/>
         <source>Compression with loss, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="150"/>
+        <location filename="../plugin/seams/cause_words.py" line="152"/>
         <source>it was compressed with loss</source>
         <translation>została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="151"/>
+        <location filename="../plugin/seams/cause_words.py" line="153"/>
         <source>it was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="156"/>
+        <location filename="../plugin/seams/cause_words.py" line="158"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="157"/>
+        <location filename="../plugin/seams/cause_words.py" line="159"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="158"/>
+        <location filename="../plugin/seams/cause_words.py" line="160"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="159"/>
+        <location filename="../plugin/seams/cause_words.py" line="161"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="164"/>
+        <location filename="../plugin/seams/cause_words.py" line="166"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="165"/>
+        <location filename="../plugin/seams/cause_words.py" line="167"/>
         <source>Brightness was evened out by a tone that changes from place to place.</source>
         <translation>Jasność wyrównano tonacją, która zmienia się z miejsca na miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="166"/>
+        <location filename="../plugin/seams/cause_words.py" line="168"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="169"/>
+        <location filename="../plugin/seams/cause_words.py" line="171"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="171"/>
+        <location filename="../plugin/seams/cause_words.py" line="173"/>
         <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="173"/>
+        <location filename="../plugin/seams/cause_words.py" line="175"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="174"/>
+        <location filename="../plugin/seams/cause_words.py" line="176"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="180"/>
+        <location filename="../plugin/seams/cause_words.py" line="182"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -5272,16 +5252,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="86"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="90"/>
-        <source>{share:.0f} % of the window is from none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing.</source>
-        <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych ortoobrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="94"/>
-        <source>{share:.0f} % of the window is from none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing.</source>
-        <translation>{share:.0f} % okna nie pochodzi z żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="98"/>
@@ -11257,6 +11227,36 @@
         <location filename="../plugin/seams/desk/map/window_words.py" line="15"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="120"/>
+        <source>A part of the mosaic matches none of the sources: add the orthoimage that is missing, unless the mosaic was altered there.</source>
+        <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="123"/>
+        <source>a part of it matches none of these sources</source>
+        <translation>jej część nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="124"/>
+        <source>{value} % of it match none of these sources</source>
+        <translation>{value} % jej pikseli nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <source>{share:.0f} % of the window matches none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing, unless the mosaic was altered there.</source>
+        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="94"/>
+        <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing, unless the mosaic was altered there.</source>
+        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="156"/>
+        <source>{percent} % of the pixels match none of the given sources and took no part.</source>
+        <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
 </context>
 </TS>

@@ -116,10 +116,12 @@ CAUSES: dict[str, ShownCause] = {
     Cause.MISSING_SOURCE.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "missing source"),
         QT_TRANSLATE_NOOP(
-            "@default", "A part of the mosaic is from an orthoimage that is not among the sources; add that one."
+            "@default",
+            "A part of the mosaic matches none of the sources: add the orthoimage that is missing, unless the mosaic "
+            "was altered there.",
         ),
-        (QT_TRANSLATE_NOOP("@default", "a part of it is from none of these sources"),),
-        (QT_TRANSLATE_NOOP("@default", "{value} % of it are from none of these sources"),),
+        (QT_TRANSLATE_NOOP("@default", "a part of it matches none of these sources"),),
+        (QT_TRANSLATE_NOOP("@default", "{value} % of it match none of these sources"),),
         lambda found: found.evidence.missing,
         percent,
     ),

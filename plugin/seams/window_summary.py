@@ -153,7 +153,7 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
     missing = 0.0 if row.explained is None else 1 - row.explained
     is_told = f"{100 * missing:.0f} %" in row.reason  # VERDICT_OF_THE_REST says how many, too, in whatever language
     if missing > _UNEXPLAINED and not is_told:
-        text = tr("{percent} % of the pixels are from none of the given sources and took no part.")
+        text = tr("{percent} % of the pixels match none of the given sources and took no part.")
         said.append(filled(text, percent=percent(missing)))
     return said
 

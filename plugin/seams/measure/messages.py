@@ -87,12 +87,12 @@ TOO_LITTLE_GROUND = Message(
     "than the seam's surroundings are in it.", INFO
 )
 SEAM_UNEXPLAINED = Message(
-    "{share:.0f} % of the window is from none of the given sources, so what its seam kept can't be told; add the "
-    "orthoimage that is missing.", INFO
+    "{share:.0f} % of the window matches none of the given sources, so what its seam kept can't be told; add the "
+    "orthoimage that is missing, unless the mosaic was altered there.", INFO
 )
 VERDICT_OF_THE_REST = Message(
-    "{share:.0f} % of the window is from none of the given sources and took no part; the verdict is that of the rest, "
-    "so add the orthoimage that is missing.", WARNING
+    "{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest, "
+    "so add the orthoimage that is missing, unless the mosaic was altered there.", WARNING
 )
 MORE_ALONG_THE_SEAM = Message(
     "Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, "

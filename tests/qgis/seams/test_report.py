@@ -199,7 +199,7 @@ def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_p
     assert page.anchors == ["window-2", "window-1", "window-3"]  # the greatest loss first, each by its own limit
     assert "In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %)" in page.words
     assert "Images are feathered; besides: compressed." in page.words
-    assert "17 % of the pixels are from none of the given sources" in page.words
+    assert "17 % of the pixels match none of the given sources" in page.words
     assert "By the paper's rule it is preserved, with 135 % of the detail" in page.words
     assert "By the paper's rule: preserved" not in page.words  # said once is enough
     assert ["kept along the seam (level 1: 0.51 to 0.62)", "0.56", "0.81"] in page.rows

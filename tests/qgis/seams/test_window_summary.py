@@ -88,7 +88,7 @@ def result(
         ("colour shift", "the colours are shifted, gains differ by a factor of 1.24", "the colours are shifted"),
         ("misregistration", "the mosaic lies 1.3 px off its sources", "the mosaic does not lie where its sources do"),
         (
-            "missing source", "17 % of it are from none of these sources", "a part of it is from none of these sources"
+            "missing source", "17 % of it match none of these sources", "a part of it matches none of these sources"
         ),
         ("resampled", "resampling, 0.3 px off the sources' pixels, explains it", "resampling explains it"),
         ("sharpened", "it was sharpened to 142 % of the sources' contrast", "it was sharpened"),
@@ -195,7 +195,7 @@ def test_numbers_that_say_nothing_are_left_out(qgis_app: QgsApplication) -> None
              "reason": "One source covers it.", "explained": 0.83, "cause": "missing source",
              "causes": "missing source; balanced"},
             ("Preserved. One source covers it. The window has 100 % of the sharpness of its sources. 17 % of the "
-            "pixels are from none of the given sources and took no part. The sources' tones were balanced."),
+            "pixels match none of the given sources and took no part. The sources' tones were balanced."),
         ),
     ],
 )
@@ -283,7 +283,7 @@ def test_what_is_known_is_told_where_it_is_too_little_for_a_verdict(qgis_app: Qg
 
 
 def test_pixels_that_took_no_part_are_told(qgis_app: QgsApplication) -> None:
-    told = "17 % of the pixels are from none of the given sources and took no part."
+    told = "17 % of the pixels match none of the given sources and took no part."
     assert told in window_sentence(seam_row(explained=0.83))
     assert "took no part" not in window_sentence(seam_row(explained=0.999))
 
