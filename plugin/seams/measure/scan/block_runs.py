@@ -40,9 +40,9 @@ class BlockRun:
 
     def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
         self._request, self._journal = request, journal
-        grid = request.blocks
-        self._squares = np.full((grid.rows * SQUARES, grid.columns * SQUARES), NOTHING, np.int32)
-        self._dense = np.zeros((grid.rows * UNITS, grid.columns * UNITS), bool)
+        self._looks_twice = request.seam_squares is None
+        shape = (request.blocks.rows, request.blocks.columns) if self._looks_twice else (0, 0)
+        self._squares = np.full([SQUARES * count for count in shape], NOTHING, np.int32)
 
     def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
         """First every block, then along the borders of blocks what only two neighbours together show."""
@@ -51,10 +51,10 @@ class BlockRun:
         clock = Clock(len(keys))
         for done in journaled(FIRST_LOOK, keys, self._request.block, self._journal, crew, clock):
             scan = done.scan
-            self._squares[place_of(scan.key, SQUARES)] = global_numbers(scan, self._request.numbers)[scan.squares]
-            self._dense[place_of(scan.key, UNITS)] = scan.dense
+            if self._looks_twice:
+                self._squares[place_of(scan.key, SQUARES)] = global_numbers(scan, self._request.numbers)[scan.squares]
             yield ScanStep(done.share, done.seconds_left, done.notices, scan)
-        if cancelled() or self._request.seam_squares is not None:
+        if cancelled() or not self._looks_twice:
             return
         second = {one.key: one for one in self._second_look()}
         clock.more(len(second))
@@ -62,11 +62,16 @@ class BlockRun:
             yield ScanStep(done.share, done.seconds_left, done.notices, done.scan)
 
     def _second_look(self) -> Iterator[BlockRequest]:
-        wanted = called_for(self._squares, NOTHING) & ~self._dense
-        for key in self._request.blocks:
-            own = wanted[place_of(key, UNITS)]
-            if own.any():
-                yield replace(self._request.block(key), wanted=own.copy(), look_every=0)
+        """Row by row, and by what the journal holds: units of the whole mosaic are more than memory holds."""
+        for row in range(self._request.blocks.rows):
+            above = min(row, 1)
+            first = row * SQUARES
+            wanted = called_for(self._squares[first - above : first + SQUARES + 1], NOTHING)
+            wanted = wanted[above * UNITS // SQUARES :][:UNITS]
+            for column in range(self._request.blocks.columns):
+                key, own = (row, column), wanted[place_of((0, column), UNITS)]
+                if own.any() and (own := own & ~block_scans(self._journal, key)[0].dense).any():
+                    yield replace(self._request.block(key), wanted=own, look_every=0)
 
 
 def _failed(request: BlockRequest, reason: Message) -> BlockScan:

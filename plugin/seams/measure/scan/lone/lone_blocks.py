@@ -92,7 +92,7 @@ class LoneRun:
 
     def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
         """Every block that a seam meets."""
-        keys = [key for key in self._blocks if self._along.dense_in(key).any()]
+        keys = self._along.met
         crew = Crew(executor, ahead, cancelled)
         for done in journaled(LONE_LOOK, keys, self._request, self._journal, crew, Clock(len(keys))):
             yield ScanStep(done.share, done.seconds_left, done.notices)

@@ -1,12 +1,15 @@
 """Which parts of a mosaic its seamlines call for."""
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS, BlockGrid
+from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS, BlockGrid, place_of
 from seam_inspector.plugin.seams.measure.scan.blocks.seam_squares import BESIDE_PX, SeamSquares
 from seam_inspector.plugin.seams.measure.scan.lines.given_seams import NamedSeam
 
@@ -44,22 +47,55 @@ def near(places: list[tuple[float, float]], reach_px: float) -> np.ndarray:
     return found
 
 
+def dense_of(squares: SeamSquares, blocks: BlockGrid = BLOCKS) -> np.ndarray:
+    """Of the whole mosaic, (rows, columns) bool."""
+    rows = [np.concatenate([squares.dense_in((row, column)) for column in range(blocks.columns)], axis=1)
+            for row in range(blocks.rows)]
+    return np.concatenate(rows)
+
+
 place = st.tuples(st.integers(-300, COLUMNS + 300), st.integers(-300, ROWS + 300))
 
 
 @given(st.lists(place, min_size=2, max_size=4))
 @settings(deadline=None, max_examples=25)
 def test_units_beside_a_seam_are_measured_and_no_others(places: list[tuple[float, float]]) -> None:
-    dense = SeamSquares([seam(*places)], BLOCKS).dense
+    dense = dense_of(SeamSquares([seam(*places)], BLOCKS))
     assert dense[near(places, BESIDE_PX - SPARE_PX)].all()
     assert not dense[~near(places, BESIDE_PX + 1)].any()
 
 
+WIDE = BlockGrid(Grid(1000.0, 9000.0, 0.25, 0.5, 11_000, 9000))
+
+
+@given(st.lists(st.tuples(st.integers(0, 11_000), st.integers(0, 9000)), min_size=2, max_size=3), st.floats(1, 9000))
+@settings(deadline=None, max_examples=50)
+def test_a_corridor_reaches_as_far_as_the_distance_to_the_nearest_unit(
+    places: list[tuple[float, float]], corridor_px: float
+) -> None:
+    squares = SeamSquares([seam(*places)], WIDE, corridor_px)
+    distance = ndimage.distance_transform_edt(~dense_of(squares, WIDE)) * UNIT_PX
+    for key in WIDE:
+        assert squares.is_read(key) == (distance[place_of(key, UNITS)].min() <= corridor_px)
+
+
+def test_memory_grows_with_the_seams_and_not_with_the_mosaic() -> None:
+    """A country's, of 10^12 pixels."""
+    side = 1_000_000
+    country = BlockGrid(Grid(0.0, 0.0, 1.0, 1.0, side, side))
+    line = NamedSeam(np.array([[100.0, -100.0], [side - 100.0, -100.0], [side - 100.0, -90_000.0]]), None, None)
+    tracemalloc.start()
+    squares = SeamSquares([line], country, 10_000.0)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 100e6
+    assert [squares.is_read((row, 200)) for row in (0, 4, 5, 400)] == [True, True, False, False]
+    assert [squares.is_read((40, column)) for column in (482, 483, 488)] == [False, True, True]
+    assert not squares.dense_in((400, 200)).any()
+
+
 def test_blocks_hold_their_own_part() -> None:
     squares = SeamSquares([seam((100, 2040), (4900, 2040))], BLOCKS)
-    rows = [np.concatenate([squares.dense_in((row, column)) for column in range(BLOCKS.columns)], axis=1)
-            for row in range(BLOCKS.rows)]
-    np.testing.assert_array_equal(np.concatenate(rows), squares.dense)
     assert squares.dense_in((0, 0))[-1, 8:].all()
     assert squares.dense_in((1, 0))[0, 8:].all()
 
@@ -78,16 +114,16 @@ def test_a_corridor_leaves_out_blocks_that_no_seam_is_near_to() -> None:
 def test_seams_beyond_the_mosaic_call_for_nothing() -> None:
     away = [seam((-900, -900), (-200, -800)), seam((COLUMNS + 900, 0), (COLUMNS + 900, ROWS))]
     for corridor_px in (0.0, 300.0):
-        assert not SeamSquares(away, BLOCKS, corridor_px).dense.any()
+        assert not dense_of(SeamSquares(away, BLOCKS, corridor_px)).any()
     assert not any(SeamSquares(away, BLOCKS, 300.0).is_read(key) for key in BLOCKS)
 
 
 @pytest.mark.parametrize("places", [[(500, 500), (500, 500)], [(500, 500), (500.1, 500)]])
 def test_a_seam_of_no_length_is_a_place(places: list[tuple[float, float]]) -> None:
-    dense = SeamSquares([seam(*places)], BLOCKS).dense
+    dense = dense_of(SeamSquares([seam(*places)], BLOCKS))
     assert dense[500 // UNIT_PX, 500 // UNIT_PX]
     assert 4 <= dense.sum() <= 25
 
 
 def test_no_seams_call_for_nothing() -> None:
-    assert not SeamSquares([], BLOCKS).dense.any()
+    assert not dense_of(SeamSquares([], BLOCKS)).any()
