@@ -73,7 +73,8 @@ class LoneGathering:
         """What each piece kept, in the cells of its strip."""
         kept = np.array([NODATA if one.least_kept is None else one.least_kept for one in judged], np.float32)
         side = BLOCK_PX // cell_px
-        for key in self._blocks:
+        met = {near for key, numbers in self._groups().items() for near in self._touched(key, numbers)}
+        for key in sorted(met):
             window = self._blocks.window(key)
             near = self._index.near(window, BLOCK_PX // side)
             if not len(near):

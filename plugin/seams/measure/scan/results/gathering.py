@@ -85,12 +85,15 @@ class Gathering:
         picture can't be written.
         """
         request, grid = self._request, self._request.mosaic.grid
-        borders = list(trace_borders(self._label_strips(), grid, LABEL_PX))
-        if not goes_on(0.3):
+        borders = list(trace_borders(self._label_strips(lambda share: goes_on(0.2 * share)), grid, LABEL_PX))
+        if not goes_on(0.2):
             return None
         pieces = list(request.pieces)
         if request.seams:
-            pieces = sides_of(pieces, self._label_strips(), grid, LABEL_PX, request.named[0])
+            strips = self._label_strips(lambda share: goes_on(0.2 + 0.1 * share))
+            pieces = sides_of(pieces, strips, grid, LABEL_PX, request.named[0])
+            if not goes_on(0.3):
+                return None
         else:
             pieces = cut_in_pieces(seams_of(borders), request.settings.piece_m, grid)
         sums = self._sums(pieces, loss_path, lambda share: goes_on(0.3 + 0.5 * share))
@@ -113,11 +116,14 @@ class Gathering:
             return side if number is None else self._request.sources[number].ref.name
         return None if side is None else self._request.sources[side].ref.name
 
-    def _label_strips(self) -> Iterator[np.ndarray]:
-        """Rows of the whole mosaic's labels, numbers of sources, ``NOTHING`` where none is followed."""
+    def _label_strips(self, goes_on: Callable[[float], bool]) -> Iterator[np.ndarray]:
+        """Rows of the whole mosaic's labels, numbers of sources, ``NOTHING`` where none is followed; as far as
+        ``goes_on`` says so."""
         mosaic, half = self._request.mosaic, LABEL_PX // 2
         columns = -(-(mosaic.columns - half) // LABEL_PX)
         for row in range(self._grid.rows):
+            if not goes_on(row / self._grid.rows):
+                return
             strip = np.concatenate([self._labels(scan) for scan in self._row(row)], axis=1)
             rows = -(-(min(mosaic.rows - row * BLOCK_PX, BLOCK_PX) - half) // LABEL_PX)
             yield strip[:rows, :columns]

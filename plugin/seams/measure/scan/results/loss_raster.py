@@ -3,6 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 
 import numpy as np
 from osgeo import gdal
@@ -16,12 +17,12 @@ from ...profile.detail_cells import CELL_PX
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX
 from ..blocks.scan_block import BlockScan
 from .block_ground import LevelGround, whole_cells
+from .picture_overviews import TILE, write_overviews
 
 BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
 NODATA = -1.0
 SETTINGS_DOMAIN = "SEAM_INSPECTOR"
 SOURCE_BAND = BANDS.index("source") + 1
-_OVERVIEWS_FROM_PX = 256
 
 
 def loss_cells(
@@ -71,15 +72,21 @@ class LossRaster:
     def __init__(self, dataset: gdal.Dataset, path: str, cell_px: int) -> None:
         self._dataset, self._failure = dataset, imagery_messages.RASTER_NOT_WRITTEN(path=path)
         self._side = BLOCK_PX // cell_px
-        self._measured = np.zeros(len(BANDS), bool)
+        self._tiles: set[tuple[int, int]] = set()  # of the first overview, that have something to show
+        self._sums = [_Sums() for _ in BANDS]
 
     def write(self, row: int, column: int, cells: np.ndarray) -> None:
         """The cells of one block by its row and column. Raises RasterError when the disk is full."""
         left, top = column * self._side, row * self._side
         width, height = self._dataset.RasterXSize - left, self._dataset.RasterYSize - top
-        self._measured |= (cells[:, :height, :width] != NODATA).any(axis=(1, 2))
+        cells = np.ascontiguousarray(cells[:, :height, :width])
+        if (cells == NODATA).all():
+            return
+        for band, sums in zip(cells, self._sums):
+            sums.add(band[band != NODATA])
+        self._tiles.add((top // (2 * TILE), left // (2 * TILE)))
         with gdal_writing(self._failure):
-            self._dataset.WriteArray(np.ascontiguousarray(cells[:, :height, :width]), left, top)
+            self._dataset.WriteArray(cells, left, top)
 
     def add_setting(self, name: str, value: str) -> None:
         """What only the whole scan knows, beside its settings."""
@@ -92,18 +99,36 @@ class LossRaster:
             dataset = self._dataset
             dataset.GetRasterBand(SOURCE_BAND).SetCategoryNames(["", *names])
             dataset.FlushCache()
-            longest, factors = max(dataset.RasterXSize, dataset.RasterYSize), [2]
-            while longest / factors[-1] > _OVERVIEWS_FROM_PX:
-                factors.append(2 * factors[-1])
-            if longest > _OVERVIEWS_FROM_PX:
-                dataset.BuildOverviews("AVERAGE", factors)
-                source = dataset.GetRasterBand(SOURCE_BAND)
-                for number in range(source.GetOverviewCount()):
-                    gdal.RegenerateOverview(source, source.GetOverview(number), "MODE")
-            for number in np.flatnonzero(self._measured).tolist():
-                dataset.GetRasterBand(number + 1).ComputeStatistics(False)
+            write_overviews(dataset, self._tiles, SOURCE_BAND)
+            for number, sums in enumerate(self._sums, 1):
+                if sums.count:
+                    dataset.GetRasterBand(number).SetStatistics(*sums.statistics)
             dataset.FlushCache()
             self._dataset = None
+
+
+@dataclass
+class _Sums:
+    """Of the values of a band."""
+
+    count: int = 0
+    total: float = 0.0
+    squares: float = 0.0
+    least: float = np.inf
+    most: float = -np.inf
+
+    def add(self, values: np.ndarray) -> None:
+        """Some more of them."""
+        self.count += values.size
+        self.total += float(values.sum(dtype=np.float64))
+        self.squares += float(np.square(values, dtype=np.float64).sum())
+        self.least, self.most = float(values.min(initial=self.least)), float(values.max(initial=self.most))
+
+    @property
+    def statistics(self) -> tuple[float, float, float, float]:
+        """Least, largest, mean and standard deviation."""
+        mean = self.total / self.count
+        return self.least, self.most, mean, max(self.squares / self.count - mean**2, 0.0) ** 0.5
 
 
 @contextmanager

@@ -1,6 +1,7 @@
 """The picture of losses: what its pixels say, and the file."""
 from __future__ import annotations
 
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -169,12 +170,27 @@ def test_a_band_of_which_nothing_is_known_has_no_statistics(tmp_path: Path, mosa
 
 def test_what_is_not_measured_takes_neither_time_nor_room(tmp_path: Path, mosaic: Raster) -> None:
     huge = replace(mosaic, columns=10**6, rows=10**6)
-    with loss_raster(str(tmp_path / "loss.tif"), huge, 256):
-        pass
+    cells = np.full((len(BANDS), 64, 64), NODATA, np.float32)
+    started = time.process_time()
+    with loss_raster(str(tmp_path / "loss.tif"), huge, 32) as raster:
+        raster.write(200, 300, cells)
+        cells[:, 10:50, 20:] = 2
+        raster.write(300, 400, cells)
+        raster.close([])
+    assert time.process_time() - started < 5
     dataset = gdal.Open(str(tmp_path / "loss.tif"))
-    assert dataset.RasterXSize == dataset.RasterYSize == 3907
-    assert (tmp_path / "loss.tif").stat().st_size < 100_000
-    assert (dataset.ReadAsArray(2000, 2000, 9, 9) == NODATA).all()
+    assert dataset.RasterXSize == dataset.RasterYSize == 31_250
+    assert (tmp_path / "loss.tif").stat().st_size < 3_000_000
+    assert (dataset.ReadAsArray(20_000, 20_000, 9, 9) == NODATA).all()
+    band = dataset.GetRasterBand(SOURCE + 1)
+    assert band.GetStatistics(False, False) == [2, 2, 2, 0]
+    assert band.GetOverviewCount() == 7
+    for level in range(7):
+        overview, factor = band.GetOverview(level), 2 ** (level + 1)
+        row, column = (300 * 64 + 20) // factor, (400 * 64 + 40) // factor
+        assert overview.ReadAsArray(column, row, 1, 1) == 2
+        pixels = overview.ReadAsArray(*(0, 0) if level > 3 else (column - 90, row - 90), 181, 181)
+        assert np.count_nonzero(pixels != NODATA) <= (40 // factor + 2) * (44 // factor + 2)
 
 
 def test_a_picture_that_was_not_finished_is_not_there(tmp_path: Path, mosaic: Raster) -> None:
