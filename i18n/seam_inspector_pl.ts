@@ -3244,237 +3244,237 @@
         <translation>Nie wybrano obrazu testu paskowego; wybierz go powyżej, a potem narysuj linię w poprzek pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="51"/>
+        <location filename="../plugin/photos/measure/messages.py" line="56"/>
         <source>The template is {width} x {height} px and a side needs at least {fewest} px; cut it out with the whole mark in it.</source>
         <translation>Wzorzec ma {width} × {height} px, a bok musi mieć co najmniej {fewest} px; wytnij go tak, aby zawierał cały znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="56"/>
+        <location filename="../plugin/photos/measure/messages.py" line="61"/>
         <source>All pixels of the template are alike; cut it out where the mark is.</source>
         <translation>Wszystkie piksele wzorca są jednakowe; wytnij go tam, gdzie jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="77"/>
+        <location filename="../plugin/photos/measure/messages.py" line="82"/>
         <source>the surface around the best place is flat, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest płaska, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="78"/>
+        <location filename="../plugin/photos/measure/messages.py" line="83"/>
         <source>the surface around the best place is a saddle, so it has no extremum</source>
         <translation>powierzchnia wokół najlepszego miejsca jest siodłowa, więc nie ma ekstremum</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="79"/>
+        <location filename="../plugin/photos/measure/messages.py" line="84"/>
         <source>the extremum of the surface lies outside the pixels it was computed from</source>
         <translation>ekstremum powierzchni leży poza pikselami, z których ją obliczono</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="81"/>
+        <location filename="../plugin/photos/measure/messages.py" line="86"/>
         <source>the template is larger than the piece of the photo around the mark</source>
         <translation>wzorzec jest większy niż fragment zdjęcia wokół znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="82"/>
+        <location filename="../plugin/photos/measure/messages.py" line="87"/>
         <source>the best correlation is {value:.2f} and at least {least:.2f} is asked for</source>
         <translation>największa korelacja wynosi {value:.2f}, a wymagana jest co najmniej {least:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="83"/>
+        <location filename="../plugin/photos/measure/messages.py" line="88"/>
         <source>two places look nearly alike, with correlations of {best:.2f} and {second:.2f}</source>
         <translation>dwa miejsca wyglądają niemal tak samo, z korelacjami {best:.2f} i {second:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="85"/>
+        <location filename="../plugin/photos/measure/messages.py" line="90"/>
         <source>the mark lies at the edge of the photo and is not all there</source>
         <translation>znaczek leży na brzegu zdjęcia i nie jest cały widoczny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="87"/>
+        <location filename="../plugin/photos/measure/messages.py" line="92"/>
         <source>parts of the mark differ by {shift:.1f} px and at most {most:.1f} px is trusted: dirt, a scratch or no mark</source>
         <translation>części znaczka różnią się o {shift:.1f} px, a dopuszcza się najwyżej {most:.1f} px: zabrudzenie, rysa albo to nie znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="13"/>
+        <location filename="../plugin/photos/measure/messages.py" line="18"/>
         <source>The calibration {path} can&apos;t be read ({error}); check the path.</source>
         <translation>Nie można odczytać kalibracji {path} ({error}); sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="15"/>
+        <location filename="../plugin/photos/measure/messages.py" line="20"/>
         <source>{name} is neither a CSV with the columns mark, x_mm and y_mm nor a MeasuresCamera.xml of MicMac; choose one of these.</source>
         <translation>Plik {name} nie jest ani plikiem CSV z kolumnami mark, x_mm i y_mm, ani plikiem MeasuresCamera.xml z programu MicMac; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="18"/>
+        <location filename="../plugin/photos/measure/messages.py" line="23"/>
         <source>{name} lacks a column; a calibration has the columns mark, x_mm and y_mm.</source>
         <translation>W pliku {name} brakuje kolumny; kalibracja ma kolumny mark, x_mm i y_mm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="19"/>
+        <location filename="../plugin/photos/measure/messages.py" line="24"/>
         <source>Row {row} of {name} has no mark with two numbers; complete or remove it.</source>
         <translation>Wiersz {row} pliku {name} nie zawiera znaczka z dwiema liczbami; uzupełnij go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="20"/>
+        <location filename="../plugin/photos/measure/messages.py" line="25"/>
         <source>{name} has the mark &apos;{mark}&apos; twice; give every mark a name of its own.</source>
         <translation>Plik {name} zawiera znaczek „{mark}” dwa razy; nadaj każdemu znaczkowi osobną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="21"/>
+        <location filename="../plugin/photos/measure/messages.py" line="26"/>
         <source>{name} holds no marks; a calibration has one row with mark, x_mm and y_mm for each.</source>
         <translation>Plik {name} nie zawiera znaczków; kalibracja ma dla każdego jeden wiersz z mark, x_mm i y_mm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="23"/>
+        <location filename="../plugin/photos/measure/messages.py" line="28"/>
         <source>The marks of the calibration are {span:g} mm apart and a photo has {least:g} to {most:g} mm; give millimetres.</source>
         <translation>Odległość między znaczkami kalibracji wynosi {span:g} mm, a na zdjęciu jest to od {least:g} do {most:g} mm; podaj milimetry.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="26"/>
+        <location filename="../plugin/photos/measure/messages.py" line="31"/>
         <source>The calibration has too few marks: {count}, and the {model} model needs {least}; complete it or use another model.</source>
         <translation>Kalibracja ma za mało znaczków: {count}, a model {model} wymaga {least}; uzupełnij ją albo użyj innego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="29"/>
+        <location filename="../plugin/photos/measure/messages.py" line="34"/>
         <source>The marks &apos;{one}&apos; and &apos;{other}&apos; of the calibration are at one place; correct their coordinates.</source>
         <translation>Znaczki „{one}” i „{other}” kalibracji są w jednym miejscu; popraw ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="108"/>
+        <location filename="../plugin/photos/measure/messages.py" line="113"/>
         <source>Marks measured or given: {count}, and the {model} model needs {least}; measure the others by hand and give them as positions with their measurement off.</source>
         <translation>Znaczki zmierzone lub podane: {count}, a model {model} wymaga {least}; zmierz pozostałe ręcznie i podaj je jako położenia z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="112"/>
+        <location filename="../plugin/photos/measure/messages.py" line="117"/>
         <source>The marks are at one place or on one line, so the {model} model can&apos;t be determined; give further marks.</source>
         <translation>Znaczki są w jednym miejscu albo na jednej prostej, więc nie można wyznaczyć modelu {model}; podaj dalsze znaczki.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="58"/>
+        <location filename="../plugin/photos/measure/messages.py" line="63"/>
         <source>All pixels of {name} are alike, so it shows no marks; scan the photo anew.</source>
         <translation>Wszystkie piksele rastra {name} są jednakowe, więc nie widać na nim znaczków; zeskanuj zdjęcie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="60"/>
+        <location filename="../plugin/photos/measure/messages.py" line="65"/>
         <source>No mark was found in {name} ({why}); give positions, another kind of template, or a template cut out of the photo.</source>
         <translation>Na zdjęciu {name} nie znaleziono znaczka ({why}); podaj położenia, inny rodzaj wzorca albo wzorzec wycięty ze zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="38"/>
+        <location filename="../plugin/photos/measure/messages.py" line="43"/>
         <source>The positions name a mark &apos;{mark}&apos; that the calibration does not have ({marks}); rename it.</source>
         <translation>Położenia wymieniają znaczek „{mark}”, którego kalibracja nie zawiera ({marks}); zmień jego nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="44"/>
+        <location filename="../plugin/photos/measure/messages.py" line="49"/>
         <source>The positions of &apos;{one}&apos; and &apos;{other}&apos; are at one place; move one of them.</source>
         <translation>Położenia „{one}” i „{other}” są w jednym miejscu; przesuń jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="46"/>
+        <location filename="../plugin/photos/measure/messages.py" line="51"/>
         <source>The positions lie up to {worst:.0f} mm from where the calibration wants them; check their names and the calibration.</source>
         <translation>Położenia leżą do {worst:.0f} mm od miejsc wynikających z kalibracji; sprawdź ich nazwy i kalibrację.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="41"/>
+        <location filename="../plugin/photos/measure/messages.py" line="46"/>
         <source>The position of &apos;{mark}&apos; lies outside the photo; digitise it on the photo as QGIS shows it without a world file, or with the one that the photo has.</source>
         <translation>Położenie „{mark}” leży poza zdjęciem; zdigitalizuj je na zdjęciu tak, jak pokazuje je QGIS bez pliku world albo z plikiem, który zdjęcie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="54"/>
+        <location filename="../plugin/photos/measure/messages.py" line="59"/>
         <source>The template is {side:.1f} mm wide and the search area {search:.1f} mm; cut it out smaller or search further.</source>
         <translation>Wzorzec ma szerokość {side:.1f} mm, a obszar szukania {search:.1f} mm; wytnij mniejszy wzorzec albo szukaj dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="63"/>
+        <location filename="../plugin/photos/measure/messages.py" line="68"/>
         <source>Marks were found in the photo, but not where the positions say; each was looked for on its own there.</source>
         <translation>Na zdjęciu znaleziono znaczki, ale nie tam, gdzie wskazują położenia; każdego szukano tam osobno.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="66"/>
+        <location filename="../plugin/photos/measure/messages.py" line="71"/>
         <source>Nothing tells how the photo lies in the scanner, so it is taken to lie upright and not mirrored; give the positions of three marks if that is wrong.</source>
         <translation>Nic nie mówi, jak zdjęcie leży w skanerze, więc przyjęto, że leży prosto i nie jest odbite lustrzanie; jeśli to błąd, podaj położenia trzech znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="80"/>
+        <location filename="../plugin/photos/measure/messages.py" line="85"/>
         <source>nothing around the position looks like a mark</source>
         <translation>wokół położenia nic nie wygląda jak znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="91"/>
+        <location filename="../plugin/photos/measure/messages.py" line="96"/>
         <source>no places in the photo that look like marks lie as the calibration says</source>
         <translation>żadne miejsca na zdjęciu podobne do znaczków nie leżą zgodnie z kalibracją</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="90"/>
+        <location filename="../plugin/photos/measure/messages.py" line="95"/>
         <source>it would lie outside the photo</source>
         <translation>leżałby poza zdjęciem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="96"/>
+        <location filename="../plugin/photos/measure/messages.py" line="101"/>
         <source>it was found at the same place as &apos;{other}&apos;</source>
         <translation>znaleziono go w tym samym miejscu co „{other}”</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="97"/>
+        <location filename="../plugin/photos/measure/messages.py" line="102"/>
         <source>it lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most</source>
         <translation>leży {worst:.2f} mm od miejsca wynikającego z pozostałych znaczków, a dopuszcza się najwyżej {limit:.2f} mm</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="103"/>
+        <location filename="../plugin/photos/measure/messages.py" line="108"/>
         <source>the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it can&apos;t be told which is wrong</source>
         <translation>znaczki leżą do {worst:.2f} mm od miejsc wynikających z kalibracji, dopuszcza się najwyżej {limit:.2f} mm i nie można ustalić, który jest błędny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="115"/>
+        <location filename="../plugin/photos/measure/messages.py" line="120"/>
         <source>The {model} model takes all of its {count} marks, so the residuals are 0 and say nothing about its accuracy; measure more marks or use a simpler model.</source>
         <translation>Model {model} wykorzystuje wszystkie swoje znaczki ({count}), więc odchyłki są zerowe i nic nie mówią o jego dokładności; zmierz więcej znaczków albo użyj prostszego modelu.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="84"/>
+        <location filename="../plugin/photos/measure/messages.py" line="89"/>
         <source>the surface&apos;s extremum leads away from where the mark was found</source>
         <translation>ekstremum powierzchni prowadzi z dala od miejsca, w którym znaleziono znaczek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="93"/>
+        <location filename="../plugin/photos/measure/messages.py" line="98"/>
         <source>only {count} places that look like marks lie as the calibration says, and without positions {least} are needed</source>
         <translation>liczba miejsc podobnych do znaczków i zgodnych z kalibracją wynosi tylko {count}, a bez położeń potrzeba {least}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="118"/>
+        <location filename="../plugin/photos/measure/messages.py" line="123"/>
         <source>There is no transformation to write; give the positions of more marks.</source>
         <translation>Nie ma transformacji do zapisania; podaj położenia większej liczby znaczków.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="120"/>
+        <location filename="../plugin/photos/measure/messages.py" line="125"/>
         <source>{name} has no transformation ({why}); its marks are in the output, but no parameters and no world file were written.</source>
         <translation>Raster {name} nie ma transformacji ({why}); jego znaczki są w wyniku, ale nie zapisano parametrów ani pliku world.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="33"/>
+        <location filename="../plugin/photos/measure/messages.py" line="38"/>
         <source>The layer of positions has no field &apos;mark&apos;; add one and write the names of the calibration&apos;s marks into it.</source>
         <translation>Warstwa położeń nie ma pola „mark”; dodaj je i wpisz do niego nazwy znaczków kalibracji.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="36"/>
+        <location filename="../plugin/photos/measure/messages.py" line="41"/>
         <source>The layer of positions has the mark &apos;{mark}&apos; twice; remove one of them.</source>
         <translation>Warstwa położeń zawiera znaczek „{mark}” dwa razy; usuń jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="35"/>
+        <location filename="../plugin/photos/measure/messages.py" line="40"/>
         <source>The layer of positions holds no point with a name in its field &apos;mark&apos;; digitise some.</source>
         <translation>Warstwa położeń nie zawiera punktu z nazwą w polu „mark”; zdigitalizuj takie punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="134"/>
+        <location filename="../plugin/photos/measure/messages.py" line="139"/>
         <source>The layer {layer} has no field &apos;mark&apos;; choose layers of measured marks.</source>
         <translation>Warstwa {layer} nie ma pola „mark”; wybierz warstwy ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="142"/>
+        <location filename="../plugin/photos/measure/messages.py" line="147"/>
         <source>The pixel size is not known, so the distances are given in pixels only; give the pixel size, or layers with the fields x_mm and y_mm.</source>
         <translation>Wielkość piksela nie jest znana, więc odległości podano tylko w pikselach; podaj wielkość piksela albo warstwy z polami x_mm i y_mm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="12"/>
+        <location filename="../plugin/photos/measure/messages.py" line="17"/>
         <source>No calibration is given; choose the file with the calibrated marks of the camera.</source>
         <translation>Nie podano kalibracji; wybierz plik z kalibrowanymi znaczkami kamery.</translation>
     </message>
@@ -4899,62 +4899,62 @@
         <translation>{what}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="147"/>
+        <location filename="../plugin/photos/measure/messages.py" line="152"/>
         <source>affine</source>
         <translation>transformacji afinicznej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="147"/>
+        <location filename="../plugin/photos/measure/messages.py" line="152"/>
         <source>similarity</source>
         <translation>transformacji przez podobieństwo</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="147"/>
+        <location filename="../plugin/photos/measure/messages.py" line="152"/>
         <source>projective</source>
         <translation>transformacji rzutowej</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="148"/>
+        <location filename="../plugin/photos/measure/messages.py" line="153"/>
         <source>Measured</source>
         <translation>Zmierzony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="148"/>
+        <location filename="../plugin/photos/measure/messages.py" line="153"/>
         <source>Given</source>
         <translation>Podany</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="148"/>
+        <location filename="../plugin/photos/measure/messages.py" line="153"/>
         <source>Failed</source>
         <translation>Odrzucony</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="149"/>
+        <location filename="../plugin/photos/measure/messages.py" line="154"/>
         <source>positions</source>
         <translation>podanych położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="149"/>
+        <location filename="../plugin/photos/measure/messages.py" line="154"/>
         <source>dots</source>
         <translation>kropek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="149"/>
+        <location filename="../plugin/photos/measure/messages.py" line="154"/>
         <source>data strip</source>
         <translation>paska danych</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="149"/>
+        <location filename="../plugin/photos/measure/messages.py" line="154"/>
         <source>residuals</source>
         <translation>odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="150"/>
+        <location filename="../plugin/photos/measure/messages.py" line="155"/>
         <source>marks</source>
         <translation>układu znaczków</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="150"/>
+        <location filename="../plugin/photos/measure/messages.py" line="155"/>
         <source>assumed</source>
         <translation>założenia</translation>
     </message>
@@ -10082,92 +10082,92 @@
         <translation>odrzucony; powinien być tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="70"/>
+        <location filename="../plugin/photos/measure/messages.py" line="75"/>
         <source>The mark &apos;{mark}&apos; stands out: the others, which agree well, want it {worst:.2f} mm elsewhere; look at its picture.</source>
         <translation>Znaczek „{mark}” odstaje: pozostałe, które są ze sobą zgodne, wskazują miejsce odległe o {worst:.2f} mm; obejrzyj jego obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="74"/>
+        <location filename="../plugin/photos/measure/messages.py" line="79"/>
         <source>No mark of {name} can be trusted ({why}); check the positions, their names and the calibration.</source>
         <translation>Żadnemu znaczkowi z {name} nie można ufać ({why}); sprawdź położenia, nazwy znaczków i kalibrację.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="99"/>
+        <location filename="../plugin/photos/measure/messages.py" line="104"/>
         <source>the given place lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most; check it and its name</source>
         <translation>podane miejsce leży {worst:.2f} mm od tego, na które wskazują pozostałe znaczki, a dopuszczalne jest {limit:.2f} mm; sprawdź je i jego nazwę</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="124"/>
+        <location filename="../plugin/photos/measure/messages.py" line="129"/>
         <source>The measurement {name} can&apos;t be read ({error}); remove it from the folder or mend it.</source>
         <translation>Nie można odczytać pomiaru {name} ({error}); usuń go z katalogu albo popraw.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="125"/>
+        <location filename="../plugin/photos/measure/messages.py" line="130"/>
         <source>The mark &apos;{mark}&apos; in {name} has no column and row; complete or remove it.</source>
         <translation>Znaczek „{mark}” w {name} nie ma kolumny ani wiersza; uzupełnij go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="126"/>
+        <location filename="../plugin/photos/measure/messages.py" line="131"/>
         <source>Give each of the two measurements either as a layer or as a folder.</source>
         <translation>Podaj każdy z dwóch pomiarów albo jako warstwę, albo jako katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="127"/>
+        <location filename="../plugin/photos/measure/messages.py" line="132"/>
         <source>The folder {path} does not exist; choose the folder with the measured marks.</source>
         <translation>Katalog {path} nie istnieje; wybierz katalog ze zmierzonymi znaczkami.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="129"/>
+        <location filename="../plugin/photos/measure/messages.py" line="134"/>
         <source>The folder {path} holds no measured marks: neither layers with a field &apos;mark&apos; nor MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Katalog {path} nie zawiera zmierzonych znaczków: ani warstw z polem „mark”, ani plików MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="132"/>
+        <location filename="../plugin/photos/measure/messages.py" line="137"/>
         <source>Marks that only one of the measurements has, so that they are not compared: {count} ({names}).</source>
         <translation>Znaczki, które ma tylko jeden z pomiarów i które nie są porównywane: {count} ({names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="136"/>
+        <location filename="../plugin/photos/measure/messages.py" line="141"/>
         <source>A measurement has the mark &apos;{mark}&apos; twice{where}; give both layers a field &apos;photo&apos; that tells photos apart.</source>
         <translation>Pomiar zawiera znaczek „{mark}” dwa razy{where}; dodaj w obu warstwach pole „photo”, które rozróżnia zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="139"/>
+        <location filename="../plugin/photos/measure/messages.py" line="144"/>
         <source>The two measurements have no mark in common ({first}; {second}); check their fields &apos;mark&apos; and &apos;photo&apos;.</source>
         <translation>Oba pomiary nie mają wspólnego znaczka ({first}; {second}); sprawdź ich pola „mark” i „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="150"/>
+        <location filename="../plugin/photos/measure/messages.py" line="155"/>
         <source>correlation</source>
         <translation>korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="150"/>
+        <location filename="../plugin/photos/measure/messages.py" line="155"/>
         <source>brightness</source>
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="151"/>
+        <location filename="../plugin/photos/measure/messages.py" line="156"/>
         <source>cross</source>
         <translation>krzyż</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="151"/>
+        <location filename="../plugin/photos/measure/messages.py" line="156"/>
         <source>dot</source>
         <translation>kropka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="151"/>
+        <location filename="../plugin/photos/measure/messages.py" line="156"/>
         <source>ring with dot</source>
         <translation>pierścień z kropką</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="151"/>
+        <location filename="../plugin/photos/measure/messages.py" line="156"/>
         <source>ring with cross</source>
         <translation>pierścień z krzyżem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/measure/messages.py" line="152"/>
+        <location filename="../plugin/photos/measure/messages.py" line="157"/>
         <source>wedge</source>
         <translation>klin</translation>
     </message>
@@ -11257,6 +11257,11 @@
         <location filename="../plugin/seams/window_summary.py" line="156"/>
         <source>{percent} % of the pixels match none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/photos/measure/messages.py" line="13"/>
+        <source>{name} has {columns} x {rows} px and no scanned photo has more than {most} along a side; choose the scan of one photo.</source>
+        <translation>{name} ma {columns} x {rows} px, a żadne zeskanowane zdjęcie nie ma na boku więcej niż {most} px; wybierz skan jednego zdjęcia.</translation>
     </message>
 </context>
 </TS>

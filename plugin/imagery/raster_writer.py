@@ -47,6 +47,12 @@ def whole_raster(path: str) -> Iterator[str]:
             Path(path).with_name(name).unlink()
 
 
+def check_width(like: Raster) -> None:
+    """Raise RasterError for a raster that is too wide to be worked through row by row."""
+    if like.columns > limits.WIDEST_PX:
+        raise RasterError(messages.TOO_WIDE(name=like.ref.name, columns=like.columns, most=limits.WIDEST_PX))
+
+
 @contextmanager
 def raster_writer(
     path: str, like: Raster, bands: int, data_type: np.dtype, colours: bool = False, nodata: float | None = None
@@ -56,8 +62,7 @@ def raster_writer(
     ``colours``: the bands are red, green and blue. An exception in the block leaves nothing, and an older file as it
     was. Raises RasterError where the raster can't be written.
     """
-    if like.columns > limits.WIDEST_PX:
-        raise RasterError(messages.TOO_WIDE(name=like.ref.name, columns=like.columns, most=limits.WIDEST_PX))
+    check_width(like)
     failure = messages.RASTER_NOT_WRITTEN(path=path)
     with whole_raster(path) as unfinished:
         dataset = _created(unfinished, like, bands, data_type, colours, failure)

@@ -54,9 +54,10 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
 
     def check(self, run: Run) -> None:
+        from ...imagery.raster_writer import check_width
         from ..measure.photo import Photo
 
-        Photo(run.required_raster(PHOTO))
+        check_width(Photo(run.required_raster(PHOTO)).raster)
 
     def prepare(self, run: Run) -> None:
         self._photo = run.required_raster(PHOTO)

@@ -134,9 +134,9 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
     @staticmethod
     def _open(ref: RasterRef) -> Photo:
-        from ..measure.photo import Photo
+        from ..measure.photo import scanned_photo
 
-        return Photo(ref)
+        return scanned_photo(ref)
 
     def _calibration(self, run: Run) -> CameraCalibration:
         from ..measure.camera_calibration import read_calibration

@@ -9,7 +9,7 @@ from scipy import ndimage
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, SettingsError
-from ...imagery.raster_writer import raster_writer
+from ...imagery.raster_writer import check_width, raster_writer
 from ...imagery.rasters import RasterRef
 from . import messages
 from .photo import Photo
@@ -47,6 +47,7 @@ def enhance(
     """
     margin = _margin(operation, size)
     photo = Photo(ref)
+    check_width(photo.raster)  # the largest value of a float raster is asked of all pixels
     grey = operation is Operation.GREY
     kind = _data_type(operation, np.dtype(photo.raster.data_type))
     largest = photo.largest

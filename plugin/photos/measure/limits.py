@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 # Interior orientation
+MOST_SCANNED_PX = 100_000  # along a side: 300 mm of film at 3 um, finer than any photogrammetric scanner
 DEFAULT_SEARCH_MM = 8.0  # the sheet of film lies on the scanner by hand
 DEFAULT_MIN_CORRELATION = 0.5  # usual in image matching: half of the standard deviation explained
 PIXEL_SOFTNESS = 0.35  # px, standard deviation: a pixel averages over its square (0.29) and no scanner is perfect

@@ -8,6 +8,11 @@ FILTER_SIDE = Message("The side of the mean is {size:g} px; give an odd number f
 FILTER_DEVIATION = Message(
     "The standard deviation of the Gaussian is {size:g} px; give one above 0 and up to {most:g}."
 )
+# the photo
+PHOTO_TOO_LARGE = Message(
+    "{name} has {columns} x {rows} px and no scanned photo has more than {most} along a side; choose the scan of one "
+    "photo."
+)
 # the calibration of a camera
 NO_CALIBRATION = Message("No calibration is given; choose the file with the calibrated marks of the camera.")
 CALIBRATION_NOT_READ = Message("The calibration {path} can't be read ({error}); check the path.")

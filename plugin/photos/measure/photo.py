@@ -8,10 +8,12 @@ import numpy as np
 
 from ...imagery import messages as imagery_messages
 from ...imagery.band_curves import judged_plane, luminance
-from ...imagery.errors import NotCoveredError
+from ...imagery.errors import NotCoveredError, PhotoError
 from ...imagery.gdal_calls import gdal_call
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import RasterRef
+from . import limits, messages
 
 MOST_GREY = 65535  # of 16 bits; a float raster's 3.4e38 is no grey value
 STRIP_PIXELS = 4_000_000  # read at a time: 16 MB as float32
@@ -111,6 +113,16 @@ class Photo(OpenRaster):
             return invalid
         held = self._nodata_mask(bands)
         return invalid if held is None else invalid & ~held
+
+
+def scanned_photo(ref: RasterRef) -> Photo:
+    """A photo in which marks are looked for, all over. Raises PhotoError for a raster that can't be the scan of one."""
+    photo = Photo(ref)
+    if max(photo.columns, photo.rows) > limits.MOST_SCANNED_PX:
+        raise PhotoError(messages.PHOTO_TOO_LARGE(
+            name=ref.name, columns=photo.columns, rows=photo.rows, most=limits.MOST_SCANNED_PX
+        ))
+    return photo
 
 
 @dataclass(frozen=True, eq=False)

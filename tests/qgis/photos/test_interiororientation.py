@@ -4,6 +4,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import time
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -225,6 +226,20 @@ def test_a_photo_without_marks(scene: PhotoScene, tmp_path: Path) -> None:
     assert_sentence(complaint(scene, PHOTO=white), "All pixels of white.tif are alike")
     noise = np.random.default_rng(1).integers(0, 255, (600, 600)).astype(np.uint8)
     assert_sentence(complaint(scene, PHOTO=write_plain(tmp_path / "noise.tif", noise)), "No mark was found")
+
+
+def test_a_photo_larger_than_any_scan(scene: PhotoScene, tmp_path: Path) -> None:
+    """Some kilobytes that declare 10^12 pixels, all of which marks would be looked for in."""
+    for kind, name, words in (
+        (gdal.GDT_Byte, "interiororientation", r"sparse\.tif has 900000 x 900000 px and no scanned photo has more"),
+        (gdal.GDT_Float32, "enhancephoto", r"sparse\.tif is 900000 px wide and 250000 are the most"),
+    ):
+        options = ["SPARSE_OK=TRUE", "TILED=YES", "BLOCKXSIZE=4096", "BLOCKYSIZE=4096", "BIGTIFF=YES"]
+        path = str(tmp_path / "sparse.tif")
+        gdal.GetDriverByName("GTiff").Create(path, 900_000, 900_000, 1, kind, options).FlushCache()
+        started = time.process_time()
+        assert_refused(name, words, PHOTO=path, CALIBRATION=str(scene.calibration))
+        assert time.process_time() - started < 5
 
 
 def test_a_template_larger_than_the_search_area(scene: PhotoScene, tmp_path: Path) -> None:
