@@ -19,7 +19,8 @@ from ...measure.window.window_result import WindowClips, WindowCurves, WindowRes
 from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
 from ..keeping.keeping import Keeping
-from .window_watch import Version, WindowWatch
+from .window_versions import Version
+from .window_watch import WindowWatch
 
 MOST_HELD = 500
 """Results in memory, of 30 to 150 kB each; others are read from the file beside the layer when somebody asks."""

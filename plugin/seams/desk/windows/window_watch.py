@@ -3,34 +3,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 from qgis.core import QgsMapLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.grids import Extent
 from ....toolkit import layer_editing
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import tr
 from ...measure.window_records import WindowRecord
 from ...tables import window_layer
-from ...tables.window_layer import UNNUMBERED
+from .window_rows import WindowRows
+from .window_versions import Version, WindowVersions
 
 _STALE = "seam_inspector/stale"  # custom property of the layer: numbers of the windows to be inspected again
 
 
-class Version(NamedTuple):
-    """Of what a window's values are."""
-
-    extent: Extent | None
-    """Where it lay."""
-    state: int | None
-    """The number of the inputs' state; None is the one in which the layer was first seen."""
-
-
 class WindowWatch(QObject):
-    """Follows one layer at a time. A change marks rows as unread; they are read once, when somebody asks."""
+    """Follows one layer at a time."""
 
     windowsChanged = pyqtSignal()
     """Once for all changes that come together."""
@@ -48,18 +38,11 @@ class WindowWatch(QObject):
         self._forget()
 
     def _forget(self) -> None:
-        self._rows: dict[int, WindowRecord] = {}
-        self._fids: dict[int, int] = {}
-        self._unread: set[int] | None = None  # None: all of them
-        self._versions: dict[int, dict[object, set[Version]]] = {}  # of the values that a window had
+        stale = self._layer.customProperty(_STALE, []) or [] if self._layer is not None else []
+        self._versions = WindowVersions(int(number) for number in stale if str(number).lstrip("-").isdigit())
+        self._rows = WindowRows(self._layer, self._versions)
         self._saved: dict[int, WindowRecord] = {}
-        self._marks: set[int] = set()  # numbers of those that were stale when the project was saved
-        self._state: int | None = None
-        self._first_state: int | None = None
-        self._unnumbered: set[int] = set()
-        self._given: dict[int | Extent | None, int] = {}  # numbers of windows that have none, by feature id and place
         self._bereft: set[int] = set()  # numbers of windows that went, or whose fields did, and with them their values
-        self._last_number = 0  # a number is not used again, or an old result would be taken for a new window's
 
     @property
     def layer(self) -> QgsVectorLayer | None:
@@ -75,12 +58,9 @@ class WindowWatch(QObject):
         had_windows = bool(self._rows)
         self._told = None if self._told else set()  # of equal ids others are meant now
         self._forget()
-        if self._layer is not None:
-            stale = self._layer.customProperty(_STALE, []) or []
-            self._marks = {int(number) for number in stale if str(number).lstrip("-").isdigit()}
         for signal, slot in self._signals():
             signal.connect(slot)
-        if had_windows or self._told is None or self._windows():
+        if had_windows or self._told is None or self._rows.by_fid():
             self._notifier.start()
 
     @contextmanager
@@ -103,27 +83,25 @@ class WindowWatch(QObject):
 
     def rows(self) -> list[WindowRecord]:
         """All windows by their number."""
-        return list(self._windows().values())
+        return list(self._rows.by_fid().values())
 
     def row(self, fid: int) -> WindowRecord | None:
         """One window."""
-        return self._windows().get(fid)
+        return self._rows.by_fid().get(fid)
 
     def fid(self, window_id: int) -> int | None:
         """The feature id of a window."""
-        self._windows()
-        return self._fids.get(window_id)
+        row = self._rows.by_number(window_id)
+        return row.fid if row is not None else None
 
     def numbered(self, window_id: int) -> WindowRecord | None:
         """The window with a number."""
-        rows = self._windows()
-        return rows[self._fids[window_id]] if window_id in self._fids else None
+        return self._rows.by_number(window_id)
 
     @property
     def next_number(self) -> int:
         """The first of the numbers for new windows."""
-        self._windows()
-        return self._last_number + 1
+        return self._rows.next_number
 
     def prepare(self, fids: Iterable[int], levels: int, besides: Iterable[str] = ()) -> list[int]:
         """See to it that the layer can be edited and has all fields, and these windows their numbers in it.
@@ -134,141 +112,67 @@ class WindowWatch(QObject):
         """
         assert self._layer is not None
         layer_editing.start_editing(self._layer)
-        self._windows()
+        self._rows.by_fid()
         asked, besides = list(fids), tuple(besides)
-        if not window_layer.lacks_fields(self._layer, levels, besides) and self._unnumbered.isdisjoint(asked):
+        if not window_layer.lacks_fields(self._layer, levels, besides) and not self._rows.lack_numbers(asked):
             return asked
         with layer_editing.edit_step(self._layer, tr("Add fields")):
             selected = self._layer.selectedFeatureIds()
             renewed = window_layer.complete_fields(self._layer, levels, besides)
             if renewed:
                 self._layer.selectByIds([renewed.get(fid, fid) for fid in selected])
-            rows, now = self._windows(), [renewed.get(fid, fid) for fid in asked]
-            numbers = {fid: rows[fid].window_id for fid in now if fid in self._unnumbered and fid in rows}
-            window_layer.write_numbers(self._layer, numbers)
+            now = [renewed.get(fid, fid) for fid in asked]
+            window_layer.write_numbers(self._layer, self._rows.numbers_to_write(now))
         return now
 
     def take_bereft(self) -> list[WindowRecord]:
         """Windows that undo or redo brought back without the values that were written since they first came."""
-        rows = self._windows()
-        back = [rows[self._fids[number]] for number in self._bereft if number in self._fids]
+        back = [row for number in self._bereft if (row := self._rows.by_number(number)) is not None]
         self._bereft.difference_update(row.window_id for row in back)
         return [row for row in back if not row.verdict]
-
-    def _windows(self) -> dict[int, WindowRecord]:
-        """By feature id, in the order of their numbers, as they are now."""
-        if self._layer is not None and (self._unread is None or self._unread):
-            self._read(self._layer)
-        return self._rows
-
-    def _read(self, layer: QgsVectorLayer) -> None:
-        """Those that changed."""
-        unread, self._unread = self._unread, set()
-        fresh = window_layer.read_layer(layer, unread)
-        if unread is not None and self._took_in_place(unread, fresh):
-            return
-        rows = {} if unread is None else {fid: row for fid, row in self._rows.items() if fid not in unread}
-        fresh.sort(key=lambda row: (row.fid < 0, abs(row.fid)))  # of two with one number the older one keeps it
-        taken = {row.window_id for row in rows.values()}
-        self._last_number = max([self._last_number, *(row.window_id for row in fresh)])
-        self._unnumbered = {fid for fid in self._unnumbered if fid in rows}
-        for row in fresh:
-            is_copy = row.window_id in taken
-            if row.window_id == UNNUMBERED or is_copy:
-                row = self._numbered(row, taken)
-            taken.add(row.window_id)
-            if row.window_id not in self._versions:
-                is_trusted = bool(row.verdict) and not is_copy and row.window_id not in self._marks
-                self._versions[row.window_id] = {row.measured: {Version(row.extent, None)}} if is_trusted else {}
-            rows[row.fid] = self._marked(row)
-        self._rows = dict(sorted(rows.items(), key=lambda item: item[1].window_id))
-        self._fids = {row.window_id: fid for fid, row in self._rows.items()}
-
-    def _took_in_place(self, unread: set[int], fresh: list[WindowRecord]) -> bool:
-        """Whether the same windows have the same numbers: then one that is judged costs no more among thousands."""
-        if len(fresh) != len(unread):
-            return False
-        if any(row.fid not in self._rows or self._rows[row.fid].window_id != row.window_id for row in fresh):
-            return False
-        self._unnumbered.difference_update(unread)
-        self._rows.update((row.fid, self._marked(row)) for row in fresh)
-        return True
-
-    def _numbered(self, row: WindowRecord, taken: set[int]) -> WindowRecord:
-        """With a number that is written as soon as the window is inspected."""
-        numbers = (self._given.get(row.fid), self._given.get(row.extent))
-        number = next((number for number in numbers if number is not None and number not in taken), None)
-        if number is None:
-            self._last_number = number = self._last_number + 1
-        self._given[row.fid] = self._given[row.extent] = number
-        self._unnumbered.add(row.fid)
-        return replace(row, window_id=number)
 
     # Stale windows: those whose values are not of this version, of place and inputs
 
     @property
     def state(self) -> int | None:
         """The number of the inputs' state."""
-        return self._state
+        return self._versions.state
 
     def set_state(self, state: int | None) -> None:
         """The inputs are these now; while it is not known which they are, as before."""
-        if state is None or state == self._state:
-            return
-        if self._state is None:
-            self._first_state = state
-        self._state = state
-        self._mark_all()
+        if self._versions.set_state(state):
+            self._mark(self._rows.known_numbers)
 
     def note_measured(self, versions: Mapping[int, Version]) -> None:
         """The values that these windows have now, by number, are of these versions."""
-        rows = self._windows()
         for number, version in versions.items():
-            if number in self._fids:
-                row = rows[self._fids[number]]
-                self._versions[number].setdefault(row.measured, set()).add(version)
+            row = self._rows.by_number(number)
+            if row is not None:
+                self._versions.note(row, version)
         self._mark(versions)
 
     def mark_stale(self, numbers: Iterable[int]) -> None:
         """The values that these windows have are outdated, whatever the present inputs are."""
-        self._windows()
-        outdated = [number for number in numbers if number in self._fids]
-        self._versions.update((number, {}) for number in outdated)
+        outdated = [number for number in numbers if self._rows.by_number(number) is not None]
+        self._versions.outdate(outdated)
         self._mark(outdated)
 
     def save_stale(self) -> None:
         """The marks are kept with the layer in the project."""
         if self._layer is not None:
-            rows = self.rows()
-            unseen = self._marks.difference(self._versions)
-            stale = unseen.union(row.window_id for row in rows if row.stale)
+            stale = self._versions.stale_numbers(self.rows())
             self._layer.setCustomProperty(_STALE, [str(number) for number in sorted(stale)])
-
-    def _mark_all(self) -> None:
-        self._mark(self._fids)
 
     def _mark(self, numbers: Iterable[int]) -> None:
         """Those of them that are there."""
-        rows = [self._rows[self._fids[number]] for number in numbers if number in self._fids]
-        changed = {row.fid: marked for row in rows if (marked := self._marked(row)) is not row}
-        if changed:
-            self._rows.update(changed)
+        if self._rows.mark(numbers):
             self._notifier.start()
-
-    def _marked(self, row: WindowRecord) -> WindowRecord:
-        stale = bool(row.verdict) and not self._is_up_to_date(row)
-        return row if row.stale == stale else replace(row, stale=stale)
-
-    def _is_up_to_date(self, row: WindowRecord) -> bool:
-        known = self._versions[row.window_id].get(row.measured, ())
-        is_first = self._state == self._first_state and Version(row.extent, None) in known
-        return is_first or Version(row.extent, self._state) in known
 
     # Selection
 
     def selected(self) -> list[int]:
         """Feature ids of the selected windows."""
-        rows = self._windows()
+        rows = self._rows.by_fid()
         return sorted(fid for fid in self._layer.selectedFeatureIds() if fid in rows) if self._layer else []
 
     def select(self, fids: Iterable[int]) -> None:
@@ -299,21 +203,17 @@ class WindowWatch(QObject):
         ]
 
     def _feature_changed(self, fid: int, *_: object) -> None:
-        if self._unread is not None:
-            self._unread.add(fid)
+        self._rows.change(fid)
         self._notifier.start()
 
     def _feature_deleted(self, fid: int) -> None:
-        row = self._rows.pop(fid, None)
-        if row is not None and self._fids.get(row.window_id) == fid:
-            del self._fids[row.window_id]
-            self._bereft.add(row.window_id)
-        if self._unread is not None:
-            self._unread.discard(fid)
+        number = self._rows.remove(fid)
+        if number is not None:
+            self._bereft.add(number)
         self._notifier.start()
 
     def _fields_changed(self) -> None:
-        self._bereft.update(self._fids)
+        self._bereft.update(self._rows.known_numbers)
         self._all_changed()
 
     def _was_rolled_back(self) -> None:
@@ -322,7 +222,7 @@ class WindowWatch(QObject):
         self._all_changed()
 
     def _all_changed(self, *_: object) -> None:
-        self._unread = None
+        self._rows.change_all()
         self._notifier.start()
 
     def _about_to_be_saved(self, *_: object) -> None:
@@ -333,14 +233,8 @@ class WindowWatch(QObject):
         if self._layer is not None:
             layer_editing.forget_quiet_changes(self._layer)
         self._all_changed()
-        for row in self.rows():
-            before = self._saved.get(row.window_id, row)
-            versions = self._versions[row.window_id].get(before.measured, set())
-            self._versions[row.window_id][row.measured] = {
-                version._replace(extent=row.extent) if version.extent == before.extent else version
-                for version in versions
-            }
-        self._mark_all()
+        self._versions.follow_saved(self.rows(), self._saved)
+        self._mark(self._rows.known_numbers)
 
     def _source_changed(self) -> None:
         if not self._is_unmoved:
