@@ -11,7 +11,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from . import messages
-from .errors import SettingsError
+from .errors import SettingsError, system_reason
 
 
 def unfinished_name(path: Path) -> str:
@@ -30,7 +30,7 @@ def whole_file(path: Path) -> Iterator[Path]:
         with replacing(path) as unfinished:
             yield unfinished
     except OSError as error:
-        raise SettingsError(messages.FILE_NOT_WRITTEN(path=path, error=error.strerror or error)) from None
+        raise SettingsError(messages.FILE_NOT_WRITTEN(path=path, error=system_reason(error))) from None
 
 
 def save_text(text: str, path: Path, encoding: str = "utf-8") -> None:

@@ -1,6 +1,9 @@
 """The errors a user can cause. Each carries one sentence from ``messages`` that says what to do."""
 from __future__ import annotations
 
+import errno
+
+from . import messages
 from .message import Message
 
 
@@ -57,3 +60,26 @@ class WorkersLostError(SeamInspectorError):
 
 class CancelledError(SeamInspectorError):
     """The user stopped the work."""
+
+
+_SYSTEM_REASONS = {
+    errno.EACCES: messages.SYSTEM_ACCESS,
+    errno.EDQUOT: messages.SYSTEM_QUOTA,
+    errno.EEXIST: messages.SYSTEM_EXISTS,
+    errno.EINVAL: messages.SYSTEM_INVALID,
+    errno.EIO: messages.SYSTEM_DEVICE,
+    errno.EISDIR: messages.SYSTEM_FOLDER,
+    errno.ELOOP: messages.SYSTEM_LINKS,
+    errno.ENAMETOOLONG: messages.SYSTEM_NAME,
+    errno.ENOENT: messages.SYSTEM_NOTHING,
+    errno.ENOSPC: messages.SYSTEM_FULL,
+    errno.ENOTDIR: messages.SYSTEM_NO_FOLDER,
+    errno.EPERM: messages.SYSTEM_PERMISSION,
+    errno.EROFS: messages.SYSTEM_READ_ONLY,
+}
+
+
+def system_reason(error: OSError) -> Message | str:
+    """Why the system refuses a file, for a message: its own words are English, and used where that is rare."""
+    word = _SYSTEM_REASONS.get(error.errno or 0)
+    return error.strerror or str(error) if word is None else word()

@@ -6,6 +6,7 @@ from .message import INFO, WARNING, Message
 # rasters
 NOT_FOUND = Message("{path} does not exist; check the path.")
 NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that the file is complete.")
+NOT_PERMITTED = Message("{name} may not be read; ask its owner for permission to read it, or copy it.")
 NOT_READABLE = Message("The pixels of {name} can't be read; the file may be truncated or damaged, so copy it anew.")
 NO_FILE = Message("{name} is a device, a pipe or memory, not a file; copy its data to a file.")
 VRT_LEADS_OUT = Message("{name} is a VRT that leads to {path}, which is no file; mend the VRT.")
@@ -98,6 +99,20 @@ SEAMLINES_NOT_FINITE = Message(
 CANCELLED = Message("The work was cancelled; nothing was written.", WARNING)
 RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder, or make room on the disk.")
 FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")
+# why the system refuses a file, within other messages
+SYSTEM_ACCESS = Message("Permission denied", INFO)
+SYSTEM_PERMISSION = Message("Operation not permitted", INFO)
+SYSTEM_NOTHING = Message("No such file or directory", INFO)
+SYSTEM_FOLDER = Message("Is a directory", INFO)
+SYSTEM_NO_FOLDER = Message("Not a directory", INFO)
+SYSTEM_EXISTS = Message("File exists", INFO)
+SYSTEM_LINKS = Message("Too many levels of symbolic links", INFO)
+SYSTEM_NAME = Message("File name too long", INFO)
+SYSTEM_FULL = Message("No space left on device", INFO)
+SYSTEM_QUOTA = Message("Disk quota exceeded", INFO)
+SYSTEM_READ_ONLY = Message("Read-only file system", INFO)
+SYSTEM_DEVICE = Message("Input/output error", INFO)
+SYSTEM_INVALID = Message("Invalid argument", INFO)
 # files that are read over the network
 REMOTE_NOT_FOUND = Message("{name} is not on its server (HTTP {code}); check its address.")
 REMOTE_REFUSED = Message("The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.")

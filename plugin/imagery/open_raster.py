@@ -52,6 +52,8 @@ class OpenRaster:
             there = ref.path.startswith("/vsi") or ":" in ref.path or os.path.exists(ref.path)
             failure = messages.NOT_A_RASTER(name=ref.name) if there else messages.NOT_FOUND(path=ref.path)
             check_raster_path(ref.path, ref.name)
+            if os.path.exists(ref.path) and not os.access(ref.path, os.R_OK):
+                failure = messages.NOT_PERMITTED(name=ref.name)
             dataset = gdal_call(lambda: gdal.OpenEx(ref.path, gdal.OF_RASTER | gdal.OF_READONLY), failure)
         if dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 
 from ...imagery.atomic_files import whole_file
-from ...imagery.errors import SettingsError
+from ...imagery.errors import SettingsError, system_reason
 from . import messages
 
 _NAME = "defect_{}.jpg"
@@ -25,8 +25,7 @@ class PictureFolder:
             for old in folder.glob(_NAME.format("*")):
                 old.unlink()
         except OSError as error:
-            reason = error.strerror or str(error)
-            raise SettingsError(messages.PICTURES_NOT_WRITTEN(folder=folder, error=reason)) from None
+            raise SettingsError(messages.PICTURES_NOT_WRITTEN(folder=folder, error=system_reason(error))) from None
 
     def save(self, number: int, jpeg: bytes) -> Path:
         """Write one; where it is. Raises SettingsError where it can't be."""

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, Callable, TypeVar
 
 from .. import messages
-from ..errors import SettingsError
+from ..errors import SettingsError, system_reason
 from ..message import Message
 from .document_files import document_bytes, json_document
 
@@ -98,7 +98,7 @@ def read_rules(path: Path, make: Callable[[RuleObject, list[RuleObject]], Made])
     except UnicodeDecodeError:
         raise SettingsError(messages.RULES_NOT_TEXT(name=path.name)) from None
     except OSError as error:
-        raise SettingsError(messages.RULES_NOT_READABLE(name=path.name, error=error.strerror or error)) from None
+        raise SettingsError(messages.RULES_NOT_READABLE(name=path.name, error=system_reason(error))) from None
     try:
         content = json_document(text, lambda pairs: _object(path.name, pairs))
     except json.JSONDecodeError as error:

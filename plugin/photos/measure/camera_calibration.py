@@ -15,7 +15,7 @@ import numpy as np
 
 from ...imagery.documents.document_files import document_bytes
 from ...imagery.documents.xml_documents import looks_like_xml, xml_root
-from ...imagery.errors import PhotoError
+from ...imagery.errors import PhotoError, system_reason
 from . import messages
 from .transformations import LEAST_MARKS, PlaneModel, fit_transformation
 
@@ -60,7 +60,7 @@ def read_calibration(path: Path) -> CameraCalibration:
         in_xml = looks_like_xml(content)
         calibration = _micmac(content, path.name) if in_xml else _table(content.decode("utf-8-sig"), path.name)
     except OSError as error:
-        raise PhotoError(messages.CALIBRATION_NOT_READ(path=path, error=error.strerror or error)) from None
+        raise PhotoError(messages.CALIBRATION_NOT_READ(path=path, error=system_reason(error))) from None
     except (UnicodeDecodeError, ParseError, csv.Error):
         raise PhotoError(messages.CALIBRATION_UNKNOWN(name=path.name)) from None
     if not calibration.marks:

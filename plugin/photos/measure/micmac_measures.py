@@ -8,7 +8,7 @@ from xml.etree.ElementTree import Element, ParseError, SubElement
 
 from ...imagery.documents.document_files import document_bytes
 from ...imagery.documents.xml_documents import looks_like_xml, xml_root
-from ...imagery.errors import PhotoError
+from ...imagery.errors import PhotoError, system_reason
 from . import messages
 from .orientation import MarkResult
 from .photo_views import Place
@@ -41,7 +41,7 @@ def read_measures(path: Path) -> list[tuple[str, str, Place]]:
             raise ParseError
         return list(_measures(xml_root(content), path.name))
     except OSError as error:
-        raise PhotoError(messages.MEASURES_NOT_READ(name=path.name, error=error.strerror or error)) from None
+        raise PhotoError(messages.MEASURES_NOT_READ(name=path.name, error=system_reason(error))) from None
     except ParseError:
         raise PhotoError(messages.MEASURES_NOT_READ(name=path.name, error="no XML")) from None
 

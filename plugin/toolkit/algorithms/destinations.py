@@ -17,7 +17,7 @@ from qgis.core import (
 )
 
 from ...imagery import messages as imagery_messages
-from ...imagery.errors import SettingsError
+from ...imagery.errors import SettingsError, system_reason
 from .. import messages
 from .output_files import is_database, is_file, output_text, table_place
 
@@ -79,7 +79,7 @@ def _check_file(path: str, title: str) -> None:
             _state(path + _JOURNAL)
         os.stat(os.path.join(os.path.dirname(os.path.realpath(path)), ""))
     except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error.strerror)) from None
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=system_reason(error))) from None
     if found is not None and not stat.S_ISREG(found.st_mode):
         _refuse(path, errno.EISDIR if stat.S_ISDIR(found.st_mode) else errno.EPERM)
     if not os.access(path if found is not None else os.path.dirname(os.path.realpath(path)), os.W_OK):
@@ -106,4 +106,5 @@ def _is_locked(path: str) -> bool:
 
 
 def _refuse(path: str, number: int) -> None:
-    raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=os.strerror(number)))
+    reason = system_reason(OSError(number, os.strerror(number)))
+    raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=reason))

@@ -107,3 +107,11 @@ def test_what_is_left_of_killed_writings_goes_and_nothing_that_it_links_to(tmp_p
     assert not left.exists()
     assert (outside / "mine").read_text() == "mine"
     assert len(list(tmp_path.iterdir())) == 3
+
+
+def test_the_reason_of_the_system_is_translated(tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="No such file or directory") as failed:
+        save_text("a", tmp_path / "gone" / "a.txt")
+    said: list[str] = []
+    failed.value.message.worded(lambda template: said.append(template) or template)
+    assert "No such file or directory" in said

@@ -1,6 +1,7 @@
 """Images read for themselves: what they are, in pieces, and at reduced resolution."""
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from pathlib import Path
 
@@ -143,3 +144,14 @@ def test_a_file_that_says_nothing_of_missing_pixels_is_all_valid(
 ) -> None:
     pixels = np.ones((1, 8, 8), np.uint8)
     assert OpenRaster(RasterRef(make_raster("a.tif", pixels, nodata=nodata))).is_all_valid is all_valid
+
+
+def test_a_file_that_may_not_be_read_is_not_called_damaged(
+    make_raster: MakeRaster, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = make_raster("a.tif", orthoimage((64, 64)))
+    os.chmod(path, 0)
+    monkeypatch.setattr(os, "access", lambda *asked: False)  # whoever runs the tests may be allowed everything
+    monkeypatch.setattr(gdal, "OpenEx", lambda *asked: None)
+    with pytest.raises(RasterError, match=r"a\.tif may not be read"):
+        describe(RasterRef(path))

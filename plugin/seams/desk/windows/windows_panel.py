@@ -18,6 +18,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
+from ....imagery.errors import system_reason
 from ....imagery.statistics.observers import Operator
 from ....toolkit.desk.confirmation import is_confirmed
 from ....toolkit.desk.timers import single_shot
@@ -277,7 +278,7 @@ class WindowsPanel(QWidget):
         try:
             self.save_csv(Path(path))
         except OSError as error:
-            problem = messages.TABLE_NOT_SAVED(path=path, error=error.strerror or error)
+            problem = messages.TABLE_NOT_SAVED(path=path, error=system_reason(error))
             self.told.emit(sentence(problem), bar_level(problem))
 
     def _remove(self) -> None:

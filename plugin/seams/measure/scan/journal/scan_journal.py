@@ -13,7 +13,7 @@ from collections.abc import KeysView
 from pathlib import Path
 from typing import BinaryIO
 
-from .....imagery.errors import SettingsError
+from .....imagery.errors import SettingsError, system_reason
 from .....imagery.message import Message
 from .....imagery.records.file_lock import lock_file, remove_locked
 from .....imagery.records.own_file import open_own_file
@@ -44,7 +44,7 @@ def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | N
             file.close()
             raise
     except OSError as error:
-        raise SettingsError(messages.SCAN_JOURNAL_NOT_OPENED(path=path, error=error.strerror or error)) from None
+        raise SettingsError(messages.SCAN_JOURNAL_NOT_OPENED(path=path, error=system_reason(error))) from None
 
 
 class ScanJournal:
@@ -66,9 +66,10 @@ class ScanJournal:
         try:
             found = record_at(self._file, place, self._end)
         except OSError as error:
-            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=error.strerror)) from None
+            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=system_reason(error))) from None
         if found is None or found[0] != key:
-            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=os.strerror(errno.EIO)))
+            reason = system_reason(OSError(errno.EIO, os.strerror(errno.EIO)))
+            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=reason))
         return found[1]
 
     def save(self, key: str, payload: bytes) -> None:
@@ -87,7 +88,7 @@ class ScanJournal:
             with contextlib.suppress(OSError):  # what is left of it is dropped when the file is opened again
                 self._file.truncate(self._end)
             raise SettingsError(
-                messages.SCAN_JOURNAL_NOT_SAVED(path=self.path, error=error.strerror or error, done=len(self._places))
+                messages.SCAN_JOURNAL_NOT_SAVED(path=self.path, error=system_reason(error), done=len(self._places))
             ) from None
         self._places[key], self._end = self._end, end
 
@@ -114,7 +115,7 @@ def _opened(path: Path) -> BinaryIO:
         except OSError as error:
             file.close()
             raise SettingsError(
-                messages.SCAN_JOURNAL_NOT_LOCKED(path=path, error=error.strerror or error)
+                messages.SCAN_JOURNAL_NOT_LOCKED(path=path, error=system_reason(error))
             ) from None
         except BaseException:
             file.close()
