@@ -112,8 +112,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             try:
                 try:
                     results = self.execute(run)
-                finally:
-                    run.close()
+                except BaseException:
+                    run.close(has_failed=True)
+                    raise
+                run.close()
                 return run.kept(results)
             except CancelledError as stopped:
                 run.tell(stopped.message)

@@ -102,14 +102,20 @@ class FeatureSinks:
                 said = sink.lastError() or tr("A result can't be written; is the disk full?")
                 raise QgsProcessingException(_why_not(of.place, said))
 
-    def close(self) -> None:
-        """Make layers whole: they are so without their sinks only, which a frame or a cycle may still hold."""
+    def close(self, has_failed: bool = False) -> None:
+        """Make layers whole: they are so without their sinks only, which a frame or a cycle may still hold.
+
+        Of a run that failed nothing is left where nothing was written.
+        """
         while self._open:
             of = self._open.pop()
             with gdal_silenced():
                 gdal.ErrorReset()
                 sip.delete(of.sink)
                 has_closed = gdal.GetLastErrorType() < gdal.CE_Failure
+            if has_failed and not of.written and of.older is not None:
+                of.older.restore()
+                continue
             held = of.written * has_closed
             if of.place is not None and of.place.path.lower().endswith(_COUNTED):
                 held = _count(of.place)

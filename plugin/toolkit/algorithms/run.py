@@ -49,9 +49,9 @@ class Run:
         self._sinks = FeatureSinks()
         self._told: set[str] = set()
 
-    def close(self) -> dict[str, Message]:
+    def close(self, has_failed: bool = False) -> dict[str, Message]:
         """Make layers whole; why some are not, by their destinations. Once is enough."""
-        self._sinks.close()
+        self._sinks.close(has_failed)
         return self._sinks.lost
 
     def kept(self, results: dict[str, Any]) -> dict[str, Any]:

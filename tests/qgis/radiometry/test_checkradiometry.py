@@ -198,3 +198,17 @@ def test_it_stops_when_cancelled(scene: Scene) -> None:
     outcome = run("checkradiometry", log, RASTERS=scene.sources)
     assert outcome.complaint is None
     assert outcome.rows() == []
+
+
+def test_what_measured_nothing_leaves_no_file_and_an_older_one_as_it_was(mosaics: list[str], tmp_path: Path) -> None:
+    """A table of nothing but its names of columns looks like a result."""
+    cut = tmp_path / "cut.tif"
+    cut.write_bytes(Path(mosaics[0]).read_bytes()[:-100_000])
+    for ending in ("csv", "gpkg"):
+        output = tmp_path / f"made.{ending}"
+        assert_sentence(run("checkradiometry", RASTERS=[str(cut)], OUTPUT=str(output)).complaint, "could be measured")
+        assert not output.exists()
+        assert run("checkradiometry", RASTERS=mosaics[:1], OUTPUT=str(output)).complaint is None
+        before = output.read_bytes()
+        assert run("checkradiometry", RASTERS=[str(cut)], OUTPUT=str(output)).complaint is not None
+        assert output.read_bytes() == before
