@@ -13,7 +13,7 @@ from ...tables.window_layer import UNNUMBERED
 from .window_versions import WindowVersions
 
 
-class WindowRows:
+class LayerRows:
     """What changed is marked as unread, and read once, when somebody asks."""
 
     def __init__(self, layer: QgsVectorLayer | None, versions: WindowVersions) -> None:

@@ -13,7 +13,7 @@ from ....toolkit.desk.timers import single_shot
 from ....toolkit.translation import tr
 from ...measure.window_records import WindowRecord
 from ...tables import window_layer
-from .window_rows import WindowRows
+from .window_rows import LayerRows
 from .window_versions import Version, WindowVersions
 
 _STALE = "seam_inspector/stale"  # custom property of the layer: numbers of the windows to be inspected again
@@ -40,7 +40,7 @@ class WindowWatch(QObject):
     def _forget(self) -> None:
         stale = self._layer.customProperty(_STALE, []) or [] if self._layer is not None else []
         self._versions = WindowVersions(int(number) for number in stale if str(number).lstrip("-").isdigit())
-        self._rows = WindowRows(self._layer, self._versions)
+        self._rows = LayerRows(self._layer, self._versions)
         self._saved: dict[int, WindowRecord] = {}
         self._bereft: set[int] = set()  # numbers of windows that went, or whose fields did, and with them their values
 
