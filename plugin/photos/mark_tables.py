@@ -16,6 +16,7 @@ from qgis.core import (
 )
 
 from ..imagery.errors import PhotoError
+from ..imagery.plain_files import is_endless
 from ..imagery.rasters import GeoTransform
 from ..toolkit.attribute_values import attributes, is_known, is_true, number, text
 from ..toolkit.table_fields import feature, table_fields
@@ -116,13 +117,13 @@ def compared_marks(
 def folder_marks(folder: Path) -> list[ComparedMark]:
     """The marks of all files of a folder: layers with a field ``mark``, and MicMac's MeasuresIm-*.xml.
 
-    A layer that does not say the photo is of the photo that its file is called like. Raises PhotoError for a folder
-    that is not there or holds no marks.
+    A layer that does not say the photo is of the photo that its file is called like; what is no file is left alone.
+    Raises PhotoError for a folder that is not there or holds no marks.
     """
     if not folder.is_dir():
         raise PhotoError(messages.COMPARED_NO_FOLDER(path=folder))
     made: list[ComparedMark] = []
-    for path in sorted(folder.iterdir()):
+    for path in (one for one in sorted(folder.iterdir()) if not is_endless(str(one))):
         if path.suffix.lower() == ".xml" and path.name.startswith(MEASURES):
             made += [ComparedMark(photo, mark, place) for photo, mark, place in read_measures(path)]
         elif path.suffix.lower() in VECTOR_ENDINGS:

@@ -48,8 +48,15 @@ FOUND = (
     "enhancephoto/gaussian/PHOTO/sparse/58338084",
     "comparesensormodels/heights/GEOID/sparse/242540163",
     "acceptmosaic/limits/WINDOWS/shapes/483435043",
+    "acceptmosaic/rules/SHEETS/shapes/233671740",
+    "inspect_mosaic/lines/sources/vrt_of_memory/763991549",
+    "inspect_mosaic/index/mosaic/system/437490206",
+    "comparemarks/folders/SECOND_FOLDER/a_pipe/809317441",
+    "orthorectify/frame/INTERIOR/deep/912777930",
+    "orthorectify/model/IMAGE/vrt_of_many/566069506",
+    "predictloss/width/WINDOWS/an_address/387873611",
 )
-"""Cases that crashed, hung or took all memory once."""
+"""Cases that crashed, hung, took all memory or said something else than a sentence once."""
 QUICK = {
     "placewindows", "inspectwindows", "planinspection", "predictloss", "minimumheight", "simulatebayer", "comparemarks",
     "enhancephoto", "orthorectify", "report",

@@ -17,6 +17,7 @@ from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing
 from ...imagery.grids import Extent
 from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
+from ...imagery.plain_files import vrt_parts
 from ...imagery.raster_writer import whole_raster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt
@@ -276,6 +277,7 @@ def _warp(
 ) -> None:
     wkt, extent, columns, rows = target
     nodata = source.GetRasterBand(1).GetNoDataValue()
+    is_virtual = bool(vrt_parts(request.image.path))  # in another thread GDAL would print which of its files lacks
     creation = ["COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS"]
 
     def report(share: float, message: str, data: Any) -> int:
@@ -297,19 +299,22 @@ def _warp(
                 rpc=True,
                 transformerOptions=options,
                 errorThreshold=0,
-                multithread=True,
+                multithread=not is_virtual,
                 warpOptions=["NUM_THREADS=ALL_CPUS", "UNIFIED_SRC_NODATA=YES"],
                 dstNodata=0 if nodata is None else nodata,
                 creationOptions=creation if request.format == "COG" else [*creation, "TILED=YES"],
                 callback=report,
             )
-            failure = messages.WARP_FAILED(error=gdal.GetLastErrorMsg()) if made is None else None
-        except RuntimeError as error:
-            made, failure = None, messages.WARP_FAILED(error=str(error))
+            error = gdal.GetLastErrorMsg() if made is None else ""
+        except RuntimeError as raised:
+            made, error = None, str(raised)
+        if made is None:
+            unread = imagery_messages.NOT_READABLE(name=request.image.name)
+            failure = messages.WARP_FAILED(error=error) if error else unread
         if cancelled():
             made = None
             raise CancelledError(imagery_messages.CANCELLED())
-        if failure is not None:
+        if made is None:
             raise RasterError(failure)
         with gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=request.output)):
             made = None  # closing writes the file

@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from qgis.core import (
@@ -25,7 +25,7 @@ from qgis.core import (
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
-from ...imagery.plain_files import is_endless
+from ...imagery.plain_files import check_raster_path, is_endless
 from .. import messages
 from ..translation import tr
 
@@ -170,8 +170,28 @@ def check_systems(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], con
 def check_files(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> None:
     """Raise SettingsError for an input that is a device or a pipe: whoever opens one may wait for ever."""
     for definition in algorithm.parameterDefinitions():
-        value = None if definition.isDestination() else values.get(definition.name())
-        for one in value if isinstance(value, (list, tuple)) else (value,):
-            path = _LAYER_ADDRESS.sub("", one) if isinstance(one, str) else ""
-            if path and is_endless(path):
+        for path in () if definition.isDestination() else _paths(values.get(definition.name())):
+            if "\0" in path or is_endless(path):
                 raise SettingsError(imagery_messages.NO_FILE(name=os.path.basename(path)))
+
+
+def check_rasters(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> None:
+    """Raise RasterError for what GDAL must not open, before QGIS does for a model."""
+    for definition in algorithm.parameterDefinitions():
+        for path in _paths(values.get(definition.name())) if takes_rasters(definition) else ():
+            check_raster_path(path, os.path.basename(path))
+
+
+def takes_rasters(definition: QgsProcessingParameterDefinition) -> bool:
+    """Whether a parameter is a raster or a list of them."""
+    if isinstance(definition, QgsProcessingParameterMultipleLayers):
+        return bool(definition.layerType() == QgsProcessing.SourceType.TypeRaster)
+    return isinstance(definition, QgsProcessingParameterRasterLayer)
+
+
+def _paths(value: Any) -> Iterator[str]:
+    """Of one layer or several, those that are given as texts."""
+    for one in value if isinstance(value, (list, tuple)) else (value,):
+        path = _LAYER_ADDRESS.sub("", one) if isinstance(one, str) else ""
+        if path:
+            yield path

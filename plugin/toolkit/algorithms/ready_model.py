@@ -11,13 +11,13 @@ from qgis.core import (
     QgsProcessingModelAlgorithm,
 )
 
-from ...imagery.errors import SettingsError
+from ...imagery.errors import SeamInspectorError
 from ...imagery.gdal_calls import gdal_silenced
 from ..resources import help_url
 from ..translation import sentence, tr
 from .destinations import refuse_impossible
 from .overwriting import refuse_overwriting
-from .parameters import check_files
+from .parameters import check_files, check_rasters
 from .unopened_rasters import without_rasters
 
 _TITLES, _HELP = ("description", "component_description", "model_group"), "help"
@@ -45,10 +45,8 @@ class ReadyModel(QgsProcessingModelAlgorithm):
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         try:
-            refuse_impossible(self, parameters, context)
-            check_files(self, parameters)
-            refuse_overwriting(self, parameters, context)
-        except SettingsError as error:
+            self._refuse(parameters, context)
+        except SeamInspectorError as error:
             return False, sentence(error.message)
         with gdal_silenced():
             return super().checkParameterValues(without_rasters(self, parameters), context)
@@ -57,10 +55,8 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> bool:
         try:
-            refuse_impossible(self, parameters, context)
-            check_files(self, parameters)
-            refuse_overwriting(self, parameters, context)
-        except SettingsError as error:
+            self._refuse(parameters, context)
+        except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
         with gdal_silenced():
             return super().prepareAlgorithm(parameters, context, feedback)
@@ -70,6 +66,13 @@ class ReadyModel(QgsProcessingModelAlgorithm):
     ) -> dict[str, Any]:
         with gdal_silenced():
             return dict(super().processAlgorithm(parameters, context, feedback))
+
+    def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        """Raise SeamInspectorError for what no step is to be asked for."""
+        refuse_impossible(self, parameters, context)
+        check_files(self, parameters)
+        check_rasters(self, parameters)
+        refuse_overwriting(self, parameters, context)
 
 
 def model_title(name: str) -> str:

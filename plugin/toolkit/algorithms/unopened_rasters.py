@@ -6,17 +6,23 @@ from typing import Any
 
 from qgis.core import QgsProcessingAlgorithm, QgsProcessingParameterRasterLayer, QgsRasterLayer
 
+from .parameters import takes_rasters
+
 
 def without_rasters(
     algorithm: QgsProcessingAlgorithm, values: dict[str, Any], lists: Collection[str] = ()
 ) -> dict[str, Any]:
-    """The values with nothing to open in place of each raster, and of each of the ``lists`` of layers.
+    """The values with nothing to open in place of each raster, each list of rasters, and each of the other ``lists``.
 
     QGIS would load them all, write statistics beside them (into them, where they are VRTs), and refuse one that it
     can't open without a reason.
     """
-    rasters = {
-        one.name() for one in algorithm.parameterDefinitions() if isinstance(one, QgsProcessingParameterRasterLayer)
-    }
-    rasters = {name for name in rasters if isinstance(values.get(name), str) and values[name]}
-    return {**values, **{name: [] for name in lists if name in values}, **{name: QgsRasterLayer() for name in rasters}}
+    emptied = dict(values)
+    for one in algorithm.parameterDefinitions():
+        name, value = one.name(), values.get(one.name())
+        if isinstance(one, QgsProcessingParameterRasterLayer):
+            if isinstance(value, str) and value:
+                emptied[name] = QgsRasterLayer()
+        elif name in values and (name in lists or takes_rasters(one)):
+            emptied[name] = []
+    return emptied

@@ -92,6 +92,8 @@ def folders(tmp_path: Path) -> dict[str, Path]:
         (made["micmac"] / f"MeasuresIm-{photo}.jpg.xml").write_text(measures(photo, True), encoding="utf-8")
     (made["layers"] / "report.html").write_text("<p>", encoding="utf-8")
     (made["micmac"] / "MeasuresCamera.xml").write_text("<a/>", encoding="utf-8")
+    for name in ("layers/pipe.gpkg", "tables/pipe.csv", "micmac/MeasuresIm-pipe.xml"):  # nobody waits for those
+        os.mkfifo(tmp_path / name)
     return made
 
 

@@ -63,7 +63,7 @@ def _orthority(content: bytes, path: Path, camera: str) -> tuple[FrameInterior, 
         raise SensorModelError(messages.YAML_MISSING(name=path.name)) from None
     try:
         cameras = yaml.safe_load(content)
-    except yaml.YAMLError:
+    except (yaml.YAMLError, RecursionError):
         raise ValueError from None
     if not isinstance(cameras, dict) or not cameras:
         raise ValueError
