@@ -1284,7 +1284,7 @@
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="119"/>
         <source>Add fields</source>
         <translation>Dodaj pola</translation>
     </message>
@@ -11332,6 +11332,10 @@
         <location filename="../plugin/imagery/messages.py" line="115"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
+    </message>
+    <message>
+        <source>What the words mean stands behind the flagged windows, under How to read this.</source>
+        <translation>Znaczenie słów podano za oznaczonymi oknami, w części Jak to czytać.</translation>
     </message>
 </context>
 </TS>
