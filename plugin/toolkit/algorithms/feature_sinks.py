@@ -26,7 +26,7 @@ from .output_files import DataPlace, files_beside
 
 Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
 
-_COUNTED = (".csv", ".fgb", ".geojson", ".gpkg", ".shp", ".sqlite")  # formats that hold all that they are given
+_COUNTED = (".csv", ".fgb", ".geojson", ".gpkg", ".kml", ".shp", ".sqlite")  # formats that hold all that they are given
 _SPREADSHEETS = (".csv", ".ods", ".tsv", ".xlsx")
 _OF_DATABASES = ("-wal", "-shm", "-journal")
 
