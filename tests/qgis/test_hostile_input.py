@@ -55,6 +55,7 @@ FOUND = (
     "orthorectify/frame/INTERIOR/deep/912777930",
     "orthorectify/model/IMAGE/vrt_of_many/566069506",
     "predictloss/width/WINDOWS/an_address/387873611",
+    "scanmosaic/lone/MOSAIC/sparse/555636332",
 )
 """Cases that crashed, hung, took all memory or said something else than a sentence once."""
 QUICK = {

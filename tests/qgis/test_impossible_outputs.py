@@ -103,7 +103,9 @@ def inspected(scene: Scene, log: Log | None = None, **outputs: Any) -> Run:
     return run("inspectwindows", log, **{**given, "CURVES": None, "PAIRS": None, "PROFILES": None, **outputs})
 
 
-@pytest.mark.parametrize(("ending", "room"), [("gpkg", 1), ("gpkg", 30_000), ("gpkg", 70_000), ("csv", 1), ("shp", 1), ("kml", 1)])
+@pytest.mark.parametrize(("ending", "room"), [
+    ("gpkg", 1), ("gpkg", 30_000), ("gpkg", 70_000), ("csv", 1), ("shp", 1), ("kml", 1)
+])
 def test_a_full_disk_keeps_what_was_there(
     scene: Scene, tmp_path: Path, ending: str, room: int, capfd: pytest.CaptureFixture[str]
 ) -> None:

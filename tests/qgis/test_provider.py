@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from osgeo import gdal
 from qgis.core import (
     QgsProcessing,
     QgsProcessingModelAlgorithm,
@@ -25,7 +26,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QSize
 
-from tests.qgis.runs import Log, Run, algorithm, assert_sentence, run
+from tests.qgis.runs import Log, Run, algorithm, assert_sentence, run, run_unchecked
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, pixel_box, windows
 
 GROUPS = {
@@ -332,3 +333,19 @@ def test_the_style_of_verdicts_loads_on_the_output(scene: Scene, repository: Pat
     assert all(one != other for index, one in enumerate(drawn) for other in drawn[:index])
     for row in outcome.rows():
         assert renderer.categoryIndexForValue(row["verdict"]) == VERDICTS.index(row["verdict"])
+
+
+@pytest.mark.parametrize("parameter", ["mosaic", "sources"])
+def test_what_must_not_be_opened_is_refused_before_qgis_loads_it(
+    scene: Scene, tmp_path: Path, parameter: str
+) -> None:
+    """A VRT that names places in memory ended QGIS itself."""
+    path = tmp_path / "made.vrt"
+    gdal.BuildVRT(str(path), [str(scene.mosaic)]).FlushCache()
+    path.write_text(re.sub("<SourceFilename.*<", "<SourceFilename>/dev/null<", path.read_text()))
+    given = {"seamlines": seam(), "mosaic": str(scene.mosaic), "sources": scene.sources, "side": 6.4, "spacing": 6.4}
+    given[parameter] = [str(path)] if parameter == "sources" else str(path)
+    for play in (run, run_unchecked):
+        outcome = play("inspect_mosaic", **given)
+        said = [outcome.complaint or "", *outcome.log.errors]
+        assert any("made.vrt is a VRT that leads to /dev/null" in one for one in said), said

@@ -1,6 +1,7 @@
 """Grey values before and after: gain, bias, gamma and clipping against numpy, scipy and what was done."""
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import stats
+from seam_inspector.plugin.seams.measure import tone
 from seam_inspector.plugin.seams.measure.causes import MIN_CLIPPED_SHARE
 from seam_inspector.plugin.seams.measure.tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
 
@@ -124,3 +126,10 @@ def test_colour_shift_is_largest_over_smallest_gain() -> None:
     assert colour_shift([0.8, 1.0, 0.9]) == pytest.approx(1.25)
     assert colour_shift([1.0]) is None
     assert colour_shift([1.0, 0.0]) is None
+
+
+def test_values_beyond_float32_are_ranked_without_a_word() -> None:
+    values = np.array([[1e300, 1.0, 2.0, 5e200, 3.0]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert tone._median(values) == 3
