@@ -82,7 +82,7 @@ class StopAt(Log):
         self.progressChanged.connect(lambda done: self.cancel() if done >= share else None)
 
 
-@pytest.mark.parametrize("share", [1.0, 50.0, 93.0])
+@pytest.mark.parametrize("share", [1.0, 50.0, 92.0, 93.0])
 def test_cancelled_it_keeps_what_is_done_and_goes_on(
     files: Files, whole: Path, tmp_path: Path, share: float
 ) -> None:

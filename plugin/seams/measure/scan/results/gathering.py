@@ -9,6 +9,8 @@ import numpy as np
 from osgeo import ogr
 from scipy import ndimage
 
+from .....imagery import messages as imagery_messages
+from .....imagery.errors import CancelledError
 from .....imagery.message import Message
 from ...following.boxes import enlarged
 from ...placing.window_placing import PlacedWindow
@@ -96,8 +98,9 @@ class Gathering:
                 return None
         else:
             pieces = cut_in_pieces(seams_of(borders), request.settings.piece_m, grid)
-        sums = self._sums(pieces, loss_path, lambda share: goes_on(0.3 + 0.5 * share))
-        if sums is None:
+        try:
+            sums = self._sums(pieces, loss_path, lambda share: goes_on(0.3 + 0.5 * share))
+        except CancelledError:
             return None
         judged = tuple(
             judge_piece(piece, (self._name(piece.left), self._name(piece.right)), found,
@@ -144,8 +147,8 @@ class Gathering:
 
     def _sums(
         self, pieces: Sequence[SeamPiece], loss_path: str, goes_on: Callable[[float], bool]
-    ) -> PieceSums | None:
-        """Of all pieces; the picture of losses on the way."""
+    ) -> PieceSums:
+        """Of all pieces; the picture of losses on the way. Raises CancelledError where ``goes_on`` says no."""
         mosaic, settings = self._request.mosaic, self._request.settings
         sums, index = PieceSums(len(pieces), settings.levels), PieceIndex(pieces, mosaic.grid)
         if not loss_path:
@@ -163,7 +166,7 @@ class Gathering:
                 table[list(names)] = list(names.values())
                 raster.write(row, column, loss_cells(scan, table[labels], ground, settings.cell_px))
                 if not column and not goes_on(row / self._grid.rows):
-                    return None
+                    raise CancelledError(imagery_messages.CANCELLED())  # which leaves no picture
             raster.add_setting("seams", "given" if self._request.seams else "found")
             if (share := self._share_unexplained) is not None:
                 raster.add_setting("unexplained", f"{share:.4f}")
