@@ -8,7 +8,7 @@ import numpy as np
 from osgeo import gdal
 
 from . import limits, messages
-from .errors import NotCoveredError
+from .errors import NotCoveredError, RasterError
 from .gdal_calls import gdal_call
 from .grids import Extent, Grid, PixelWindow
 from .message import Exceeding
@@ -103,6 +103,9 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly
     extent = mosaic.grid.window_extent(window)
     extent_on(extent, mosaic.wkt, raster.wkt)  # raises with the reason when GDAL can't
     finest = (1 - limits.MAX_PIXEL_SIZE_DIFFERENCE) * mosaic.ground_sample_distance
+    times = mosaic.ground_sample_distance / raster.ground_sample_distance if raster.ground_sample_distance else math.inf
+    if window.width * window.height * times**2 > limits.MAX_AVERAGED_PIXELS:
+        raise RasterError(messages.MUCH_FINER(name=source.ref.name, times=times))
     if source.roles.palette is not None:
         dataset = gdal_call(lambda: _palette_expanded(source.dataset), failure)
     warped = gdal_call(

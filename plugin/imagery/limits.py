@@ -22,6 +22,7 @@ MIN_SIDE_PX = 64  # below it a level-3 component has fewer than 8 x 8 coefficien
 MAX_INVALID_SHARE = 0.001  # filled with the mean up to here; 0.1 % moves a share by less than 0.001 of itself
 MAX_PIXEL_SIZE_DIFFERENCE = 0.01  # relative; 10 px over a window of 1024 px
 MAX_WINDOW_PIXELS = 8192 * 8192  # 67 million: some 2 GB while it is measured
+MAX_AVERAGED_PIXELS = 2**30  # of a finer source in a window: averaging more takes minutes
 
 # The verdict
 MIN_SHARE = 1e-20  # of the variance: smaller ones are rounding of float64, and ratios to them mean nothing

@@ -31,6 +31,9 @@ NOT_NORTH_UP = Message("{name} is rotated, mirrored or south-up; warp it to a no
 NOT_ON_GROUND = Message(
     "{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates."
 )
+MUCH_FINER = Message(
+    "{name} has pixels {times:.0f} times finer than the mosaic's, too many to average; resample it to those first."
+)
 SOURCE_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 # reference systems
 EXTENT_NOT_TRANSFORMED = Message(

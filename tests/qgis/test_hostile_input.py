@@ -51,6 +51,7 @@ FOUND = (
     "acceptmosaic/rules/SHEETS/shapes/233671740",
     "inspect_mosaic/lines/sources/vrt_of_memory/763991549",
     "inspect_mosaic/index/mosaic/system/437490206",
+    "inspect_mosaic/lines/sources/sparse/834058247",
     "comparemarks/folders/SECOND_FOLDER/a_pipe/809317441",
     "orthorectify/frame/INTERIOR/deep/912777930",
     "orthorectify/model/IMAGE/vrt_of_many/566069506",

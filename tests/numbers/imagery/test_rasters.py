@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from seam_inspector.plugin.imagery.errors import NotCoveredError
+from osgeo import gdal
+from seam_inspector.plugin.imagery.errors import NotCoveredError, RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
@@ -179,6 +181,19 @@ def test_a_finer_source_is_averaged(make_raster: MakeRaster, mosaic: Raster, tim
     assert (clip.offset_x, clip.offset_y) == (0, 0)
     averaged = image.reshape(256, times, 256, times).mean(axis=(1, 3))
     np.testing.assert_allclose(clip.bands[0], inside(averaged), atol=0.01)
+
+
+def test_a_source_too_fine_to_be_averaged_is_refused(tmp_path: Path, mosaic: Raster) -> None:
+    """A sparse file of next to no bytes, whose pixels under one window nobody wants to wait for."""
+    side, times = 300_000, 1000
+    path = str(tmp_path / "finest.tif")
+    finest = gdal.GetDriverByName("GTiff").Create(path, side, side, 1, options=["SPARSE_OK=YES", "TILED=YES"])
+    left, width, _, top, _, height = mosaic.placement
+    finest.SetGeoTransform((left, width / times, 0.0, top, 0.0, height / times))
+    finest.SetProjection(mosaic.wkt)
+    finest = None
+    with pytest.raises(RasterError, match=r"finest.tif has pixels 1000 times finer than the mosaic's"):
+        clip_of(path, mosaic)
 
 
 def test_a_finer_8_bit_source_is_averaged_to_8_bit(make_raster: MakeRaster, mosaic: Raster) -> None:
