@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 import re
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import lru_cache
 from html import unescape
 from typing import NamedTuple
@@ -17,7 +17,10 @@ _NOT_FILES = re.compile(r"MEM:::|DATAPOINTER\s*=|/vsistdin", re.I)
 """What GDAL takes for places in the process's memory, or for what is typed."""
 _MOST_PARTS = 100_000  # of a VRT, and of those in it
 _MOST_BYTES = 100_000_000  # of a VRT's text
+_MOST_READINGS = 300_000  # of files for one band, where VRTs name VRTs that name each file again and again
+_MOST_DEPTH = 1000  # of VRTs in VRTs; GDAL itself gives up long before
 _HEAD = re.compile(rb"\s*(?:\xef\xbb\xbf)?\s*<VRT")
+_BAND = re.compile(r"<VRTRasterBand\b", re.I)
 _SOURCE = re.compile(r"<Source(?:Filename|Dataset)([^>]*)>\s*(?:<!\[CDATA\[)?([^<\]]+)", re.I)
 _RELATIVE = re.compile(r"relativeToVRT\s*=\s*[\"']1[\"']")
 
@@ -29,6 +32,8 @@ class _PathLook(NamedTuple):
     """Whether it has no end, or is memory."""
     parts: tuple[str, ...]
     """What a VRT names; none of what is no VRT."""
+    bands: int = 1
+    """Of a VRT, which names its parts once for each."""
 
 
 def is_endless(path: str) -> bool:
@@ -44,7 +49,7 @@ def check_raster_path(path: str, name: str) -> None:
     look = _looked_at(path)
     if look.is_no_file:
         raise RasterError(messages.NO_FILE(name=name))
-    waiting, seen = [look.parts], {path}
+    waiting, seen, virtual = [look.parts], {path}, {path: look}
     while waiting:
         for part in waiting.pop():
             if part in seen:
@@ -53,9 +58,28 @@ def check_raster_path(path: str, name: str) -> None:
             if look.is_no_file:
                 raise RasterError(messages.VRT_LEADS_OUT(name=name, path=part))
             seen.add(part)
-            waiting += [look.parts] * bool(look.parts)
+            if look.parts:
+                virtual[part] = look
+                waiting.append(look.parts)
         if len(seen) > _MOST_PARTS:
             raise RasterError(messages.VRT_OF_TOO_MANY(name=name, most=_MOST_PARTS))
+    if len(virtual) > 1 and _readings(path, virtual) > _MOST_READINGS:
+        raise RasterError(messages.VRT_OF_TOO_MANY(name=name, most=_MOST_READINGS))
+
+
+def _readings(path: str, virtual: Mapping[str, _PathLook]) -> float:
+    """How many files the deepest of VRTs in VRTs has opened for one band, each as often as it is named."""
+    counts, most = {path: 1.0}, 0.0
+    for _ in range(_MOST_DEPTH):
+        named: dict[str, float] = {}
+        for one, count in counts.items():
+            for part in virtual[one].parts:
+                named[part] = named.get(part, 0.0) + count / virtual[one].bands
+        most = max(most, sum(named.values()))
+        counts = {one: count for one, count in named.items() if one in virtual}
+        if not counts or most > _MOST_READINGS:
+            break
+    return most
 
 
 def vrt_parts(path: str) -> tuple[str, ...]:
@@ -89,7 +113,7 @@ def _look(path: str, mode: int, *identity: int) -> _PathLook:
     except OSError:
         return _PathLook(False, ())
     text, folder = unescape(content.decode(errors="replace")), os.path.dirname(os.path.abspath(path))
-    return _PathLook(False, tuple(_named(text, folder)))
+    return _PathLook(False, tuple(_named(text, folder)), max(len(_BAND.findall(text)), 1))
 
 
 def _named(text: str, folder: str) -> Iterator[str]:

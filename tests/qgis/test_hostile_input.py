@@ -56,6 +56,9 @@ FOUND = (
     "orthorectify/frame/INTERIOR/deep/912777930",
     "orthorectify/model/IMAGE/vrt_of_many/566069506",
     "predictloss/width/WINDOWS/an_address/387873611",
+    "scanmosaic/given/SOURCES/values/245008460",
+    "interiororientation/table/PHOTO/vrts_in_each_other/977363352",
+    "measureresolution/bars/RASTER/bands/922443218",
     "scanmosaic/lone/MOSAIC/sparse/555636332",
 )
 """Cases that crashed, hung, took all memory or said something else than a sentence once."""

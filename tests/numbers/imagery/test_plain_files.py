@@ -72,6 +72,30 @@ def test_vrts_in_a_ring_are_read_no_further_than_once(tmp_path: Path) -> None:
     assert refusal(tmp_path / "0.vrt").endswith(".")
 
 
+@pytest.mark.parametrize(("depth", "times"), [(20, 2), (6, 10)])
+def test_vrts_that_name_each_other_a_million_times_are_refused(tmp_path: Path, depth: int, times: int) -> None:
+    (tmp_path / "0.tif").write_bytes(b"II*")
+    inner = tmp_path / "0.tif"
+    for number in range(depth):
+        outer = tmp_path / f"{number}.vrt"
+        outer.write_text(VRT.format(SOURCE.format(inner) * times))
+        inner = outer
+    with pytest.raises(RasterError, match=r"is a VRT of more than 300000 files"):
+        check_raster_path(str(inner), inner.name)
+
+
+def test_vrts_of_vrts_with_many_bands_name_each_file_once(tmp_path: Path) -> None:
+    """Six levels of 16 bands: each band is read from one file, however often that is named."""
+    (tmp_path / "0.tif").write_bytes(b"II*")
+    inner = tmp_path / "0.tif"
+    for number in range(6):
+        outer = tmp_path / f"{number}.vrt"
+        band = VRT.format(SOURCE.format(inner)).replace("<VRTDataset", "<a").replace("</VRTDataset>", "</a>")
+        outer.write_text(f"<VRTDataset>{band * 16}</VRTDataset>")
+        inner = outer
+    check_raster_path(str(inner), inner.name)
+
+
 def test_what_stays_as_it_is_is_looked_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A mosaic of ten thousand files is opened for every window."""
     parts = [tmp_path / f"{number}.tif" for number in range(20)]

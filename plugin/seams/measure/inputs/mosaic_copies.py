@@ -167,8 +167,9 @@ def content_of(bands: np.ndarray, valid: np.ndarray) -> float:
 
 
 def _differences(bands: np.ndarray, valid: np.ndarray) -> np.ndarray:
-    across = np.diff(bands, axis=2)[:, valid[:, 1:] & valid[:, :-1]]
-    down = np.diff(bands, axis=1)[:, valid[1:] & valid[:-1]]
+    with np.errstate(invalid="ignore", over="ignore"):  # of infinite values: such rasters are no copies of each other
+        across = np.diff(bands, axis=2)[:, valid[:, 1:] & valid[:, :-1]]
+        down = np.diff(bands, axis=1)[:, valid[1:] & valid[:-1]]
     return np.concatenate([across.ravel(), down.ravel()])
 
 
