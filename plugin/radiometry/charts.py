@@ -3,12 +3,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import cycle
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from ..imagery.value_ranges import ValueRange
-from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER
+from ..toolkit.charts.chart_style import BAND_COLOURS, MOST_NAMED, PAPER, UNNAMED
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.translation import tr
 from .measure.assessment import Assessment
@@ -27,12 +28,13 @@ def histogram_figure(result: Assessment) -> Figure | None:
     low, high = shown = result.available or _range_of_values(result)
     figure = new_figure(6.2, 2.7)
     axes = figure.subplots()
-    spare = iter(PAPER.sources * 9)
-    for name, histogram in _drawn(result).items():
+    spare = cycle(PAPER.sources)
+    for place, (name, histogram) in enumerate(_drawn(result).items()):
         counts, middles = histogram.binned(shown)
         is_dark = name == LUMINOSITY or len(_drawn(result)) == 1
         colour = PAPER.text if is_dark else BAND_COLOURS.get(name) or next(spare)
-        axes.plot(middles, 100 * counts / max(histogram.pixels, 1), color=colour, linewidth=1.1, label=band_words(name))
+        words = band_words(name) if place < MOST_NAMED else UNNAMED
+        axes.plot(middles, 100 * counts / max(histogram.pixels, 1), color=colour, linewidth=1.1, label=words)
     known = result.checked_figures if result.available is not None else ()
     rules = {checked.rule.check: checked.rule for checked in known}
     whole = next(iter(result.histograms.values())).has_steps

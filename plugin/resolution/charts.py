@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..toolkit.band_titles import band_title
-from ..toolkit.charts.chart_style import PAPER, ChartStyle
+from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED, ChartStyle
 from ..toolkit.charts.figure_files import new_figure, plain_figure
 from ..toolkit.translation import filled, tr
 from .distance_words import direction_title
@@ -18,7 +18,6 @@ from .measure.target import DIRECTIONS
 BAND_COLOURS = {"red": "#d55e00", "green": "#009e73", "blue": "#0072b2", "nir": "#cc79a7"}
 _OTHERS = ("#0072b2", "#e69f00", "#56b4e9", "#d55e00", "#009e73", "#cc79a7")
 VERDICT_COLOURS = {"resolved": "#009e73", "unresolved": "#d55e00", "spurious": "#cc79a7", "unmeasured": "#777777"}
-_MOST_NAMED = 12  # bands in a legend, which would else leave no room for the profiles
 _MOST_ROWS = 10  # of panels below each other
 _ROW_WIDTH, _ROW_HEIGHT = 7.08, 1.32  # inches of a row of two panels: as wide as A4 between its margins
 _PANELS = ((0.075, 0.16, 0.41, 0.66), (0.575, 0.16, 0.41, 0.66))  # left, bottom, width and height in a row
@@ -47,7 +46,7 @@ def draw_profiles(axes: Axes, readings: Mapping[str, BarReading], criterion: flo
     """The profiles of one line by band, their bars and gaps, and for the weakest band the threshold of its gaps."""
     for place, (band, reading) in enumerate(readings.items()):
         profile, colour = reading.profile, band_colour(band, place, len(readings), style)
-        title = band_title(band) if place < _MOST_NAMED else "_"  # which is in no legend
+        title = band_title(band) if place < MOST_NAMED else UNNAMED
         axes.plot(profile.positions, profile.values, color=colour, linewidth=1.4 * style.scale, label=title)
         for extremes, face in ((reading.bars, colour), (reading.gaps, style.background)):
             axes.plot(

@@ -59,6 +59,8 @@ FOUND = (
     "scanmosaic/given/SOURCES/values/245008460",
     "interiororientation/table/PHOTO/vrts_in_each_other/977363352",
     "measureresolution/bars/RASTER/bands/922443218",
+    "checkradiometry/windows/RASTERS/bands/41286105",
+    "fitsensormodel/bias/IMAGE_RPC/one_endless_line/599400605",
     "scanmosaic/lone/MOSAIC/sparse/555636332",
 )
 """Cases that crashed, hung, took all memory or said something else than a sentence once."""

@@ -6,6 +6,10 @@ from typing import Union
 
 BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
 """Of bands that are drawn together."""
+MOST_NAMED = 12
+"""Curves in the legend of a chart; more would leave no room for the curves."""
+UNNAMED = "_"
+"""The label of a curve that no legend names."""
 _LINE_STYLES = ("-", "--", ":", "-.")  # the next one when the colours are used up
 
 

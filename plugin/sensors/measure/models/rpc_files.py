@@ -101,7 +101,7 @@ def read_rpc(path: Path) -> Rational:
     if "BEGIN_GROUP" in text:
         return from_metadata(_rpb_items(text), path.name)
     items: dict[str, str] = {}
-    for name, value in re.findall(r"^\s*([A-Za-z_]+(?:_?\d+)?)\s*[:=]\s*([-+.\deE]+)", text, re.MULTILINE):
+    for name, value in re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE):
         items[name.upper()] = value
     first, pattern = (0, "{}_COEFF_{:02d}") if "LINE_NUM_COEFF_00" in items else (1, "{}_COEFF_{}")
     return from_metadata({**items, **_coefficients(items, pattern, first)}, path.name)
@@ -144,11 +144,11 @@ def _rpb_text(items: Mapping[str, str]) -> str:
 
 def _rpb_items(text: str) -> dict[str, str]:
     items = {}
-    for name, value in re.findall(r"(\w+)\s*=\s*([-+.\deE]+)\s*;", text):
+    for name, value in re.findall(r"\b(\w+)\s*=\s*([-+.\deE]+)\s*;", text):
         for ours in _RPB_NAMES:
             if name in (f"{ours}Offset", f"{ours}Scale"):
                 items[f"{_RPB_NAMES[ours]}_{'OFF' if name.endswith('Offset') else 'SCALE'}"] = value
-    for name, values in re.findall(r"(\w+)Coef\s*=\s*\(([^)]*)\)", text):
+    for name, values in re.findall(r"\b(\w+)Coef\s*=\s*\(([^)]*)\)", text):
         ours = re.sub(r"(?=[A-Z])", "_", name).upper()
         items[f"{ours}_COEFF"] = " ".join(values.replace(",", " ").split())
     return items
