@@ -68,6 +68,10 @@ def field_title(name: str) -> str:
 
 def title_fields(layer: QgsVectorLayer) -> None:
     """Call the fields of a layer so, but for those that are called something already."""
+    widgets = [layer.editorWidgetSetup(index) for index in range(layer.fields().count())]
     for index, field in enumerate(layer.fields()):
         if not field.alias() and (title := field_title(field.name())):
             layer.setFieldAlias(index, title)
+    for index, widget in enumerate(widgets):  # a new alias loses those that a style has just brought
+        if not widget.isNull() and layer.editorWidgetSetup(index).isNull():
+            layer.setEditorWidgetSetup(index, widget)

@@ -208,7 +208,8 @@ def test_the_style_shows_the_picture_and_the_number(tmp_path: Path, mosaic: str)
     load_style(found, "defects")
     assert found.labelsEnabled()
     assert found.labeling().settings().fieldName == "defect"
-    assert found.editorWidgetSetup(found.fields().indexOf("picture")).type() == "ExternalResource"
+    for name, widget in (("picture", "ExternalResource"), ("remark", "TextEdit")):
+        assert found.editorWidgetSetup(found.fields().indexOf(name)).type() == widget
     context = QgsExpressionContext(found.createExpressionContext())
     context.setFeature(next(found.getFeatures()))
     tip = QgsExpression.replaceExpressionText(found.mapTipTemplate(), context)
