@@ -1554,7 +1554,7 @@
         <translation>rozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="106"/>
+        <location filename="../plugin/resolution/charts.py" line="107"/>
         <source>along the line, px</source>
         <translation>wzdłuż linii, px</translation>
     </message>
@@ -3968,7 +3968,7 @@
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="185"/>
+        <location filename="../plugin/seams/cause_words.py" line="184"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
@@ -4008,12 +4008,12 @@
         <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="181"/>
+        <location filename="../plugin/seams/cause_words.py" line="180"/>
         <source>No step of production is found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="186"/>
+        <location filename="../plugin/seams/cause_words.py" line="185"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -4172,7 +4172,7 @@
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="161"/>
+        <location filename="../plugin/resolution/charts.py" line="162"/>
         <source>group {group}, {grd:.2f} cm: {verdict}</source>
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
@@ -4665,7 +4665,7 @@
         <translation>ortofotomapa nie leży tam, gdzie jej ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="187"/>
+        <location filename="../plugin/seams/cause_words.py" line="186"/>
         <source>the cause is unclear: its detail is not that of the sources</source>
         <translation>przyczyna jest niejasna: jej detale nie są detalami ortoobrazów</translation>
     </message>
@@ -4804,27 +4804,27 @@
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="48"/>
+        <location filename="../plugin/radiometry/charts.py" line="50"/>
         <source>where the peak should lie</source>
         <translation>gdzie powinno leżeć maksimum</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="51"/>
+        <location filename="../plugin/radiometry/charts.py" line="53"/>
         <source>value (DN)</source>
         <translation>wartość (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="52"/>
+        <location filename="../plugin/radiometry/charts.py" line="54"/>
         <source>pixels (%)</source>
         <translation>piksele (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="83"/>
+        <location filename="../plugin/radiometry/charts.py" line="85"/>
         <source>largest step at a seam (% of the largest value)</source>
         <translation>największy skok na linii mozaikowania (% największej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="84"/>
+        <location filename="../plugin/radiometry/charts.py" line="86"/>
         <source>contrast beside the seams (% of the range)</source>
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
@@ -5109,132 +5109,132 @@
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="129"/>
+        <location filename="../plugin/seams/cause_words.py" line="128"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="131"/>
+        <location filename="../plugin/seams/cause_words.py" line="130"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="133"/>
+        <location filename="../plugin/seams/cause_words.py" line="132"/>
         <source>resampling explains it</source>
         <translation>wyjaśnia to przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="133"/>
+        <location filename="../plugin/seams/cause_words.py" line="132"/>
         <source>it was resampled</source>
         <translation>została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="135"/>
+        <location filename="../plugin/seams/cause_words.py" line="134"/>
         <source>resampling, {value} px off the sources&apos; pixels, explains it</source>
         <translation>wyjaśnia to przepróbkowanie z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="136"/>
+        <location filename="../plugin/seams/cause_words.py" line="135"/>
         <source>it was resampled, {value} px off the sources&apos; pixels</source>
         <translation>została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="142"/>
+        <location filename="../plugin/seams/cause_words.py" line="141"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="143"/>
+        <location filename="../plugin/seams/cause_words.py" line="142"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="144"/>
+        <location filename="../plugin/seams/cause_words.py" line="143"/>
         <source>it was sharpened</source>
         <translation>została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="145"/>
+        <location filename="../plugin/seams/cause_words.py" line="144"/>
         <source>it was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="150"/>
+        <location filename="../plugin/seams/cause_words.py" line="149"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="151"/>
+        <location filename="../plugin/seams/cause_words.py" line="150"/>
         <source>Compression with loss, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="152"/>
+        <location filename="../plugin/seams/cause_words.py" line="151"/>
         <source>it was compressed with loss</source>
         <translation>została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="153"/>
+        <location filename="../plugin/seams/cause_words.py" line="152"/>
         <source>it was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="158"/>
+        <location filename="../plugin/seams/cause_words.py" line="157"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="159"/>
+        <location filename="../plugin/seams/cause_words.py" line="158"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="160"/>
+        <location filename="../plugin/seams/cause_words.py" line="159"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="161"/>
+        <location filename="../plugin/seams/cause_words.py" line="160"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="166"/>
+        <location filename="../plugin/seams/cause_words.py" line="165"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="167"/>
+        <location filename="../plugin/seams/cause_words.py" line="166"/>
         <source>Brightness was evened out by a tone that changes from place to place.</source>
         <translation>Jasność wyrównano tonacją, która zmienia się z miejsca na miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="168"/>
+        <location filename="../plugin/seams/cause_words.py" line="167"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="171"/>
+        <location filename="../plugin/seams/cause_words.py" line="170"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="173"/>
+        <location filename="../plugin/seams/cause_words.py" line="172"/>
         <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="175"/>
+        <location filename="../plugin/seams/cause_words.py" line="174"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="176"/>
+        <location filename="../plugin/seams/cause_words.py" line="175"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="182"/>
+        <location filename="../plugin/seams/cause_words.py" line="181"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -8367,12 +8367,12 @@
         <translation>kontrast testu, paski do przerw, {band}: {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="157"/>
+        <location filename="../plugin/resolution/charts.py" line="158"/>
         <source>group {group} {direction}</source>
         <translation>grupa {group} {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="158"/>
+        <location filename="../plugin/resolution/charts.py" line="159"/>
         <source>{grd:.2f} cm: {verdict}</source>
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
@@ -11230,16 +11230,16 @@
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="120"/>
-        <source>A part of the mosaic matches none of the sources: add the orthoimage that is missing, unless the mosaic was altered there.</source>
+        <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="123"/>
+        <location filename="../plugin/seams/cause_words.py" line="122"/>
         <source>a part of it matches none of these sources</source>
         <translation>jej część nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="124"/>
+        <location filename="../plugin/seams/cause_words.py" line="123"/>
         <source>{value} % of it match none of these sources</source>
         <translation>{value} % jej pikseli nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
@@ -11340,7 +11340,7 @@
     <message>
         <location filename="../plugin/imagery/messages.py" line="35"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
-        <translation>{name} ma piksele {times:.0f} razy drobniejsze niż mozaika, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela mozaiki.</translation>
+        <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
 </context>
 </TS>

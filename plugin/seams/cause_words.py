@@ -117,8 +117,7 @@ CAUSES: dict[str, ShownCause] = {
         QT_TRANSLATE_NOOP("@default", "missing source"),
         QT_TRANSLATE_NOOP(
             "@default",
-            "A part of the mosaic matches none of the sources: add the orthoimage that is missing, unless the mosaic "
-            "was altered there.",
+            "A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there."
         ),
         (QT_TRANSLATE_NOOP("@default", "a part of it matches none of these sources"),),
         (QT_TRANSLATE_NOOP("@default", "{value} % of it match none of these sources"),),
