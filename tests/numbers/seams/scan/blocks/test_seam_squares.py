@@ -5,7 +5,7 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
@@ -40,7 +40,8 @@ def near(places: list[tuple[float, float]], reach_px: float) -> np.ndarray:
     for column, row in points_along(places):
         first, last = (np.floor((np.array([row, column]) + by) / UNIT_PX).astype(int) for by in (-reach_px, reach_px))
         first = np.maximum(first, 0)
-        if (last >= 0).all():
+        has_pixels = row - reach_px < ROWS and column - reach_px < COLUMNS  # the last units reach beyond the mosaic
+        if has_pixels and (last >= 0).all():
             found[first[0] : last[0] + 1, first[1] : last[1] + 1] = True
     found[-(-ROWS // UNIT_PX) :] = False
     found[:, -(-COLUMNS // UNIT_PX) :] = False
@@ -58,6 +59,7 @@ place = st.tuples(st.integers(-300, COLUMNS + 300), st.integers(-300, ROWS + 300
 
 
 @given(st.lists(place, min_size=2, max_size=4))
+@example([(0, 2511), (29, 2549)])  # beyond the edge, where a unit of few pixels begins
 @settings(deadline=None, max_examples=25)
 def test_units_beside_a_seam_are_measured_and_no_others(places: list[tuple[float, float]]) -> None:
     dense = dense_of(SeamSquares([seam(*places)], BLOCKS))
