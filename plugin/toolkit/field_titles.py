@@ -68,8 +68,10 @@ def field_title(name: str) -> str:
 
 def title_fields(layer: QgsVectorLayer) -> None:
     """Call the fields of a layer so, but for those that are called something already."""
-    widgets = [layer.editorWidgetSetup(index) for index in range(layer.fields().count())]
-    for index, field in enumerate(layer.fields()):
+    fields = layer.fields()
+    widgets = [layer.editorWidgetSetup(index) for index in range(fields.count())]
+    for index in range(fields.count()):
+        field = fields.at(index)
         if not field.alias() and (title := field_title(field.name())):
             layer.setFieldAlias(index, title)
     for index, widget in enumerate(widgets):  # a new alias loses those that a style has just brought
