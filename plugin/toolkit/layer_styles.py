@@ -62,4 +62,3 @@ def _worded(style: str) -> str:
 def _translate_label(element: QDomElement) -> None:
     if label := element.attribute("label"):
         element.setAttribute("label", tr(label))
-
