@@ -9,9 +9,9 @@ import numpy as np
 from ..imagery import messages as imagery_messages
 from ..imagery.gdal_calls import gdal_writing
 from ..imagery.rasters import Raster
+from .measure.profile.ground import grounds
 from .measure.scan.blocks.block_grid import BLOCK_PX
 from .measure.scan.blocks.scan_block import BlockScan
-from .measure.scan.results.block_ground import grounds
 from .measure.scan.results.loss_raster import BANDS, NODATA, created_cells, loss_cells
 
 MOST_CELLS = 16_000_000  # of the picture, so that it is drawn in a moment, without overviews
@@ -42,7 +42,7 @@ class PictureSoFar:
     def add(self, scan: BlockScan) -> None:
         """Fill in what was measured in a block. Raises RasterError when the disk is full."""
         found = loss_cells(
-            scan, np.zeros(scan.labels.shape, np.int32), grounds(scan.cells, scan.cells), self._cell_px
+            scan, np.zeros(scan.labels.shape, np.int32), grounds(scan.cells), self._cell_px
         )[0]
         row, column = (one * self._side for one in scan.key)
         dataset = self._dataset

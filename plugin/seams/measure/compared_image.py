@@ -26,6 +26,10 @@ class MeasuredClip:
     coarse: dict[str, np.ndarray]
     grey_factor: float = 1.0
     """What the file's values were multiplied by."""
+    around: Clip | None = None
+    """The clip of all that was read around the window; None where that is no more than the window."""
+    inside: tuple[slice, slice] | None = None
+    """Rows and columns of the window in it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,15 +72,34 @@ class ComparedImage:
 
 def on_common_bands(measured: Sequence[MeasuredClip], levels: int) -> Iterator[ComparedImage]:
     """The mosaic and its sources, reduced to the bands that all of them have."""
-    held = [one.clip.raster.band_names for one in measured]
-    names = tuple(name for name in held[0] if all(name in others for others in held))
-    for one, own in zip(measured, held):
-        clip, order = one.clip, [own.index(name) for name in names]
-        bands = clip.bands if order == list(range(len(clip.bands))) else clip.bands[order]
+    names = _common_names(measured)
+    for one in measured:
+        clip, bands = one.clip, _bands(one.clip, names)
         coarse = _coarse(bands, names, levels)
         yield ComparedImage(
             bands, names, coarse, one.curves, clip.raster, (clip.offset_x, clip.offset_y), clip.valid
         )
+
+
+def judged_planes(measured: Sequence[MeasuredClip]) -> Iterator[ComparedImage]:
+    """The one plane of each that the verdict looks at, with the ground that was read around the window."""
+    names = _common_names(measured)
+    for one in measured:
+        clip = one.around or one.clip
+        plane = judged_plane(_bands(clip, names), names)
+        yield ComparedImage(
+            plane[np.newaxis], ("judged",), {}, {}, clip.raster, (clip.offset_x, clip.offset_y), clip.valid
+        )
+
+
+def _common_names(measured: Sequence[MeasuredClip]) -> tuple[str, ...]:
+    held = [one.clip.raster.band_names for one in measured]
+    return tuple(name for name in held[0] if all(name in others for others in held))
+
+
+def _bands(clip: Clip, names: Sequence[str]) -> np.ndarray:
+    order = [clip.raster.band_names.index(name) for name in names]
+    return clip.bands if order == list(range(len(clip.bands))) else clip.bands[order]
 
 
 def _coarse(bands: np.ndarray, names: Sequence[str], levels: int) -> dict[str, np.ndarray]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...imagery.band_curves import correlation, measure_bands
 from ...imagery.shifts import Shift, farthest_apart, find_shift
-from ...imagery.wavelets import Curve, detail_components
+from ...imagery.wavelets import Curve
 from .cause_evidence import grey_unit, measure_texture, measure_tones, range_factor
 from .causes import Cause, CauseEvidence, find_causes
 from .changes import Change, gains_of_colours, measure_changes
@@ -22,9 +22,9 @@ from .following.composite import Composite, follows_at
 from .following.followed_source import FollowedSource
 from .following.hard_cut import cut_hard
 from .following.levelling import left_over
-from .profile.detail_cells import DetailCells, detail_cells
+from .profile.cell_table import CellTable
 from .profile.loss_picture import LossPicture, loss_picture
-from .profile.seam_profile import SeamProfile, seam_profile
+from .profile.seam_profile import SeamProfile
 from .seam_cells import UNKNOWN
 from .tone import Tone, whole_squares
 from .verdicts import Ratios, curve_ratios
@@ -91,7 +91,7 @@ def explain(
     ``seam_cells.UNKNOWN``.
     """
     cut = cut_hard(mosaic, sources, levels, labels)
-    image, images, expected, following = cut.mosaic, cut.sources, cut.expected, cut.following
+    image, images, following = cut.mosaic, cut.sources, cut.following
     tones, composite = cut.tones, cut.composite
     shifts = [_shift(image, other, following, i) for i, other in enumerate(images)]
     curves, coarse = measure_bands(composite.levelled, image.names, wavelet, levels)
@@ -99,13 +99,12 @@ def explain(
     plain = curves if is_level else measure_bands(composite.bands, image.names, wavelet, levels)[0]
     on_pixels, on_ground = _on_pixels(shifts, images, following), _of_followed(shifts, following)
     against_composite = _composite_changes(image, composite, plain, following, _main_shift(on_pixels), levels)
-    planes = [image.plane, expected.plane]
-    planes += [] if expected.unfiltered is expected.plane else [expected.unfiltered]
-    details = list(detail_components(np.stack(planes), wavelet, levels))
-    cells = detail_cells(details, expected.labels)
-    profile = seam_profile(cells)
-    sure = following.clear & (expected.labels != UNKNOWN)
-    sharpness = _sharpness(details[0], expected.labels)
+    detail = cut.around.detail(wavelet, levels, cut.inside)
+    finest = detail.finest[(..., *(slice(part.start // 2, part.stop // 2) for part in cut.inside))]
+    profile = detail.profile
+    sure = following.clear & (cut.labels != UNKNOWN)
+    sharpness = _sharpness(finest, cut.labels)
+    unfiltered = cut.around.expected.unfiltered[cut.inside]
     unit = grey_unit(image.raster, next(iter(image.coarse.values())))
     evidence = CauseEvidence(
         missing=1 - cut.explained,
@@ -119,7 +118,7 @@ def explain(
         misregistration=max((one.length for one in on_ground), default=0.0),
         apart=farthest_apart(on_ground),
         off_pixel=_off_pixel(on_pixels),
-        texture=measure_texture(details[0], expected.labels, sure, image.plane, expected.unfiltered, unit),
+        texture=measure_texture(finest, cut.labels, sure, image.plane, unfiltered, unit),
         fit=following.fit,
         unit_dn=unit,
         lossy_file=image.raster.is_lossy,
@@ -129,11 +128,11 @@ def explain(
         causes=(Cause.UNCLEAR,) if unclear else find_causes(evidence),
         evidence=evidence,
         profile=None if unclear else profile,
-        has_seam=cells.has_seam,
+        has_seam=detail.has_seam,
         explained=0.0 if unclear else cut.explained,
         contrast=_contrast(image, images, next(iter(against_composite.values()))),
         sharpness=None if unclear else sharpness,
-        added=None if unclear else _added(cells),
+        added=None if unclear else _added(detail.judged),
         curves=curves,
         ratios={name: curve_ratios(mosaic.curves[name], curve) for name, curve in curves.items()},
         similarity={name: correlation(mosaic.coarse[name], own) for name, own in coarse.items()},
@@ -143,7 +142,7 @@ def explain(
         mixed_share=following.mixed_share,
         shares=following.shares,
         apart=_apart(images, following),
-        loss=None if unclear else loss_picture(details[0], expected.labels, cells),
+        loss=None if unclear else loss_picture(detail, cut.around.expected.labels, cut.inside),
     )
 
 
@@ -252,7 +251,7 @@ def _sharpness(details: np.ndarray, labels: np.ndarray) -> float | None:
     return float(np.sqrt(own / plain)) if plain > 0 else None
 
 
-def _added(cells: DetailCells) -> float | None:
+def _added(cells: CellTable) -> float | None:
     mm, cc, mc = (float(sums[0].sum()) for sums in (cells.mm, cells.cc, cells.mc))
     return 1 - mc**2 / (mm * cc) if mm > 0 and cc > 0 else None
 

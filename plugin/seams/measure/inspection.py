@@ -16,6 +16,7 @@ from .source_images import Source, gather_sources, sources_in
 from .verdicts import check_max_ratio, check_min_kept
 from .window.explained_window import explain_window
 from .window.measured_window import MeasuredWindow, MeasureWindow, measure_window
+from .window.surroundings import surroundings
 from .window.window_result import WindowClips, WindowResult, not_comparable
 from .window_records import REFERENCES
 
@@ -75,6 +76,12 @@ class WindowRequest:
     """Why there is no window."""
     cells: tuple[Cell, ...] = ()
     """Known seam cells that meet the window."""
+
+    @property
+    def around(self) -> PixelWindow:
+        """All that is read: a small window with the ground around it."""
+        assert self.window is not None
+        return surroundings(self.window, self.mosaic, self.settings.levels)
 
 
 def make_block(

@@ -10,7 +10,6 @@ from ...imagery.errors import SettingsError
 from ...imagery.message import Message
 from ...imagery.wavelets import Curve
 from . import messages
-from .causes import MIN_MIXED
 from .limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED
 from .profile.seam_profile import SeamProfile
 
@@ -67,32 +66,31 @@ def judge_by_seam(
     has_seam: bool,
     sharpness: float | None,
     min_kept: float = MAX_SIGNIFICANT_KEPT,
-    mixed: float = 0.0,
     explained: float = 1.0,
 ) -> tuple[Verdict, Message | None]:
     """The verdict by what is kept along the seam and by the sharpness of the whole, and why there is none.
 
-    ``significant`` where kept_1 is at most ``min_kept`` or the square of the sharpness at most its limit, ``reduced``
-    where one of them is surely below 1, else ``preserved``. Where a good part is ``mixed``, share of the pixels, the
-    seam is as wide as the window, and the sharpness is judged as kept_1 is. A window without a seam is judged by its
+    ``significant`` where kept_1 is at most ``min_kept`` for sure, or the square of the sharpness at most its limit,
+    ``reduced`` where one of them is surely below 1, else ``preserved``. A window without a seam is judged by its
     sharpness alone. ``explained``: share of the pixels that the sources explain.
     """
     if sharpness is None:
         return Verdict.NOT_COMPARABLE, messages.COMPOSITE_UNCLEAR()
     if sharpness**2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED:
         return Verdict.SIGNIFICANT, None
-    if mixed >= MIN_MIXED and sharpness**2 <= min_kept:
-        return Verdict.SIGNIFICANT, None
     is_blurred = sharpness < 1 - SHARPNESS_TOLERANCE
     if profile is None:
         return _without_profile(has_seam, is_blurred, explained)
-    if profile.high > MAX_INTERVAL_FACTOR * profile.low:
-        return Verdict.NOT_COMPARABLE, messages.INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
     if profile.low > MAX_KEPT_LOW:
         return Verdict.NOT_COMPARABLE, messages.MORE_ALONG_THE_SEAM(low=100 * profile.low, high=100 * profile.high)
+    is_wide = profile.high > MAX_INTERVAL_FACTOR * profile.low
     kept = profile.kept[0]
     if kept is not None and kept <= min_kept and profile.high < 1:
-        return Verdict.SIGNIFICANT, None
+        if not is_wide and profile.high <= (min_kept + 1) / 2:
+            return Verdict.SIGNIFICANT, None
+        return Verdict.REDUCED, messages.MAY_BE_SIGNIFICANT(low=100 * profile.low, high=100 * profile.high)
+    if is_wide and profile.high >= 1:
+        return Verdict.NOT_COMPARABLE, messages.INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
     if profile.high < 1 or is_blurred:
         return Verdict.REDUCED, None
     if explained < MIN_EXPLAINED:  # that seam is sound, but there is another one

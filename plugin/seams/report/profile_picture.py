@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.translation import filled, percent, tr
 from ..charts.profile_scale import ProfileScale, ShownProfile
-from ..measure.profile.detail_cells import EDGES_PX
+from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
 from ..measure.window_records import ProfileRecord, WindowRecord
 

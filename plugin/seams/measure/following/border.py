@@ -7,12 +7,13 @@ from functools import cache
 import numpy as np
 
 from ..seam_cells import UNKNOWN
-from .boxes import near_border
+from .boxes import box_means, near_border
 
 BORDER_PX = 5
 """What the first labels are off by."""
 
 _SIGMA_PX, _REACH_PX = 1.2, 5  # differences are smoothed by a Gaussian
+_SMOOTH_PX = 11  # a side of what decides together
 _TILE_PX = 32  # a side of what is looked at together along the border
 
 
@@ -49,6 +50,20 @@ def to_the_pixel(
     beside = np.take(near, pixels)
     np.put(found, pixels[beside], nearest[beside])
     return found
+
+
+def smooth_border(labels: np.ndarray) -> np.ndarray:
+    """Labels without what is narrower than a seam runs: where sources are mixed, noise decides which is nearer."""
+    numbers = np.flatnonzero(np.bincount(labels[labels != UNKNOWN].ravel(), minlength=1)).tolist()
+    if len(numbers) < 2:
+        return labels
+    shares = (box_means(labels == number, (_SMOOTH_PX,))[0] for number in numbers)
+    first, most = numbers[0], next(shares)
+    found = np.full(labels.shape, first, np.uint8)
+    for number, share in zip(numbers[1:], shares):
+        np.copyto(found, np.uint8(number), where=share > most)
+        np.maximum(most, share, out=most)
+    return np.where(labels == UNKNOWN, labels, found)
 
 
 def _tiles_with(near: np.ndarray) -> tuple[np.ndarray, ...]:

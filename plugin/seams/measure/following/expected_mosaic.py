@@ -6,12 +6,12 @@ linear filter. What the mosaic lacks beside it was lost at the seams.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..seam_cells import UNKNOWN
-from .border import BORDER_PX, to_the_pixel
+from .border import BORDER_PX, smooth_border, to_the_pixel
 from .boxes import near_border
 from .followed_source import FollowedSource
 from .levelling import SQUARE_PX, Levelled, levelled, square_means
@@ -37,6 +37,18 @@ class ExpectedMosaic:
     """The same before anything came over the whole mosaic: in its tones, as sharp as its sources."""
     labels: np.ndarray
     """(rows, columns) uint8: the source of every pixel, ``UNKNOWN`` where none explains it."""
+    shown: Mapping[int, np.ndarray]
+    """(rows, columns) float32: each source that is followed, everywhere as this mosaic would show it."""
+
+    def of_sources(self, source_of: Sequence[int]) -> ExpectedMosaic:
+        """With the numbers of sources for those of planes, several of which may be of one source."""
+        numbers = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
+        numbers[: len(source_of)] = source_of
+        shown: dict[int, np.ndarray] = {}
+        for plane, pixels in self.shown.items():
+            before = shown.get(source_of[plane])
+            shown[source_of[plane]] = pixels if before is None else np.where(self.labels == plane, pixels, before)
+        return replace(self, labels=numbers[self.labels], shown=shown)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,14 +104,14 @@ def expected_mosaic(
         found = _find_filters(own, dict(enumerate(fine[1:])), in_tone, labels, following.clear & (labels != UNKNOWN))
     shown = {i: found.applied(i, plane) for i, plane in toned.items()}
     if known is None and len(toned) > 1:
-        labels = to_the_pixel(mosaic, shown, labels, valid)
+        labels = smooth_border(to_the_pixel(mosaic, shown, labels, valid))
     unfiltered = _cut(mosaic, toned, labels)
     if not found.taps:
-        return ExpectedMosaic(unfiltered, unfiltered, labels)
+        return ExpectedMosaic(unfiltered, unfiltered, labels, shown)
     if not found.came_over_cuts:
-        return ExpectedMosaic(_cut(mosaic, shown, labels), unfiltered, labels)
+        return ExpectedMosaic(_cut(mosaic, shown, labels), unfiltered, labels, shown)
     plane = filtered(unfiltered, next(iter(found.taps.values())))
-    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels)
+    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown)
 
 
 def mosaic_of(

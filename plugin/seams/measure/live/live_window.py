@@ -12,16 +12,14 @@ from ....imagery.errors import RasterError
 from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....imagery.reading.readings import ReadEach
-from ....imagery.wavelets import Curve, clip_curves, detail_components
+from ....imagery.wavelets import Curve, clip_curves
 from ..compared_image import ComparedImage, MeasuredClip
-from ..following.hard_cut import expected_cut, is_unclear
-from ..following.placed_sources import follow_sources
-from ..inputs.grey_values import read_grey_clip
+from ..following.hard_cut import is_unclear, judged_ground
 from ..inspection import WindowRequest
-from ..profile.detail_cells import detail_cells
-from ..profile.seam_profile import SeamProfile, seam_profile
+from ..profile.seam_profile import SeamProfile
 from ..verdicts import judge
 from ..window.explained_window import known_labels
+from ..window.surroundings import place_in, read_with_surroundings
 from ..window.window_result import ClipResult, WindowClips
 
 
@@ -69,7 +67,7 @@ def read_live(request: WindowRequest, read_each: ReadEach) -> LivePixels | None:
     assert mosaic[2] is not None
     whole = [curve for _, _, curve in judged if curve is not None]
     paper = judge(mosaic[2], whole, request.settings.max_ratio)
-    images = tuple(_image(clip, plane, band) for clip, plane, _ in (mosaic, *judged))
+    images = tuple(image for _, image, _ in (mosaic, *judged))
     first = WindowClips(request.window_id, request.window, clips, paper, bool(judged))
     against = tuple(MeasuredClip(clip, {}, {}) for clip, _, _ in judged)
     return LivePixels(request, band, images, against, first)
@@ -77,21 +75,19 @@ def read_live(request: WindowRequest, read_each: ReadEach) -> LivePixels | None:
 
 def live_profile(pixels: LivePixels) -> SeamProfile | None:
     """What is kept along the seam, as a whole inspection has it; None without a seam or where it can't be told."""
-    if not pixels.judged:
+    window = pixels.request.window
+    if not pixels.judged or window is None:
         return None
     image, *images = pixels.images
     settings = pixels.request.settings
-    followed = follow_sources(image, images)
-    known = known_labels(pixels.request, pixels.judged)
-    expected, _ = expected_cut(image, images, followed, known)
-    if is_unclear(followed.following, expected.labels):
+    ground = judged_ground(image, images, known_labels(pixels.request, pixels.judged))
+    inside = place_in(window, pixels.request.around)
+    if is_unclear(ground.followed.following, ground.expected.labels[inside]):
         return None
-    planes = np.stack([image.plane, expected.plane])
-    details = list(detail_components(planes, settings.wavelet, settings.levels))
-    return seam_profile(detail_cells(details, expected.labels))
+    return ground.detail(settings.wavelet, settings.levels, inside).profile
 
 
-_Read = tuple[Clip, np.ndarray, "Curve | None"]
+_Read = tuple[Clip, ComparedImage, "Curve | None"]
 
 
 def _read(request: WindowRequest, band: str, is_source: int, raster: OpenRaster) -> _Read | None:
@@ -99,14 +95,15 @@ def _read(request: WindowRequest, band: str, is_source: int, raster: OpenRaster)
     assert request.window is not None
     if raster.raster.judged_band != band:
         return None
-    clip, _ = read_grey_clip(raster, request.mosaic, request.window, partly=bool(is_source))
-    plane = judged_plane(clip.bands, clip.raster.band_names)
+    window, around = request.window, request.around
+    clip, wide, _ = read_with_surroundings(raster, request.mosaic, window, around, partly=bool(is_source))
+    image = ComparedImage(
+        judged_plane(wide.bands, wide.raster.band_names)[np.newaxis], (band,), {}, {}, wide.raster,
+        (wide.offset_x, wide.offset_y), wide.valid,
+    )
     if clip.valid is not None:
-        return clip, plane, None
+        return clip, image, None
+    is_part = wide.invalid_share == 0 and wide is not clip
+    plane = image.plane[place_in(window, around)] if is_part else judged_plane(clip.bands, clip.raster.band_names)
     (curve,), _ = clip_curves(plane[np.newaxis], request.settings.wavelet, request.settings.levels)
-    return None if is_source and curve.variance == 0 else (clip, plane, curve)
-
-
-def _image(clip: Clip, plane: np.ndarray, band: str) -> ComparedImage:
-    offset = clip.offset_x, clip.offset_y
-    return ComparedImage(plane[np.newaxis], (band,), {}, {}, clip.raster, offset, clip.valid)
+    return None if is_source and curve.variance == 0 else (clip, image, curve)

@@ -7,9 +7,9 @@ import numpy as np
 from scipy import ndimage
 
 from ..following.boxes import enlarged
-from .detail_cells import CELL_PX, DetailCells, explained_samples, seam_samples
-from .energy_response import fit_response
-from .seam_profile import ground_cells
+from .cell_table import CELL_PX
+from .detail_sums import explained_samples, seam_samples
+from .window_detail import WindowDetail
 
 LOSS_CELL_PX = 8
 """Side of a cell of the picture."""
@@ -38,29 +38,38 @@ class LossPicture:
     """(n, 2) uint16, row and column of the squares of ``SAMPLE_PX`` in which sources meet."""
 
 
-def loss_picture(finest: np.ndarray, labels: np.ndarray, cells: DetailCells) -> LossPicture | None:
-    """From the finest details, (3, 2 or more planes, rows / 2, columns / 2) of mosaic and composite, and the same
-    window's labels and cells; None where there is too little ground to compare with."""
-    far = ground_cells(cells)[0]
-    if far is None:
+def loss_picture(
+    detail: WindowDetail, labels: np.ndarray, inside: tuple[slice, slice] | None = None
+) -> LossPicture | None:
+    """Of a window; None where there is too little ground to compare with.
+
+    ``labels``, (rows, columns) uint8: the source of every pixel of the window and what was read around it, ``UNKNOWN``
+    where none explains it. ``inside``: rows and columns of the window in that; all where None.
+    """
+    ground, finest = detail.ground[0], detail.finest
+    if ground is None:
         return None
-    mm, cc = (sums[0].sum(axis=0)[far] / CELL_PX**2 for sums in (cells.mm, cells.cc))
-    amplitude = fit_response(cc, mm)
+    cells = detail.whole
+    is_far = ground.is_far(cells)
+    far = np.zeros([length // CELL_PX for length in labels.shape], bool)
+    far[cells.row[is_far], cells.column[is_far]] = True
     explained = explained_samples(labels)
-    inside = np.zeros_like(explained)
-    inside[_EDGE:-_EDGE, _EDGE:-_EDGE] = explained[_EDGE:-_EDGE, _EDGE:-_EDGE]
-    own, reference = (_in_cells(np.einsum("dij,dij->ij", one, one) * inside) for one in (finest[:, 0], finest[:, 1]))
-    area = _in_cells(inside) * SAMPLE_PX**2
+    known = np.zeros_like(explained)
+    known[_EDGE:-_EDGE, _EDGE:-_EDGE] = explained[_EDGE:-_EDGE, _EDGE:-_EDGE]
+    own, reference = (_in_cells(np.einsum("dij,dij->ij", one, one) * known) for one in (finest[:, 0], finest[:, 1]))
+    area = _in_cells(known) * SAMPLE_PX**2
     around = _over_neighbours(reference) / np.maximum(_over_neighbours(area), 1)  # of some CELL_PX, as the fit's is
-    expected = reference * amplitude(around)
+    expected = reference * ground.amplitude(around)
     is_told = _in_cells(explained) >= _LEAST_EXPLAINED * _in_cells(np.ones_like(explained))
-    ground = _in_small_cells(far, own.shape)
-    kept, scatter = _smooth_kept(own, expected, is_told, ground, _SMOOTH_CELLS)
+    ground_cells = _in_small_cells(far, own.shape)
+    kept, scatter = _smooth_kept(own, expected, is_told, ground_cells, _SMOOTH_CELLS)
     if scatter > _ROUGH:
-        kept, scatter = _smooth_kept(own, expected, is_told, ground, _SMOOTH_ROUGH_CELLS)
+        kept, scatter = _smooth_kept(own, expected, is_told, ground_cells, _SMOOTH_ROUGH_CELLS)
     may_be_all = kept * np.exp(_SURE * scatter) >= 1
     kept[may_be_all] = np.maximum(kept[may_be_all], 1)
-    return LossPicture(kept, seam=np.argwhere(seam_samples(labels)).astype(np.uint16))
+    rows, columns = inside or (slice(0, labels.shape[0]), slice(0, labels.shape[1]))
+    own_cells = tuple(slice(part.start // LOSS_CELL_PX, -(-part.stop // LOSS_CELL_PX)) for part in (rows, columns))
+    return LossPicture(kept[own_cells], seam=np.argwhere(seam_samples(labels[rows, columns])).astype(np.uint16))
 
 
 def _smooth_kept(

@@ -9,7 +9,7 @@ from ....imagery.errors import SettingsError
 from ....imagery.wavelets import check_decomposition
 from .. import limits
 from ..limits import DENSITIES, SEAMS
-from ..profile.detail_cells import CELL_PX
+from ..profile.cell_table import CELL_PX
 from . import messages
 
 LEAST_PIECE_M = 0.01

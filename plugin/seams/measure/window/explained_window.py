@@ -80,11 +80,12 @@ def _change_in_file_values(change: Change, own: float, factor: float) -> Change:
 
 
 def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.ndarray | None:
-    """The source that each pixel was taken from by the seam cells, else ``UNKNOWN``; None where no cell says any."""
+    """The source that each pixel of all that is read was taken from by the seam cells, else ``UNKNOWN``; None where no
+    cell says any."""
     if not request.cells or request.window is None:
         return None
     names = [one.clip.raster.ref.name for one in sources]
-    known = cell_labels(request.cells, names, request.mosaic.grid, request.window)
+    known = cell_labels(request.cells, names, request.mosaic.grid, request.around)
     return known if (known != UNKNOWN).any() else None
 
 
@@ -95,7 +96,7 @@ def _judged(
     settings = request.settings
     if settings.reference == SEAM:
         verdict, reason = judge_by_seam(
-            found.profile, found.has_seam, found.sharpness, settings.min_kept, found.mixed_share, found.explained
+            found.profile, found.has_seam, found.sharpness, settings.min_kept, found.explained
         )
         return replace(paper, verdict=verdict, reason=reason)
     if settings.reference == COMPOSITE:

@@ -16,8 +16,8 @@ from ....imagery.reading.readings import ReadEach, one_by_one
 from ....imagery.wavelets import Curve
 from .. import messages
 from ..compared_image import MeasuredClip
-from ..inputs.grey_values import read_grey_clip
 from ..verdicts import Judgement, Verdict, judge
+from .surroundings import place_in, read_with_surroundings
 from .window_result import ClipResult, WindowClips
 
 if TYPE_CHECKING:
@@ -94,11 +94,12 @@ def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> 
 
 
 def _measured(raster: OpenRaster, request: WindowRequest, partly: bool) -> MeasuredClip:
-    assert request.window is not None
-    clip, factor = read_grey_clip(raster, request.mosaic, request.window, partly)
-    if clip.valid is not None:
-        return MeasuredClip(clip, {}, {}, factor)
-    return MeasuredClip(clip, *measure_clip(clip, request.settings.wavelet, request.settings.levels), factor)
+    window, around = request.window, request.around
+    assert window is not None
+    clip, wide, factor = read_with_surroundings(raster, request.mosaic, window, around, partly)
+    settings, inside = request.settings, place_in(window, around)
+    measured = ({}, {}) if clip.valid is not None else measure_clip(clip, settings.wavelet, settings.levels)
+    return MeasuredClip(clip, *measured, factor, wide, inside)
 
 
 def in_file_values(curves: Mapping[str, Curve], factor: float) -> dict[str, Curve]:

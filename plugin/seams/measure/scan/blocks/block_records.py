@@ -4,17 +4,18 @@ from __future__ import annotations
 import numpy as np
 
 from .....imagery.records.array_records import packed, unpacked
-from .cell_table import CellTable
+from ...profile.cell_table import CellTable, MixtureTable
 from .scan_block import BlockScan
 
 _OWN = ("squares", "dense", "outside", "labels", "mixture", "clear")
-_TABLE = ("row", "column", "bin", "area", "mm", "cc", "mc")
+_TABLES = {"cells": CellTable.names(), "beside": MixtureTable.names()}
 
 
 def record_of(scan: BlockScan) -> bytes:
     """All but the notices, which are told once."""
     arrays = {name: getattr(scan, name) for name in _OWN}
-    arrays |= {name: getattr(scan.cells, name) for name in _TABLE}
+    for table, names in _TABLES.items():
+        arrays |= {f"{table} {name}": getattr(getattr(scan, table), name) for name in names}
     arrays["key"] = np.array(scan.key)
     arrays["sources"] = np.frombuffer("\n".join(scan.sources).encode(), np.uint8)
     return packed(arrays, compressed=_OWN)
@@ -27,5 +28,6 @@ def scan_of(record: bytes) -> BlockScan:
     names = held["sources"].tobytes().decode()
     return BlockScan(
         (row, column), tuple(names.split("\n")) if names else (), **{name: held[name] for name in _OWN},
-        cells=CellTable(**{name: held[name] for name in _TABLE}),
+        cells=CellTable(*(held[f"cells {name}"] for name in _TABLES["cells"])),
+        beside=MixtureTable(*(held[f"beside {name}"] for name in _TABLES["beside"])),
     )

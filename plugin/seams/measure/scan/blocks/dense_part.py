@@ -15,11 +15,11 @@ from ...following.expected_mosaic import Filters, expected_mosaic
 from ...following.followed_source import follow, high_pass
 from ...following.likely_source import QUICK, filled_in
 from ...following.placed_sources import PlacedSources, follow_sources
-from ...profile.detail_cells import CELL_PX, detail_cells
+from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
+from ...profile.detail_sums import compared_planes, detail_sums, numbers_of
 from ...seam_cells import UNKNOWN
 from .block_grid import LABEL_PX
 from .block_pixels import BlockPixels
-from .cell_table import CellTable
 from .patches import PATCH_PX
 from .rectangles import MARGIN_PX
 
@@ -43,6 +43,8 @@ class DensePart:
     clear: np.ndarray
     """(rows, columns) float32 by cells of 16 px: share of the pixels in which one source is followed for sure."""
     cells: CellTable
+    beside: MixtureTable
+    """What is mixed of what along its seams."""
     unexplained: float
     """Share of the mosaic's valid pixels that no source explains."""
 
@@ -83,14 +85,14 @@ def measure_part(
         image.plane, followed.planes, followed.fine, following, valid, None, moved, None if moved else known_filters,
         QUICK, PATCH_PX,
     )
-    numbering = np.full(256, UNKNOWN, np.uint8)
-    numbering[: len(followed.source_of)] = [present[of] for of in followed.source_of]
-    labels = numbering[expected.labels]
+    expected = expected.of_sources([present[of] for of in followed.source_of])
+    labels = expected.labels
     labels[~known] = UNKNOWN
     guessed = known & guesses(labels, following.clear | following.mixed)
     labels[guessed] = UNKNOWN
-    details = list(detail_components(np.stack([image.plane, expected.plane]), wavelet, levels))
-    cells = detail_cells(details, labels)
+    details = list(detail_components(compared_planes(image.plane, expected), wavelet, levels))
+    masks = {number: planes.valid[number] for number in present if number in planes.valid}
+    cells, beside = detail_sums(details, labels, numbers_of(expected), masks)
     labels = filled_in(labels, guessed)
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
@@ -105,7 +107,8 @@ def measure_part(
         labels[own][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
         mixed,
         clear,
-        CellTable.of(cells, place, first),
+        cells.within(place).moved(*first),
+        beside.within(place).moved(*first),
         float((labels[own][known[own]] == UNKNOWN).mean()),
     )
 
@@ -149,5 +152,6 @@ def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
         np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32),
         np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32),
         CellTable.empty(levels),
+        MixtureTable.empty(levels),
         unexplained,
     )

@@ -21,11 +21,10 @@ from ...following.followed_source import (
     MIN_WINNER_LEAD,
     high_pass,
 )
-from ...profile.detail_cells import CELL_PX
+from ...profile.cell_table import CELL_PX, CellTable
 from ...seam_cells import UNKNOWN
 from .block_grid import SQUARE_PX
 from .block_pixels import MOST_HELD, BlockPixels, Planes
-from .cell_table import CellTable
 
 PATCH_PX = 40
 """Side of a patch."""

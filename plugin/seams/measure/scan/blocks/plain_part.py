@@ -10,11 +10,10 @@ from ...following.boxes import enlarged
 from ...following.expected_mosaic import Filters
 from ...following.levelling import SQUARE_PX as TONE_PX
 from ...following.levelling import gain_field, square_means
-from ...profile.detail_cells import CELL_PX
+from ...profile.cell_table import CELL_PX, CellTable
 from ...seam_cells import UNKNOWN
 from .block_grid import SQUARE_PX, UNIT_PX
 from .block_pixels import BlockPixels, Planes
-from .cell_table import CellTable
 from .patches import PATCH_PX, SquareLook
 
 MARGIN_PX = 32

@@ -12,13 +12,12 @@ from .....imagery.rasters import Raster
 from .....imagery.remote_files import remote_settings
 from ...following.boxes import enlarged, widened
 from ...limits import FULL
-from ...profile.detail_cells import CELL_PX
+from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
 from ..scan_settings import ScanSettings
 from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey
 from .block_pixels import BlockPixels, thin_valid
-from .cell_table import CellTable
 from .dense_part import DensePart, measure_part
 from .patches import SquareLook, look_at_squares, middle_sources, spread_out
 from .plain_part import MARGIN_PX, measure_plain
@@ -67,6 +66,8 @@ class BlockScan:
     clear: np.ndarray
     """(CELLS, CELLS) float32: share of the pixels that follow one source for sure; NaN where not measured densely."""
     cells: CellTable
+    beside: MixtureTable
+    """What is mixed of what along its seams."""
     outside: np.ndarray
     """(UNITS, UNITS) bool: where the mosaic has no pixels at all, as far as that was looked for."""
     notices: tuple[Message, ...] = ()
@@ -203,6 +204,7 @@ class _Block:
         self._clear = np.full((CELLS, CELLS), np.nan, np.float32)
         self._outside = np.zeros((UNITS, UNITS), bool)
         self._tables: list[CellTable] = []
+        self._mixtures: list[MixtureTable] = []
 
     def take_look(self, look: SquareLook, wanted: np.ndarray) -> None:
         """What the patches say where nothing more is measured."""
@@ -244,6 +246,7 @@ class _Block:
             target[own] = values[: own[0].stop - own[0].start, : own[1].stop - own[1].start]
         self._dense[place(UNIT_PX, UNITS)] = True
         self._tables.append(part.cells)
+        self._mixtures.append(part.beside)
 
     def take_outside(self, valid: np.ndarray | None) -> None:
         """Units, as far as there are some, in which the mosaic has pixels."""
@@ -268,8 +271,10 @@ class _Block:
     def result(self, notices: tuple[Message, ...]) -> BlockScan:
         """All that was taken."""
         request = self._request
-        table = CellTable.joined([CellTable.empty(request.settings.levels), *self._tables])
+        levels = request.settings.levels
+        table = CellTable.joined([CellTable.empty(levels), *self._tables])
+        beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
             request.key, tuple(one.ref.path for one in request.sources), self._squares, self._dense, self._labels,
-            self._mixture, self._clear, table, self._outside, notices,
+            self._mixture, self._clear, table, beside, self._outside, notices,
         )

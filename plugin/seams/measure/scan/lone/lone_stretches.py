@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from ...profile.detail_cells import CELL_PX
+from ...profile.cell_table import CELL_PX
 from ..lines.piece_index import PieceIndex
 from ..lines.seam_pieces import SeamPiece
 from .ground_matching import CAP, capped_means, expected_energies

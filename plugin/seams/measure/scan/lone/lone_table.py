@@ -10,7 +10,7 @@ import numpy as np
 
 from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import detail_components
-from ...profile.detail_cells import CELL_PX
+from ...profile.cell_table import CELL_PX
 from ..lines.piece_index import PieceIndex
 
 REACH_PX = 128.0

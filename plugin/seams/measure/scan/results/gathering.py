@@ -14,22 +14,21 @@ from .....imagery.errors import CancelledError
 from .....imagery.message import Message
 from ...following.boxes import enlarged
 from ...placing.window_placing import PlacedWindow
+from ...profile.cell_table import CellTable, MixtureTable
+from ...profile.ground import LevelGround, grounds
 from ...seam_cells import UNKNOWN
 from ...verdicts import Verdict
 from .. import messages
 from ..block_runs import NOTHING, block_scans, global_numbers
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockKey
-from ..blocks.cell_table import CellTable
 from ..blocks.scan_block import CELLS, BlockScan
 from ..inputs.scan_request import ScanRequest
 from ..journal.scan_journal import ScanJournal
-from ..lines.piece_index import PieceIndex
 from ..lines.piece_sides import sides_of
 from ..lines.seam_pieces import SeamPiece, Side, cut_in_pieces
 from ..lines.seam_tracing import seams_of, trace_borders
 from ..lines.source_names import source_numbers
 from ..lines.source_polygons import SourcePolygon, polygons_of
-from .block_ground import LevelGround, grounds
 from .judged_pieces import JudgedPiece, judge_piece, metres, without_verdict
 from .loss_raster import loss_cells, loss_raster
 from .piece_sums import PieceSums
@@ -150,15 +149,15 @@ class Gathering:
     ) -> PieceSums:
         """Of all pieces; the picture of losses on the way. Raises CancelledError where ``goes_on`` says no."""
         mosaic, settings = self._request.mosaic, self._request.settings
-        sums, index = PieceSums(len(pieces), settings.levels), PieceIndex(pieces, mosaic.grid)
+        sums = PieceSums(pieces, mosaic.grid, settings.levels)
         if not loss_path:
             for _, _, scan, ground in self._blocks_on_ground():
-                sums.add(scan.cells, ground, index, self._grid.window(scan.key))
+                sums.add(scan.cells, self._mixture(scan), ground, self._grid.window(scan.key))
             return sums
         names: dict[int, int] = {}
         with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
             for row, column, scan, ground in self._blocks_on_ground():
-                sums.add(scan.cells, ground, index, self._grid.window(scan.key))
+                sums.add(scan.cells, self._mixture(scan), ground, self._grid.window(scan.key))
                 labels = self._labels(scan)
                 for number in np.unique(labels[labels != NOTHING]).tolist():
                     names.setdefault(number, len(names) + 1)
@@ -182,7 +181,12 @@ class Gathering:
             for column, scan in enumerate(rows[row]):
                 around = [one.cells for near in rows.values() for one in near[max(column - 1, 0) : column + 2]]
                 self._account(scan)
-                yield row, column, scan, grounds(scan.cells, CellTable.joined(around))
+                yield row, column, scan, grounds(scan.cells, around=CellTable.joined(around))
+
+    def _mixture(self, scan: BlockScan) -> MixtureTable:
+        """With the numbers of sources that all blocks share."""
+        numbers = global_numbers(scan, self._request.numbers)
+        return replace(scan.beside, source=numbers[scan.beside.source], other=numbers[scan.beside.other])
 
     def _account(self, scan: BlockScan) -> None:
         """Count units with pixels of the mosaic, and those of them that follow no source anywhere."""
@@ -240,10 +244,14 @@ def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
             (cells_px, second.clear, first.clear),
         )
     )
-    cells = first.cells
-    replaced = second.dense[cells.row % CELLS // cells_px, cells.column % CELLS // cells_px]
+    cells, beside = first.cells, first.beside
+    replaced, was_beside = (
+        second.dense[one.row % CELLS // cells_px, one.column % CELLS // cells_px] for one in (cells, beside)
+    )
     return replace(
         first, labels=labels, mixture=mixture, clear=clear, dense=first.dense | second.dense,
-        cells=CellTable.joined([cells.chosen(~replaced), second.cells]), notices=first.notices + second.notices,
+        cells=CellTable.joined([cells.chosen(~replaced), second.cells]),
+        beside=MixtureTable.joined([beside.chosen(~was_beside), second.beside]),
+        notices=first.notices + second.notices,
     )
 

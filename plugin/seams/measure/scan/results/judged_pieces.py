@@ -8,10 +8,10 @@ from .....imagery.message import Message
 from ...following.likely_source import MIN_FIT
 from ...limits import MAX_SIGNIFICANT_KEPT
 from ...profile.seam_profile import MIN_STRIP_PX, STRIP_PX
+from ...profile.seam_sums import StripProfile
 from ...verdicts import MAX_INTERVAL_FACTOR, Verdict, judge_by_seam
 from .. import messages
 from ..lines.seam_pieces import SeamPiece
-from .piece_sums import PieceProfile
 
 LEAST_WITHOUT_VERDICT = 0.02  # of the seams: more is told
 
@@ -49,7 +49,7 @@ class JudgedPiece:
 
 
 def judge_piece(
-    piece: SeamPiece, sides: tuple[str | None, str | None], found: PieceProfile, ground_sample_distance: float
+    piece: SeamPiece, sides: tuple[str | None, str | None], found: StripProfile, ground_sample_distance: float
 ) -> JudgedPiece:
     """The verdict on one piece by its profile."""
     if found.profile is None:

@@ -13,10 +13,10 @@ from .....imagery.gdal_calls import gdal_call, gdal_writing
 from .....imagery.message import Message
 from .....imagery.raster_writer import GEOTIFF, whole_raster
 from .....imagery.rasters import Raster
-from ...profile.detail_cells import CELL_PX
+from ...profile.cell_table import CELL_PX, whole_cells
+from ...profile.ground import LevelGround
 from ..blocks.block_grid import BLOCK_PX, LABEL_PX
 from ..blocks.scan_block import BlockScan
-from .block_ground import LevelGround, whole_cells
 from .picture_overviews import TILE, write_overviews
 
 BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
@@ -39,7 +39,7 @@ def loss_cells(
     place = (cells.row % per_block) // step * side + (cells.column % per_block) // step
     mm, cc, mc = (np.bincount(place, values[0], side * side) for values in (cells.mm, cells.cc, cells.mc))
     if (finest := ground[0] if ground else None) is not None:
-        expected = np.bincount(place, cells.cc[0] * finest.response.amplitude(cells.energy(0)), side * side)
+        expected = np.bincount(place, cells.cc[0] * finest.amplitude(cells.energy(0)), side * side)
         _put(made[0], mm, expected)
     _put(made[1], mm, cc)
     np.sqrt(made[1], out=made[1], where=made[1] >= 0)

@@ -1,0 +1,183 @@
+"""What was measured in cells of 16 px, as tables: sums of products of detail coefficients, which add up.
+
+Those of a window, of a block, of a strip and of a whole mosaic are one and the same: all that is said of a seam follows
+from them.
+"""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from typing import TypeVar
+
+import numpy as np
+
+CELL_PX = 16
+"""Side of a cell."""
+EDGES_PX = (0, 2, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256)
+"""Where the bins of distance from the seam begin; the last one has no end."""
+FARTHEST = len(EDGES_PX) - 1
+"""The last bin: no seam is near."""
+MIXED_BINS = EDGES_PX.index(128)
+"""Bins in which a mixture of two sources is looked for: half a feather of 256 px."""
+PRODUCTS = ("area", "mm", "ms", "mo", "mk", "ss", "so", "sk", "oo", "ok", "kk")
+"""Of the mosaic m, the source s that is followed, the other one o beyond the nearest seam, and k, what a hard cut has
+beside s: the edge that it makes itself. ``area`` in pixels, the others in DN squared."""
+
+_Rows = TypeVar("_Rows", bound="Rows")
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Rows of cells; those of several parts can be put one after the other. The last axis of every field."""
+
+    row: np.ndarray
+    """(n,) int32: of cells of 16 px in the mosaic."""
+    column: np.ndarray
+    """(n,) int32"""
+    bin: np.ndarray
+    """(n,) uint8: of ``EDGES_PX``, the distance from the nearest seam."""
+
+    def __len__(self) -> int:
+        return len(self.row)
+
+    @property
+    def keys(self) -> np.ndarray:
+        """(n,) int64: one number for each cell, ascending row by row."""
+        return np.asarray((self.row.astype(np.int64) << 32) + self.column)
+
+    @classmethod
+    def joined(cls: type[_Rows], tables: Sequence[_Rows]) -> _Rows:
+        """One after the other; at least one."""
+        return cls(*(np.concatenate([getattr(one, name) for one in tables], axis=-1) for name in cls.names()))
+
+    @classmethod
+    def names(cls) -> tuple[str, ...]:
+        """Of the fields."""
+        return tuple(one.name for one in fields(cls))
+
+    def chosen(self: _Rows, where: np.ndarray) -> _Rows:
+        """The rows that a mask or an index names."""
+        return type(self)(*(getattr(self, name)[..., where] for name in self.names()))
+
+    def moved(self: _Rows, rows: int, columns: int) -> _Rows:
+        """The same so many cells farther down and to the right."""
+        return replace(self, row=self.row + np.int32(rows), column=self.column + np.int32(columns))
+
+    def within(self: _Rows, place: tuple[slice, slice]) -> _Rows:
+        """Those of some rows and columns of cells."""
+        rows, columns = place
+        inside = (self.row >= rows.start) & (self.row < rows.stop)
+        return self.chosen(inside & (self.column >= columns.start) & (self.column < columns.stop))
+
+
+@dataclass(frozen=True, eq=False)
+class CellTable(Rows):
+    """A row for each cell and bin of distance that there is."""
+
+    area: np.ndarray
+    """(levels, n) float32: pixels that the coefficients stand for; 0 where a level was not measured."""
+    mm: np.ndarray
+    """(levels, n) float32: energy of the mosaic's detail, DN squared."""
+    cc: np.ndarray
+    """(levels, n) float32: that of the source that is followed, as the mosaic shows it."""
+    mc: np.ndarray
+    """(levels, n) float32: their inner product."""
+
+    @property
+    def levels(self) -> int:
+        """Rows of the sums."""
+        return len(self.mm)
+
+    @classmethod
+    def empty(cls, levels: int) -> CellTable:
+        """A table without rows."""
+        nothing = np.zeros((levels, 0), np.float32)
+        return cls(*_no_place(), nothing, nothing, nothing, nothing)
+
+    @classmethod
+    def far(
+        cls, rows: np.ndarray, columns: np.ndarray, where: np.ndarray, sums: Sequence[np.ndarray], levels: int
+    ) -> CellTable:
+        """Whole cells far from any seam, those of these rows and columns that ``where``, bool, tells of.
+
+        ``sums``: mm, cc and mc, (levels, rows, columns) each, of all ``levels`` or of the finest ones.
+        """
+        down, across = np.nonzero(where)
+        held = np.zeros((4, levels, len(down)), np.float32)
+        held[0, : len(sums[0])] = CELL_PX**2
+        for target, values in zip(held[1:], sums):
+            target[: len(values)] = values[:, down, across]
+        return cls(
+            rows[down].astype(np.int32), columns[across].astype(np.int32), np.full(len(down), FARTHEST, np.uint8), *held
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class MixtureTable(Rows):
+    """A row for each cell, bin of distance and pair of sources beside a seam."""
+
+    source: np.ndarray
+    """(n,) uint8: number of the source that is followed."""
+    other: np.ndarray
+    """(n,) uint8: of the one beyond the nearest seam."""
+    products: np.ndarray
+    """(len(PRODUCTS), levels, n) float32"""
+
+    @classmethod
+    def empty(cls, levels: int) -> MixtureTable:
+        """A table without rows."""
+        number = np.zeros(0, np.uint8)
+        return cls(*_no_place(), number, number, np.zeros((len(PRODUCTS), levels, 0), np.float32))
+
+
+@dataclass(frozen=True, eq=False)
+class WholeCells:
+    """The cells of a table, all bins of each together."""
+
+    keys: np.ndarray
+    """(n,) int64, ascending."""
+    nearest: np.ndarray
+    """(n,) uint8: the bin of the part that is nearest to a seam."""
+    area: np.ndarray
+    """(levels, n) px"""
+    mm: np.ndarray
+    """(levels, n) DN squared"""
+    cc: np.ndarray
+    """(levels, n) DN squared"""
+    mc: np.ndarray
+    """(levels, n) DN squared"""
+    of_row: np.ndarray
+    """(rows of the table,): the cell that each is of."""
+
+    @property
+    def row(self) -> np.ndarray:
+        """(n,) of cells of 16 px in the mosaic."""
+        return np.asarray(self.keys >> 32)
+
+    @property
+    def column(self) -> np.ndarray:
+        """(n,)"""
+        return np.asarray(self.keys & 0xFFFFFFFF)
+
+    def energy(self, level: int) -> np.ndarray:
+        """Of the sources' detail, a pixel, (n,)."""
+        return np.asarray(self.cc[level] / np.maximum(self.area[level], 1))
+
+
+def whole_cells(table: CellTable) -> WholeCells:
+    """The cells that the rows of a table are of."""
+    keys, of_row = np.unique(table.keys, return_inverse=True)
+    count = len(keys)
+    nearest = np.full(count, len(EDGES_PX), np.uint8)
+    np.minimum.at(nearest, of_row, table.bin)
+    sums = [
+        np.stack([np.bincount(of_row, row, count) for row in values]) if count else np.zeros((table.levels, 0))
+        for values in (table.area, table.mm, table.cc, table.mc)
+    ]
+    area, mm, cc, mc = sums
+    return WholeCells(keys, nearest, area, mm, cc, mc, of_row)
+
+
+def _no_place() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    place = np.zeros(0, np.int32)
+    return place, place, np.zeros(0, np.uint8)

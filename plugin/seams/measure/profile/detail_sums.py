@@ -1,0 +1,220 @@
+"""What a mosaic has of its sources' detail: sums of products over small cells and distances from the seam.
+
+m are detail coefficients of the mosaic. s are those of the source that is followed where the coefficient lies, o those
+of the one beyond the nearest seam, both as the mosaic shows its sources. Neither is taken from a cut image: beside a
+cut its coefficients hold the cut's own edge, which no source has. k is that edge: the cut image's coefficients less s.
+"""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from scipy import ndimage
+
+from ..following.boxes import widened
+from ..following.expected_mosaic import ExpectedMosaic
+from ..seam_cells import UNKNOWN
+from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, CellTable, MixtureTable
+
+MOSAIC, CUT, FIRST_SOURCE = range(3)
+"""Planes of details."""
+
+_GRID_PX = 2  # distances are taken on the grid of the finest coefficients
+_UNKNOWN_MARGIN_PX = 8  # what is not explained reaches into its neighbours' coefficients
+
+
+def compared_planes(mosaic: np.ndarray, expected: ExpectedMosaic) -> np.ndarray:
+    """Planes (planes, rows, columns) whose details are compared: the mosaic, its hard cut, and where sources meet each
+    of them as the mosaic shows it, in the order of their numbers."""
+    sources = [expected.shown[number] for number in numbers_of(expected)]
+    return np.stack([mosaic, expected.plane, *sources])
+
+
+def numbers_of(expected: ExpectedMosaic) -> tuple[int, ...]:
+    """The sources that meet; none where all follow one, which the cut then is."""
+    return tuple(sorted(expected.shown)) if len(expected.shown) > 1 else ()
+
+
+@dataclass(frozen=True, eq=False)
+class SeamGeometry:
+    """Where a window's seams run, on the grid of the finest coefficients, (rows / 2, columns / 2) each."""
+
+    labels: np.ndarray
+    """uint8: the source that is followed."""
+    other: np.ndarray
+    """uint8: the one beyond the nearest seam, ``UNKNOWN`` where there is none."""
+    bins: np.ndarray
+    """int: of distance from the seam; ``len(EDGES_PX)`` where no source explains the mosaic."""
+    seam: np.ndarray
+    """bool: beside which another source is followed."""
+
+
+def detail_sums(
+    details: Sequence[np.ndarray], labels: np.ndarray, numbers: Sequence[int] = (),
+    valid: Mapping[int, np.ndarray] | None = None,
+) -> tuple[CellTable, MixtureTable]:
+    """The cells of one window from the details of ``compared_planes``, level by level as ``detail_components`` gives
+    them: (3, 2 + sources or more, rows / 2^r, columns / 2^r).
+
+    ``labels``, (rows, columns): the source that each pixel follows, ``UNKNOWN`` where none explains it; those pixels
+    take no part. ``numbers``: of the sources among the planes. ``valid``: (rows, columns) bool, pixels that a source
+    has, of those that don't have all.
+    """
+    place = seam_geometry(labels)
+    rows, columns = (length // CELL_PX for length in labels.shape)
+    levels, beside = len(details), _pairs(place, numbers, valid or {})
+    sums = np.zeros((4, levels, rows * columns * len(EDGES_PX)))
+    mixed = np.zeros((11, levels, rows * columns * MIXED_BINS * max(len(beside.pairs), 1)))
+    for level, one in enumerate(details):
+        pixels = 2 ** (level + 1)
+        counted = CELL_PX // pixels
+        inside = np.s_[: rows * counted, : columns * counted]
+        step = pixels // _GRID_PX
+        coarse = np.s_[step // 2 :: step, step // 2 :: step]
+        bins, pair = place.bins[coarse][inside], beside.pair[coarse][inside]
+        cell = (np.arange(rows * counted) // counted * columns)[:, np.newaxis] + np.arange(columns * counted) // counted
+        m, c = one[:, MOSAIC][(slice(None), *inside)], one[:, CUT][(slice(None), *inside)]
+        s = c
+        if numbers:
+            s = _followed(one[(slice(None), slice(None), *inside)], numbers, place.labels[coarse][inside])
+        index = (cell * len(EDGES_PX) + bins).ravel()
+        known = (bins < len(EDGES_PX)).ravel()
+        products = (_summed(m, m), _summed(s, s), _summed(m, s))
+        some = slice(None) if known.all() else known
+        for target, values in zip(sums[1:, level], products):
+            target += np.bincount(index[some], values.ravel()[some], len(target))
+        sums[0, level] = np.bincount(index[some], minlength=sums.shape[2]) * pixels**2
+        if not len(beside.pairs):
+            continue
+        at = np.flatnonzero(pair.ravel() < len(beside.pairs))
+        index = ((cell * MIXED_BINS + bins) * len(beside.pairs) + pair).ravel()[at]
+        down, across = np.divmod(at, columns * counted)
+        other = place.other[coarse][inside].ravel()[at]
+        m, c, s = (plane.reshape(3, -1)[:, at] for plane in (m, c, s))
+        o = one[:, FIRST_SOURCE + np.searchsorted(numbers, other), down, across]
+        k = c - s
+        mixed[0, level] = np.bincount(index, minlength=mixed.shape[2]) * pixels**2
+        for target, (a, b) in zip(mixed[1:, level], (
+            (m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)
+        )):
+            target += np.bincount(index, np.einsum("dn,dn->n", a, b), len(target))
+    return _cell_table(sums, columns), _mixture_table(mixed, columns, beside.pairs)
+
+
+def seam_geometry(labels: np.ndarray) -> SeamGeometry:
+    """Distances from the nearest seam, and what lies beyond it."""
+    coarse = np.ascontiguousarray(labels[::_GRID_PX, ::_GRID_PX])
+    seam, beyond = _seam_samples(coarse)
+    other = np.full(coarse.shape, UNKNOWN, np.uint8)
+    if seam.any():
+        row, column = ndimage.distance_transform_edt(~seam, return_distances=False, return_indices=True)
+        here, there = coarse[row, column], beyond[row, column]
+        np.copyto(other, there, where=coarse == here)
+        np.copyto(other, here, where=coarse == there)
+        row -= np.arange(len(seam), dtype=row.dtype)[:, np.newaxis]
+        column -= np.arange(seam.shape[1], dtype=column.dtype)
+        row *= row
+        column *= column
+        row += column
+        bins = _bins_of_squares()[np.minimum(row, (EDGES_PX[-1] // _GRID_PX) ** 2, out=row)]
+    else:
+        bins = np.full(seam.shape, FARTHEST, np.intp)
+    explained = explained_samples(labels)
+    if not explained.all():
+        bins[~explained] = len(EDGES_PX)
+    return SeamGeometry(coarse, other, bins, seam)
+
+
+def seam_samples(labels: np.ndarray) -> np.ndarray:
+    """On the grid of the finest coefficients those beside which another source is followed, (rows / 2, columns / 2)
+    bool."""
+    return _seam_samples(np.ascontiguousarray(labels[::_GRID_PX, ::_GRID_PX]))[0]
+
+
+def explained_samples(labels: np.ndarray) -> np.ndarray:
+    """On the grid of the finest coefficients those that take part, (rows / 2, columns / 2) bool."""
+    known = labels[::_GRID_PX, ::_GRID_PX] != UNKNOWN
+    return known if known.all() else ~widened(~known, _UNKNOWN_MARGIN_PX // _GRID_PX)
+
+
+def _seam_samples(coarse: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The same, and the other source that each of them meets, uint8."""
+    known = coarse != UNKNOWN
+    seam, beyond = np.zeros(coarse.shape, bool), np.full(coarse.shape, UNKNOWN, np.uint8)
+    for here, there in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
+        meet = (coarse[here] != coarse[there]) & known[here] & known[there]
+        for own, its in ((here, there), (there, here)):
+            seam[own] |= meet
+            np.copyto(beyond[own], coarse[its], where=meet)
+    return seam, beyond
+
+
+@dataclass(frozen=True, eq=False)
+class _Pairs:
+    """Samples beside a seam by what they follow and what lies beyond."""
+
+    pairs: np.ndarray
+    """(pairs, 2) uint8: source and other."""
+    pair: np.ndarray
+    """int, as the samples: which of them; their count where there is none."""
+
+
+def _pairs(place: SeamGeometry, numbers: Sequence[int], valid: Mapping[int, np.ndarray]) -> _Pairs:
+    beside = (place.bins < MIXED_BINS) & (place.other != UNKNOWN)
+    for number, pixels in valid.items():
+        if number in numbers:  # what a source doesn't have the mosaic can't have of it
+            beside &= (place.other != number) | pixels[::_GRID_PX, ::_GRID_PX]
+    if not len(numbers) or not beside.any():
+        return _Pairs(np.zeros((0, 2), np.uint8), np.zeros(place.bins.shape, np.intp))
+    codes = place.labels.astype(np.intp) * (UNKNOWN + 1) + place.other
+    present = np.flatnonzero(np.bincount(codes[beside], minlength=(UNKNOWN + 1) ** 2))
+    numbered = np.full((UNKNOWN + 1) ** 2, len(present))
+    numbered[present] = np.arange(len(present))
+    pair = np.where(beside, numbered[codes], len(present))
+    return _Pairs(np.column_stack(np.divmod(present, UNKNOWN + 1)).astype(np.uint8), pair)
+
+
+def _followed(details: np.ndarray, numbers: Sequence[int], labels: np.ndarray) -> np.ndarray:
+    """Each coefficient from the source that is followed there, (3, rows, columns)."""
+    found = details[:, CUT].copy()  # of what no source explains, which takes no part
+    for place, number in enumerate(numbers, FIRST_SOURCE):
+        np.copyto(found, details[:, place], where=labels == number)
+    return found
+
+
+def _cell_table(sums: np.ndarray, columns: int) -> CellTable:
+    """``sums``: area, mm, cc and mc, (4, levels, cells x bins)."""
+    held = np.flatnonzero(sums[0, 0])
+    cells, bins = np.divmod(held, len(EDGES_PX))
+    return CellTable(*_places(cells, columns), bins.astype(np.uint8), *sums[:, :, held].astype(np.float32))
+
+
+def _mixture_table(sums: np.ndarray, columns: int, pairs: np.ndarray) -> MixtureTable:
+    """``sums``: products, (11, levels, cells x bins x pairs)."""
+    if not len(pairs):
+        return MixtureTable.empty(sums.shape[1])
+    held = np.flatnonzero(sums[0, 0])
+    rest, pair = np.divmod(held, len(pairs))
+    cells, bins = np.divmod(rest, MIXED_BINS)
+    source, other = pairs[pair].T
+    products = sums[:, :, held].astype(np.float32)
+    return MixtureTable(*_places(cells, columns), bins.astype(np.uint8), source, other, products)
+
+
+def _places(cells: np.ndarray, columns: int) -> tuple[np.ndarray, np.ndarray]:
+    row, column = np.divmod(cells, columns)
+    return row.astype(np.int32), column.astype(np.int32)
+
+
+@cache
+def _bins_of_squares() -> np.ndarray:
+    """The bin of each squared distance, samples of the grid squared."""
+    squares = np.arange((EDGES_PX[-1] // _GRID_PX) ** 2 + 1)
+    return np.digitize(np.sqrt(squares) * _GRID_PX, EDGES_PX) - 1
+
+
+def _summed(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """The products of three details, (3, rows, columns), together."""
+    return np.einsum("dij,dij->ij", a, b)

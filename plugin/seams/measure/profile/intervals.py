@@ -1,0 +1,63 @@
+"""What is kept of many strips by one measure, with its interval; and what two measures say together."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import stdtrit
+
+CONFIDENCE = 0.95
+MOST_LEFT = 0.15
+"""Of the sources' energy in the strip that a mixture leaves over, beyond what the ground does: with more it does not
+explain the mosaic."""
+
+MOST_KEPT = 1.05
+"""No seam adds detail of its sources: energies that surely tell of more are not of the ground that they are compared
+with."""
+
+
+@dataclass(frozen=True, eq=False)
+class Kept:
+    """kept_1 of n strips, NaN where nothing can be told."""
+
+    value: np.ndarray
+    """(n,)"""
+    low: np.ndarray
+    """(n,): lower end of its 95 % interval."""
+    high: np.ndarray
+    """(n,)"""
+
+    @classmethod
+    def of(cls, value: np.ndarray, error: np.ndarray, freedom: np.ndarray) -> Kept:
+        """By the standard deviation of its logarithm and the degrees of freedom that this has."""
+        factor = np.exp(stdtrit(np.maximum(freedom, 1), (1 + CONFIDENCE) / 2) * error)
+        return cls(value, value / factor, value * factor)
+
+    @property
+    def width(self) -> np.ndarray:
+        """Of the logarithm's interval."""
+        return np.log(np.maximum(self.high, 1e-6) / np.maximum(self.low, 1e-6))
+
+
+def together(energy: Kept, mixture: Kept, left: np.ndarray) -> tuple[Kept, np.ndarray, np.ndarray]:
+    """What judges, and where that is the energy and where the mixture, (n,) bool each: both where they agree.
+
+    They agree where their intervals meet; then their mean counts, weighted by their precision. Else the lower one
+    does, unless the mixture does not explain the mosaic. ``left``: what it leaves over, as ``MOST_LEFT`` has it.
+    """
+    has_energy, has_mixture = ~np.isnan(energy.value), ~np.isnan(mixture.value)
+    has_energy &= ~has_mixture | (energy.low <= MOST_KEPT)
+    both = has_energy & has_mixture
+    agree = both & (energy.low <= mixture.high) & (mixture.low <= energy.high)
+    by_mixture = has_mixture & ~has_energy | both & ~agree & (mixture.value < energy.value) & (left <= MOST_LEFT)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        weights = [1 / np.maximum(one.width, 1e-3) ** 2 for one in (energy, mixture)]
+        logs = [[np.log(np.maximum(end, 1e-6)) for end in (one.value, one.low, one.high)] for one in (energy, mixture)]
+        means = [np.exp((weights[0] * a + weights[1] * b) / sum(weights)) for a, b in zip(*logs)]
+    parts = [
+        np.where(agree, mean, np.where(by_mixture, mixed, plain))
+        for mean, plain, mixed in zip(
+            means, (energy.value, energy.low, energy.high), (mixture.value, mixture.low, mixture.high)
+        )
+    ]
+    return Kept(*parts), agree | has_energy & ~by_mixture, agree | by_mixture

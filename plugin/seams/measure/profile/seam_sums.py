@@ -1,0 +1,134 @@
+"""What is kept along seams: the one estimator, for the seam of a window as for every piece of a mosaic's.
+
+By energy against the ground around (``energy_sums``) and by the mixture of the sources that meet (``mixture``), which
+needs no ground, and does not see what else was done along the seam. For two textures that have nothing in common a
+50:50 blend keeps 0.5.
+"""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells
+from .energy_sums import EnergySums
+from .ground import LevelGround
+from .intervals import Kept, together
+from .mixture_sums import MixedStrips, MixtureSums
+from .seam_profile import BAND_KEPT, MIN_STRIP_PX, Measure, ProfileBin, SeamProfile, band_width_px
+
+
+@dataclass(frozen=True, eq=False)
+class StripProfile:
+    """One piece of seam as it was measured."""
+
+    profile: SeamProfile | None
+    """None where there is too little to be measured."""
+    area_px: float
+    """Of its strip, level 1."""
+    fit: float
+    """Share of the mosaic's finest detail in the strip that its sources explain."""
+
+
+class SeamSums:
+    """Adds up the cells beside the seams of ``count`` pieces; then tells every piece."""
+
+    def __init__(self, count: int, levels: int) -> None:
+        self._count, self._levels = count, levels
+        self._energy, self._mixture = EnergySums(count, levels), MixtureSums(count, levels)
+
+    def add(
+        self, table: CellTable, mixture: MixtureTable, whole: WholeCells, ground: Sequence[LevelGround | None],
+        piece_of: np.ndarray,
+    ) -> None:
+        """Some cells, ``whole`` those of ``table``; ``piece_of`` (cells,): the piece that each belongs to, or -1.
+
+        Numbers of sources in ``mixture`` must mean the same every time.
+        """
+        self._energy.add(table, whole, ground, piece_of)
+        self._mixture.add(mixture, whole, piece_of)
+
+    def profiles(self, levels: int | None = None) -> list[StripProfile]:
+        """Of every piece, in their order; with the bins of so many ``levels``, all where None."""
+        energy, mixed = self._energy, self._mixture.result()
+        # Beyond what the ground leaves over as well. A soft feather's ramp makes that of what the sources differ by.
+        more_left = np.maximum(mixed.left - energy.left_by_ground, 0)
+        by_energy, energy_levels = energy.kept(mixed.edge + mixed.soft * more_left)
+        judged, has_energy, has_mixture = together(
+            by_energy, mixed.kept, more_left[0] / np.maximum(mixed.plain[0], 1e-12)
+        )
+        takes_mixture = has_mixture & ~has_energy
+        kept = np.where(takes_mixture, mixed.levels, energy_levels)
+        kept[0] = judged.value
+        area, plain, own, shared = map(energy.in_strip, (energy.area, energy.plain, energy.own, energy.shared))
+        expected, expected_shared = energy.in_strip(energy.expected)[0], energy.in_strip(energy.expected_shared)[0]
+        fit = np.maximum(shared[0], 0) ** 2 / np.maximum(own[0] * plain[0], 1e-12)
+        gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (own[0], expected)))
+        added = np.where(before > 0, np.maximum(1 - gain**2 / np.maximum(before, 1e-12), 0), 0)
+        width = mixed.feather_widths_px()
+        bins = self._bins(mixed, takes_mixture, judged, self._levels if levels is None else levels)
+        lost = self._lost(mixed, takes_mixture)
+        found = []
+        for number in range(self._count):
+            profile = None
+            if area[0, number] >= MIN_STRIP_PX and not np.isnan(judged.value[number]):
+                own_bins = tuple(known for one in bins if (known := one[number]) is not None)
+                finest = [one for one in own_bins if one.level == 1 and not np.isinf(one.far_px)]
+                profile = SeamProfile(
+                    tuple(map(_known, kept[:, number])), float(judged.low[number]), float(judged.high[number]),
+                    band_width_px(finest) if kept[0, number] < BAND_KEPT else 0.0, float(added[number]), own_bins,
+                    _known(width[number]), Measure.of(bool(has_energy[number]), bool(has_mixture[number])),
+                    _known(by_energy.value[number]), _known(mixed.kept.value[number]), float(lost[number]),
+                    tuple((plain / np.maximum(area, 1))[:, number].tolist()),
+                )
+            found.append(StripProfile(profile, float(area[0, number]), float(fit[number])))
+        return found
+
+    def _bins(
+        self, mixed: MixedStrips, takes_mixture: np.ndarray, judged: Kept, levels: int
+    ) -> list[list[ProfileBin | None]]:
+        """By level and distance those of every piece, None where there is nothing."""
+        energy, shares = self._energy, mixed.shares()
+        found = []
+        for level in range(levels):
+            left, plain = mixed.by_bins(level)
+            for place, ends in enumerate(zip(EDGES_PX, (*EDGES_PX[1:], np.inf))):
+                area, expected = energy.area[level, place], energy.expected[level, place]
+                nothing = np.full(self._count, np.nan)
+                kept = np.divide(energy.own[level, place], expected, out=nothing, where=expected > 0)
+                kept = np.where(takes_mixture, np.nan, kept)
+                ways = energy.with_interval(kept, area)
+                low, high, share = ways.low, ways.high, np.full(self._count, np.nan)
+                if place < MIXED_BINS:
+                    of_mixture = takes_mixture & (plain[place] > 0)
+                    mixture = left[place] / np.maximum(plain[place], 1e-12)
+                    kept, low, high = (
+                        np.where(of_mixture, new * mixture, old) for new, old in (
+                            (1, kept), (judged.low / judged.value, low), (judged.high / judged.value, high)
+                        )
+                    )
+                    share = shares[place] if not level else share
+                gain = energy.shared[level, place] / np.maximum(energy.expected_shared[level, place], 1e-12)
+                columns = (column.tolist() for column in (kept, low, high, gain, area))
+                found.append([
+                    None if number != number or not pixels else
+                    ProfileBin(level + 1, *ends, number, bottom, top, beside, pixels, _known(mixture_share))
+                    for number, bottom, top, beside, pixels, mixture_share in zip(*columns, share)
+                ])
+        return found
+
+    def _lost(self, mixed: MixedStrips, takes_mixture: np.ndarray) -> np.ndarray:
+        """Energy of the finest detail that the seams took, DN squared of the sources, (count,)."""
+        energy = self._energy
+        left, plain = mixed.by_bins(0)
+        by_mixture = (plain - left).sum(axis=0)
+        own, expected, source = (one[0, :MIXED_BINS] for one in (energy.own, energy.expected, energy.plain))
+        kept = np.divide(own, expected, out=np.ones(own.shape), where=expected > 0)
+        within = np.logical_and.accumulate(kept < BAND_KEPT, axis=0)
+        by_energy = np.where(within, source * (1 - kept), 0).sum(axis=0)
+        return np.asarray(np.where(takes_mixture, by_mixture, np.maximum(by_energy, by_mixture)))
+
+
+def _known(value: float) -> float | None:
+    return None if np.isnan(value) else float(value)

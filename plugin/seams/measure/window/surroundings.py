@@ -1,0 +1,62 @@
+"""The ground around a small window: read with it, to compare its seam with, and to tell labels and filters by."""
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import replace
+
+import numpy as np
+
+from ....imagery.clips import Clip
+from ....imagery.errors import NotCoveredError
+from ....imagery.grids import PixelWindow
+from ....imagery.open_raster import OpenRaster
+from ....imagery.rasters import Raster
+from ..inputs.grey_values import read_grey_clip
+from ..profile.cell_table import CELL_PX
+
+MARGIN_PX = 128
+"""On every side, or what there is of the mosaic."""
+ENOUGH_PX = 512
+"""A side: a window as long has ground enough of its own."""
+
+
+def surroundings(window: PixelWindow, mosaic: Raster, levels: int) -> PixelWindow:
+    """A window with its margin, in whole cells and multiples of 2^R, inside the mosaic."""
+    step = max(CELL_PX, 2**levels)
+
+    def margins(first: int, length: int, end: int) -> tuple[int, int]:
+        wanted = min(MARGIN_PX, max(ENOUGH_PX - length, 0) // 2)
+        before, after = (min(wanted, max(there, 0)) // step * step for there in (first, end - first - length))
+        return before, after
+
+    left, right = margins(window.column, window.width, mosaic.columns)
+    top, bottom = margins(window.row, window.height, mosaic.rows)
+    return PixelWindow(
+        window.column - left, window.row - top, window.width + left + right, window.height + top + bottom
+    )
+
+
+def place_in(window: PixelWindow, around: PixelWindow) -> tuple[slice, slice]:
+    """Rows and columns of a window in a larger one."""
+    row, column = window.row - around.row, window.column - around.column
+    return slice(row, row + window.height), slice(column, column + window.width)
+
+
+def read_with_surroundings(
+    raster: OpenRaster, mosaic: Raster, window: PixelWindow, around: PixelWindow, partly: bool
+) -> tuple[Clip, Clip, float]:
+    """The clip of a window, that of all that is read around it, and by what both were multiplied.
+
+    The window's own is as ``read_grey_clip`` has it. Raises RasterError.
+    """
+    wide: Clip | None = None
+    if around != window:
+        with suppress(NotCoveredError):  # the window itself may be covered
+            wide, factor = read_grey_clip(raster, mosaic, around, partly=True)
+    if wide is not None and wide.invalid_share == 0:
+        place = place_in(window, around)
+        return replace(wide, bands=np.ascontiguousarray(wide.bands[(slice(None), *place)])), wide, factor
+    clip, factor = read_grey_clip(raster, mosaic, window, partly)
+    if around == window or wide is None:
+        return clip, clip, factor
+    return clip, wide, factor
