@@ -110,7 +110,7 @@ def visibility(
     which nothing is known adds nothing, and more detail than there was is no loss. None where level 1 is not known or
     nothing says how bright the screen is.
     """
-    if not kept or kept[0] is None or not grey > 0:
+    if not kept or kept[0] is None or not (grey > 0 and white > 0):
         return None
     total = 0.0
     for level, (share, variance) in enumerate(zip(kept, detail_variance), 1):

@@ -141,6 +141,7 @@ def test_nothing_is_made_up() -> None:
     assert visibility((0.5, 0.5, 0.5), VARIANCES, 0.0, WHITE) is None
     assert visibility((0.5, 0.5, 0.5), VARIANCES, -3.0, WHITE) is None
     assert visibility((0.5, 0.5, 0.5), VARIANCES, math.nan, WHITE) is None
+    assert visibility((0.5, 0.5, 0.5), VARIANCES, GREY, math.nan) is None
     assert visibility((0.5, None, None), VARIANCES, GREY, WHITE) == visibility((0.5,), VARIANCES, GREY, WHITE)
 
 

@@ -7,7 +7,7 @@ from .....imagery.records.array_records import packed, unpacked
 from .cell_table import CellTable
 from .scan_block import BlockScan
 
-_OWN = ("squares", "dense", "outside", "labels", "mixture", "clear")
+_OWN = ("squares", "dense", "outside", "labels", "mixture", "clear", "grey")
 _TABLE = ("row", "column", "bin", "area", "mm", "cc", "mc")
 
 

@@ -105,7 +105,7 @@ class Gathering:
         judged = tuple(
             judge_piece(piece, (self._name(piece.left), self._name(piece.right)), found,
                         request.mosaic.ground_sample_distance)
-            for piece, found in zip(pieces, sums.profiles())
+            for piece, found in zip(pieces, sums.profiles(request.mosaic))
         )
         polygons = given_polygons(request) or tuple(polygons_of(borders))
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
@@ -153,12 +153,12 @@ class Gathering:
         sums, index = PieceSums(len(pieces), settings.levels), PieceIndex(pieces, mosaic.grid)
         if not loss_path:
             for _, _, scan, ground in self._blocks_on_ground():
-                sums.add(scan.cells, ground, index, self._grid.window(scan.key))
+                sums.add(scan.cells, ground, index, self._grid.window(scan.key), scan.grey)
             return sums
         names: dict[int, int] = {}
         with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
             for row, column, scan, ground in self._blocks_on_ground():
-                sums.add(scan.cells, ground, index, self._grid.window(scan.key))
+                sums.add(scan.cells, ground, index, self._grid.window(scan.key), scan.grey)
                 labels = self._labels(scan)
                 for number in np.unique(labels[labels != NOTHING]).tolist():
                     names.setdefault(number, len(names) + 1)
@@ -233,17 +233,17 @@ def filled(scan: BlockScan) -> np.ndarray:
 def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
     """A block with what was looked at once more."""
     labels_px, cells_px = len(first.labels) // UNITS, len(first.mixture) // UNITS
-    labels, mixture, clear = (
+    labels, mixture, clear, grey = (
         np.where(enlarged(second.dense, times), new, old)
         for times, new, old in (
             (labels_px, second.labels, first.labels), (cells_px, second.mixture, first.mixture),
-            (cells_px, second.clear, first.clear),
+            (cells_px, second.clear, first.clear), (cells_px, second.grey, first.grey),
         )
     )
     cells = first.cells
     replaced = second.dense[cells.row % CELLS // cells_px, cells.column % CELLS // cells_px]
     return replace(
-        first, labels=labels, mixture=mixture, clear=clear, dense=first.dense | second.dense,
+        first, labels=labels, mixture=mixture, clear=clear, grey=grey, dense=first.dense | second.dense,
         cells=CellTable.joined([cells.chosen(~replaced), second.cells]), notices=first.notices + second.notices,
     )
 

@@ -37,6 +37,8 @@ class JudgedPiece:
     verdict: Verdict
     reason: Message | None = None
     """Why there is no verdict."""
+    visibility: float | None = None
+    """The loss in just noticeable differences of contrast at 2x; None too where no source says what there was."""
     left_date: str | None = None
     """When the source on the left hand was taken, where the seams say so."""
     right_date: str | None = None
@@ -66,7 +68,7 @@ def judge_piece(
     if profile.high > MAX_INTERVAL_FACTOR * profile.low:
         why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
     width = profile.band_width_px * ground_sample_distance
-    return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why)
+    return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, found.visibility)
 
 
 def dated(one: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
