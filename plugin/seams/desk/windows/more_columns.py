@@ -89,7 +89,7 @@ CHOSEN_COLUMNS = (
         QT_TRANSLATE_NOOP(
             "@default",
             "How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable "
-            "differences, JND).",
+            "differences, JND)."
         ),
         partial(shown_number, decimals=1),
     ),
