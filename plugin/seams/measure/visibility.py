@@ -80,7 +80,7 @@ DESK = Viewing()
 
 
 def contrast_sensitivity(frequency: float) -> float:
-    """1 / the contrast that is just seen at so many cycles a degree (Mannos and Sakrison 1974, their equation 3)."""
+    """1 / the contrast that is just seen at so many cycles a degree (Mannos and Sakrison 1974)."""
     reach = 0.114 * frequency
     return PEAK_SENSITIVITY / _PEAK * 2.6 * (0.0192 + reach) * math.exp(-(reach**1.1))
 
