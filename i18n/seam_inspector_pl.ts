@@ -49,37 +49,32 @@
         <translation>Skontrolowane okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="115"/>
-        <source>The rectangles as measured, with their verdict and ratios: the largest over the sources.</source>
-        <translation>Prostokąty w zmierzonych granicach, z oceną i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
-    </message>
-    <message>
         <location filename="../plugin/desk_tabs.py" line="14"/>
         <source>Curves</source>
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="119"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="122"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="59"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="61"/>
         <source>Pairs</source>
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="123"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="126"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="133"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="136"/>
         <source>Windows with a significant loss</source>
         <translation>Okna z istotną stratą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="134"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="137"/>
         <source>Windows that can&apos;t be compared</source>
         <translation>Okna niedające się porównać</translation>
     </message>
@@ -499,7 +494,7 @@
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="42"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="47"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
@@ -2014,27 +2009,27 @@
         <translation>Plik GeoTIFF.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="37"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="39"/>
         <source>Calibrate the threshold</source>
         <translation>Kalibruj próg</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="40"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="42"/>
         <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
         <translation>Znajduje granicę istotnej straty, którą potwierdzają opinie obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) opinii wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0,5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 opiniach „widoczna” lub 5 „niewidoczna” nie ma liczby.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="63"/>
         <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
         <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny „contrast_1”: względem kompozycji, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="70"/>
         <source>The measure that the numbers are of: the one the windows are judged by. Not set: &apos;kept_1&apos; where the judged windows have it, else &apos;ratio_1&apos;. The table and the chart hold all of them.</source>
         <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: „kept_1”, jeśli ocenione okna ją mają, w przeciwnym razie „ratio_1”. Tabela i wykres zawierają wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="66"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>Measure</source>
         <translation>Miara</translation>
     </message>
@@ -2044,47 +2039,47 @@
         <translation>Kalibracja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="77"/>
         <source>For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
         <translation>Dla każdej miary podsumowanie z progiem do ustawienia, jego zakresem, polem i liczbą potrzebnych opinii, działanie progu standardowego oraz każdego innego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
         <source>ROC curves with their areas, and the judged windows of each measure.</source>
         <translation>Krzywe ROC z ich polami i ocenione okna każdej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="85"/>
         <source>Threshold of the measure</source>
         <translation>Próg miary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="84"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="86"/>
         <source>Area under the ROC curve</source>
         <translation>Pole pod krzywą ROC</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="85"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="87"/>
         <source>Area, lower end of its interval</source>
         <translation>Pole, dolny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="86"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="88"/>
         <source>Area, upper end of its interval</source>
         <translation>Pole, górny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="89"/>
         <source>Visible verdicts</source>
         <translation>Opinie „widoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="90"/>
         <source>Invisible verdicts</source>
         <translation>Opinie „niewidoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="91"/>
         <source>Verdicts wanted</source>
         <translation>Potrzebne opinie</translation>
     </message>
@@ -2852,11 +2847,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="166"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="170"/>
-        <source>{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the interval is the score interval.</source>
-        <translation>{measure} jest w każdym oknie z widoczną stratą niższy niż w jakimkolwiek innym, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="182"/>
@@ -3811,12 +3801,12 @@
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="86"/>
+        <location filename="../plugin/seams/report/variance_table.py" line="88"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="48"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="53"/>
         <source>hard-cut composite</source>
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
@@ -4177,7 +4167,7 @@
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="111"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="110"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
@@ -4187,27 +4177,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="134"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="133"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="153"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="152"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="154"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="153"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="155"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="154"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="181"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="180"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4984,17 +4974,17 @@
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="206"/>
+        <location filename="../plugin/seams/window_summary.py" line="215"/>
         <source>; the rest is as sharp as its sources.</source>
         <translation>; reszta jest tak ostra jak ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="207"/>
+        <location filename="../plugin/seams/window_summary.py" line="216"/>
         <source>; the whole window has {percent} % of the sharpness of its sources.</source>
         <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="218"/>
+        <location filename="../plugin/seams/window_summary.py" line="227"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -5009,12 +4999,12 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="167"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="166"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="168"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="167"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
@@ -5309,12 +5299,12 @@
         <translation>Według reguły z artykułu okno otrzymuje ocenę „istotna strata” (significant), gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="127"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="130"/>
         <source>Seam profiles</source>
         <translation>Profile linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="129"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="132"/>
         <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
@@ -5345,7 +5335,7 @@
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="132"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="131"/>
         <source>Main cause: {cause}.</source>
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
@@ -5435,7 +5425,7 @@
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="134"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
@@ -5445,7 +5435,7 @@
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
@@ -5900,17 +5890,12 @@
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="128"/>
-        <source>Each piece of seam with what it kept, the 95 % interval, the width of its band and the verdict.</source>
-        <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa i oceną.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
         <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
@@ -5920,12 +5905,12 @@
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="143"/>
         <source>Length with a significant loss (metres)</source>
         <translation>Długość z istotną stratą (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="144"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
@@ -6055,17 +6040,17 @@
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="132"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="131"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="142"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="141"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="144"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="143"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
@@ -6750,137 +6735,137 @@
         <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="42"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="43"/>
         <source>{metres} m</source>
         <translation>{metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="51"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="52"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="52"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="53"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="56"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="57"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="57"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="58"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="60"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="61"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="61"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="62"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="64"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="65"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="68"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="69"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="75"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="76"/>
         <source>kept from</source>
         <translation>zach. od</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="76"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="77"/>
         <source>Lower end of the 95 % interval of what is kept along the seam.</source>
         <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="79"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="80"/>
         <source>kept to</source>
         <translation>zach. do</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="80"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="81"/>
         <source>Upper end of the 95 % interval of what is kept along the seam.</source>
         <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="84"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="85"/>
         <source>Width of the band along the seam in which detail was lost.</source>
         <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="87"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="97"/>
         <source>sharpness</source>
         <translation>ostrość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="88"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="98"/>
         <source>Sharpness of the whole window against the composite of its sources.</source>
         <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="91"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="101"/>
         <source>added</source>
         <translation>dodane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="92"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="102"/>
         <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
         <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="95"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="105"/>
         <source>explained</source>
         <translation>wyjaśnione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="96"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="106"/>
         <source>Share of the pixels whose detail the given sources explain.</source>
         <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="99"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="109"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="100"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="110"/>
         <source>All that happened to the contrast, strongest first.</source>
         <translation>Wszystko, co stało się z kontrastem, od najsilniejszego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="103"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="113"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="104"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="114"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="107"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="117"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="108"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="118"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
@@ -7188,11 +7173,6 @@
         <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
         <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
         <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="53"/>
-        <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; is no verdict), and the measures &apos;kept_1&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
-        <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
     </message>
     <message>
         <source>90 % and more: even ground</source>
@@ -10299,7 +10279,7 @@
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="41"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="42"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
@@ -10352,7 +10332,7 @@
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="83"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="84"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
@@ -10934,7 +10914,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="177"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="176"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -10974,72 +10954,72 @@
         <translation>Część najdrobniejszych detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="40"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="45"/>
         <source>The mosaic&apos;s relative variance at level 1 divided by a source&apos;s; a window&apos;s is the largest over its sources.</source>
         <translation>Wariancja względna ortofotomapy na poziomie 1 podzielona przez wariancję ortoobrazu źródłowego; stosunek okna jest największym spośród jego źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="43"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="48"/>
         <source>The share of a clip&apos;s variance that lies in the details of each level, and in the background that is left (wavelet decomposition; Pyka 2010).</source>
         <translation>Część wariancji wycinka przypadająca na detale każdego poziomu i na pozostałe tło (dekompozycja falkowa; Pyka 2010).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="46"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="51"/>
         <source>level of detail</source>
         <translation>poziom detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="46"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="51"/>
         <source>Level 1 is the finest, of some 2 px; each further one is twice as coarse.</source>
         <translation>Poziom 1 jest najdrobniejszy, około 2 px; każdy następny jest dwa razy grubszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="36"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="41"/>
         <source>sharpness 1</source>
         <translation>ostrość 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="37"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="42"/>
         <source>The contrast of the finest detail in the whole window, 1 for that of its sources in the mosaic&apos;s tones.</source>
         <translation>Kontrast najdrobniejszych detali w całym oknie; 1 to kontrast jego ortoobrazów źródłowych w tonach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="49"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="54"/>
         <source>What the mosaic would be if its sources had been cut along the seam and nothing were mixed.</source>
         <translation>Czym byłaby ortofotomapa, gdyby jej źródła przycięto wzdłuż linii mozaikowania i niczego nie zmieszano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="53"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="58"/>
         <source>What would be left of the sources&apos; detail if the two were averaged.</source>
         <translation>Ile zostałoby z detali ortoobrazów źródłowych, gdyby dwa z nich uśredniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="56"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="61"/>
         <source>seam profile</source>
         <translation>profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="57"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="62"/>
         <source>The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 drops below the dashed line, the loss is significant.</source>
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="61"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="66"/>
         <source>lost detail</source>
         <translation>utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="62"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="67"/>
         <source>The colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
         <translation>Barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="65"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="70"/>
         <source>clips</source>
         <translation>wycinki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="66"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="71"/>
         <source>The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes a little of it from all of them.</source>
         <translation>Część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali, wszystkie z jednakowym rozciągnięciem. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
@@ -11125,72 +11105,72 @@
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="30"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="31"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="31"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="32"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="35"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="36"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="38"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="39"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="40"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="41"/>
         <source>failure</source>
         <translation>usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="42"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="43"/>
         <source>picture</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="45"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="46"/>
         <source>kept {level}</source>
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="47"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="48"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="48"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="49"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="49"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="50"/>
         <source>kept {level} in the window</source>
         <translation>zachowane {level} w oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="50"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="51"/>
         <source>kept {level} in the strip</source>
         <translation>zachowane {level} w pasie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="51"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="52"/>
         <source>contrast {level}</source>
         <translation>kontrast {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="52"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="53"/>
         <source>sharpness {level}</source>
         <translation>ostrość {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="53"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="54"/>
         <source>added detail {level}</source>
         <translation>dodane detale {level}</translation>
     </message>
@@ -11341,6 +11321,61 @@
         <location filename="../plugin/imagery/messages.py" line="35"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="55"/>
+        <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; is no verdict), and the measures &apos;kept_1&apos;, &apos;visibility&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
+        <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „visibility”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="116"/>
+        <source>The rectangles as measured, with their verdict, what is kept along the seam, how far an eye sees the loss at 2x (&apos;visibility&apos;, 1 is just seen), and ratios: the largest over the sources.</source>
+        <translation>Prostokąty w zmierzonych granicach, z oceną, z tym, co zachowano wzdłuż linii mozaikowania, z tym, na ile oko widzi stratę w powiększeniu 2× („visibility”, 1 to strata ledwie widoczna), i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="129"/>
+        <source>Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees the loss at 2x, and the verdict.</source>
+        <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="88"/>
+        <source>visibility</source>
+        <translation>widoczność</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="91"/>
+        <source>How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable differences, JND).</source>
+        <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="170"/>
+        <source>{measure} tells every window with a visible loss from any other, so resampling has no error to show; the interval is the score interval.</source>
+        <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="36"/>
+        <source>visibility at 2x (JND)</source>
+        <translation>widoczność w powiększeniu 2× (JND)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="37"/>
+        <source>How many times more of the detail along the seam was lost than an eye just sees side by side at 2x: just noticeable differences of contrast, by the sensitivity of the eye to the size and contrast of the detail.</source>
+        <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/variance_table.py" line="86"/>
+        <source>visibility at 2x (JND): {value:.1f}</source>
+        <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="206"/>
+        <source>, less than an eye just sees at 2x</source>
+        <translation>, mniej niż oko ledwie dostrzega w powiększeniu 2×</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="207"/>
+        <source>, {times} times what an eye just sees at 2x</source>
+        <translation>, {times} raza tyle, ile oko ledwie dostrzega w powiększeniu 2×</translation>
     </message>
 </context>
 </TS>

@@ -136,7 +136,7 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
             values["width"] = shown_number(row.band_width, 1)
         else:
             text = tr("Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)")
-        said.append(filled(text, **values) + _whole(row.sharpness))
+        said.append(filled(text, **values) + _to_an_eye(row.visibility) + _whole(row.sharpness))
     else:
         values = {"kept": percent(kept), "low": percent(low), "high": percent(high)}
         text = tr("Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)")
@@ -196,6 +196,15 @@ def by_the_paper(row: WindowRecord) -> list[str]:
 def _is_thin(composite: float, kept: float) -> bool:
     """Whether what a strip lost hardly shows in the whole window."""
     return abs(1 - composite) < _THIN * (1 - kept)
+
+
+def _to_an_eye(visibility: float | None) -> str:
+    """What a loss along the seam means to an eye, to go on with in its sentence."""
+    if visibility is None:
+        return ""
+    if visibility < 1:
+        return tr(", less than an eye just sees at 2x")
+    return filled(tr(", {times} times what an eye just sees at 2x"), times=shown_number(visibility, 1))
 
 
 def _whole(sharpness: float | None) -> str:

@@ -27,6 +27,7 @@ _TITLES = {
     "kept_low": QT_TRANSLATE_NOOP("@default", "kept 1, at least"),
     "kept_high": QT_TRANSLATE_NOOP("@default", "kept 1, at most"),
     "band_width": QT_TRANSLATE_NOOP("@default", "width of the band (m)"),
+    "visibility": QT_TRANSLATE_NOOP("@default", "visibility at 2x (JND)"),
     "unclear_share": QT_TRANSLATE_NOOP("@default", "share where no source wins clearly"),
     "explained": QT_TRANSLATE_NOOP("@default", "share that the sources explain"),
     "cause": QT_TRANSLATE_NOOP("@default", "cause"),

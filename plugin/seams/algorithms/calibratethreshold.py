@@ -24,8 +24,10 @@ MAX_RATIO, AUC, AUC_LOW, AUC_HIGH = "MAX_RATIO", "AUC", "AUC_LOW", "AUC_HIGH"
 VISIBLE_COUNT, INVISIBLE_COUNT, WANTED_COUNT = "VISIBLE_COUNT", "INVISIBLE_COUNT", "WANTED_COUNT"
 
 _KEPT, _COMPOSITE_RATIO, _CONTRAST, _RATIO = "kept_1", "composite_ratio_1", "contrast_1", "ratio_1"
-_MEASURES = (_KEPT, _COMPOSITE_RATIO, _CONTRAST, _RATIO)
+_VISIBILITY = "visibility"
+_MEASURES = (_KEPT, _VISIBILITY, _COMPOSITE_RATIO, _CONTRAST, _RATIO)
 _HIGHEST_RATIO = 1.0  # a ratio that is a limit stays below it
+_UNBOUNDED = (_CONTRAST, _VISIBILITY)
 
 _Values = list[tuple[WindowRecord, Optional[float]]]
 
@@ -52,7 +54,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             tr(
                 "Windows that were inspected and judged: the field 'observer' with the words 'visible' (a loss was "
                 "seen at 2x) and 'invisible' ('unsure' is no verdict), and the measures 'kept_1', "
-                "'composite_ratio_1', 'contrast_1' and 'ratio_1', as far as they are there."
+                "'visibility', 'composite_ratio_1', 'contrast_1' and 'ratio_1', as far as they are there."
             ),
         )
         self.addDescribed(
@@ -96,7 +98,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         run.check_chart()
         found = []
         for verdicts in self._verdicts(run):
-            most = float("inf") if verdicts.measure == _CONTRAST else _HIGHEST_RATIO
+            most = float("inf") if verdicts.measure in _UNBOUNDED else _HIGHEST_RATIO
             found.append(calibrate(verdicts, most))
             run.tell(*found[-1].notices)
         output, output_id = run.sink(OUTPUT, calibration_table.calibration_fields())
@@ -145,6 +147,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
 
         read = {
             _KEPT: lambda window: window.kept_1,
+            _VISIBILITY: lambda window: window.visibility,
             _COMPOSITE_RATIO: lambda window: window.composite_ratio,
             _CONTRAST: lambda window: window.contrast,
             _RATIO: lambda window: window.ratio,
@@ -183,6 +186,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             invisible=tuple(value for is_visible, value, _ in rows if not is_visible),
             visible_places=tuple(place for is_visible, _, place in rows if is_visible),
             invisible_places=tuple(place for is_visible, _, place in rows if not is_visible),
+            is_loss=measure == _VISIBILITY,
         )
 
 

@@ -112,7 +112,10 @@ class InspectWindows(SeamInspectorAlgorithm):
         self.addDescribed(*common.scheduler(), advanced=True)
         self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Inspected windows"), polygon),
-            tr("The rectangles as measured, with their verdict and ratios: the largest over the sources."),
+            tr(
+                "The rectangles as measured, with their verdict, what is kept along the seam, how far an eye sees the "
+                "loss at 2x ('visibility', 1 is just seen), and ratios: the largest over the sources."
+            ),
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSink(CURVES, tr("Curves"), table, optional=True, createByDefault=True),

@@ -125,7 +125,10 @@ class ScanMosaic(SeamInspectorAlgorithm):
             QgsProcessingParameterFeatureSink(
                 SEAMS, tr("Seams"), QgsProcessing.SourceType.TypeVectorLine, optional=True, createByDefault=True
             ),
-            tr("Each piece of seam with what it kept, the 95 % interval, the width of its band and the verdict."),
+            tr(
+                "Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees "
+                "the loss at 2x, and the verdict."
+            ),
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSink(CELLS, tr("Source cells"), polygon, optional=True, createByDefault=True),

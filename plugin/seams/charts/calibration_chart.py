@@ -17,7 +17,7 @@ _CURVES_SIDE, _WORDS_WIDTH, _MEASURE_HEIGHT = 4.2, 3.0, 1.45  # inches; together
 _WORDS_LETTERS = 40  # a line of words beside the curves
 _FARTHEST = 2.0  # measures above are drawn at the edge: no threshold lies there
 _SCATTER = 0.22  # rows: how far points that would hide each other are moved apart
-_WIDTHS = (5.2, 4.0, 2.6, 1.4)  # of the curves, so that one on top of another does not hide it
+_WIDTHS = (6.4, 5.2, 4.0, 2.6, 1.4)  # of the curves, so that one on top of another does not hide it
 
 
 def calibration_figure(found: Sequence[ThresholdCalibration]) -> Figure:

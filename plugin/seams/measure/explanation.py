@@ -28,6 +28,7 @@ from .profile.seam_profile import SeamProfile
 from .seam_cells import UNKNOWN
 from .tone import Tone, whole_squares
 from .verdicts import Ratios, curve_ratios
+from .visibility import window_visibility
 
 MIN_UNMIXED_SQUARES = 64  # of 2^R px that follow one source, for the tone to be taken from them alone
 MIN_TONE_SHARE = 0.03  # of the pixels: a source that is followed in fewer says nothing of tones
@@ -73,6 +74,8 @@ class Explanation:
     """Share of the pixels that follow each source, in their order."""
     apart: float | None
     """How far the two sources that the mosaic follows most lie from each other, px; None where there are none."""
+    visibility: float | None = None
+    """The loss beside the seam in just noticeable differences of contrast; None where no profile is."""
     loss: LossPicture | None = field(default=None, compare=False, repr=False)
     """Where detail was lost; None where that can't be told."""
 
@@ -142,6 +145,7 @@ def explain(
         mixed_share=following.mixed_share,
         shares=following.shares,
         apart=_apart(images, following),
+        visibility=None if unclear else window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster),
         loss=None if unclear else loss_picture(detail, cut.around.expected.labels, cut.inside),
     )
 

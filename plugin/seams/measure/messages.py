@@ -171,8 +171,8 @@ NO_BETTER_THAN_CHANCE = Message(
     "{high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.", WARNING
 )
 VERDICTS_FULLY_APART = Message(
-    "{measure} is lower in every window with a visible loss than in any other, so resampling has no error to show; the "
-    "interval is the score interval.", WARNING
+    "{measure} tells every window with a visible loss from any other, so resampling has no error to show; the interval "
+    "is the score interval.", WARNING
 )
 VERDICTS_IN_ONE_PLACE = Message(
     "{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do "

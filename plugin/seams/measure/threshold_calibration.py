@@ -1,15 +1,16 @@
 """Judging the judge: how well a measure tells the windows where an observer saw a loss from those where he saw none.
 
-A measure is low where detail was lost. At a threshold t every window with measure <= t is flagged; sensitivity is the
-share of the visible losses that are flagged, specificity the share of the invisible ones that are not. Both for all t
-are the ROC curve; the area under it is the probability that a visible loss has the lower value (Hanley and McNeil
-1982). Pyka 2010, section 6, asks for it: limits of loss need research on statistically significant samples.
+A measure is low where detail was lost. At a threshold t every window with measure <= t is flagged (of the visibility,
+which is high there, with measure >= t); sensitivity is the share of the visible losses that are flagged, specificity
+the share of the invisible ones that are not. Both for all t are the ROC curve; the area under it is the probability
+that a visible loss has the lower value (Hanley and McNeil 1982). Pyka 2010, section 6, asks for it: limits of loss
+need research on statistically significant samples.
 """
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -21,8 +22,11 @@ from .verdict_statistics.neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhood
 from .verdict_statistics.roc_area import MIN_VERDICTS, roc_area, wanted_verdicts
 from .verdict_statistics.smoothed_youden import smoothed_threshold
 
-STANDARD_LIMITS = {"kept_1": limits.MAX_SIGNIFICANT_KEPT, "ratio_1": imagery_limits.MAX_SIGNIFICANT_RATIO}
-"""What the plugin itself takes a measure to be too low at."""
+STANDARD_LIMITS = {
+    "kept_1": limits.MAX_SIGNIFICANT_KEPT, "ratio_1": imagery_limits.MAX_SIGNIFICANT_RATIO,
+    "visibility": limits.JUST_VISIBLE,
+}  # fmt: skip
+"""What the plugin itself takes a measure to tell a loss at."""
 
 _ROUNDING = 1 / 40  # of the threshold's range: a twentieth of what it is off by at most, so nothing is lost
 _FINEST_STEP = 1e-9  # a threshold that has to stay below a number stays that far below it
@@ -42,6 +46,8 @@ class Verdicts:
     """The neighbourhood of each visible verdict; without these every window stands for itself."""
     invisible_places: tuple[int, ...] = ()
     """The neighbourhood of each invisible verdict."""
+    is_loss: bool = False
+    """Whether the measure is high where detail was lost."""
 
     @property
     def neighbourhoods(self) -> Neighbourhoods:
@@ -56,7 +62,7 @@ class Step:
     """What a threshold does to the judged windows."""
 
     threshold: float
-    """Windows with the measure at or below it are flagged."""
+    """Windows with the measure at or below it, for one of loss at or above it, are flagged."""
     flagged_visible: int
     """How many of the visible losses it flags."""
     flagged_invisible: int
@@ -78,7 +84,8 @@ class ThresholdCalibration:
 
     verdicts: Verdicts
     steps: tuple[Step, ...] = ()
-    """One for each value that occurs, ascending: between two values nothing changes. Empty with too few verdicts."""
+    """One for each value that occurs, that which flags least first: between two values nothing changes. Empty with too
+    few verdicts."""
     area: Interval | None = None
     """Under the ROC curve; 0.5 is a guess, 1 is without fault. None with too few verdicts."""
     best: Step | None = None
@@ -99,6 +106,8 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
     ``most``: the threshold has to stay below it, as one that can be set does. With fewer than five visible or five
     invisible verdicts there is a notice and no number.
     """
+    if verdicts.is_loss:
+        return _mirrored(calibrate(_negative(verdicts)), verdicts)
     visible, invisible = (np.array(kind, np.float64) for kind in (verdicts.visible, verdicts.invisible))
     if min(len(visible), len(invisible)) < MIN_VERDICTS:
         too_few = messages.TOO_FEW_VERDICTS(
@@ -123,9 +132,25 @@ def calibrate(verdicts: Verdicts, most: float = math.inf) -> ThresholdCalibratio
 
 def step_at(verdicts: Verdicts, threshold: float) -> Step:
     """What a threshold does to judged windows, of which there is at least one of either kind."""
+    if verdicts.is_loss:
+        return replace(step_at(_negative(verdicts), -threshold), threshold=threshold)
     hits = sum(value <= threshold for value in verdicts.visible)
     vain = sum(value <= threshold for value in verdicts.invisible)
     return _step(threshold, hits, vain, len(verdicts.visible), len(verdicts.invisible))
+
+
+def _negative(verdicts: Verdicts) -> Verdicts:
+    """Of a measure of loss the same, low where detail was lost."""
+    visible, invisible = (tuple(-value for value in kind) for kind in (verdicts.visible, verdicts.invisible))
+    return replace(verdicts, visible=visible, invisible=invisible, is_loss=False)
+
+
+def _mirrored(found: ThresholdCalibration, verdicts: Verdicts) -> ThresholdCalibration:
+    """What was found of the negative of these verdicts, as theirs."""
+    steps = tuple(replace(step, threshold=-step.threshold) for step in found.steps)
+    best = found.best and replace(found.best, threshold=-found.best.threshold)
+    ends = found.best_range and (max(-found.best_range[1], 0.0), -found.best_range[0])
+    return replace(found, verdicts=verdicts, steps=steps, best=best, best_range=ends)
 
 
 def _steps(visible: np.ndarray, invisible: np.ndarray) -> Iterator[Step]:

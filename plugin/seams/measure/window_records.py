@@ -67,6 +67,8 @@ class WindowRecord(NumberedWindow):
     kept_high: float | None = None
     band_width: float | None = None
     """Full width of the band along the seam in which detail was lost, m."""
+    visibility: float | None = None
+    """The loss beside the seam in just noticeable differences of contrast at 2x."""
     contrast: float | None = None
     """contrast_1: absolute, against the composite."""
     sharpness: float | None = None

@@ -23,7 +23,6 @@ from .variance_table import anchor, paper_words, two_digits
 
 REPORT_CLIPS_BYTES = 16_000_000  # of all JPEG pictures together: with charts and base64 a report stays below 30 MB
 
-MAGNIFICATION = 2  # Pyka 2010: where loss is seen best
 CHART_MM = 84.6  # 320 px, as wide as a clip
 
 

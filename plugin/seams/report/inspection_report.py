@@ -33,7 +33,7 @@ from ..measure.inspection import Block
 from ..measure.profile.loss_picture import LossPicture
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
 from ..verdict_words import VERDICTS, verdict_colour, verdict_word
-from .flagged_windows import CHART_MM, MAGNIFICATION, WindowSection, WindowSections
+from .flagged_windows import CHART_MM, WindowSection, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
 from .profile_picture import HEIGHT, WIDTH
 from .reading_terms import reading_terms
@@ -118,7 +118,7 @@ def write_report(
                 window_rows(one, request.curves.get(one.window_id, ()), levels, linked) for one in request.records
             ),
             sections=shown(),
-            magnification=MAGNIFICATION,
+            magnification=limits.JUDGED_MAGNIFICATION,
             chart_mm=CHART_MM,
             profile_size=(WIDTH, HEIGHT),
             loss_legend=[(f"rgb{colour[:3]}", words) for words, colour in loss_legend()],

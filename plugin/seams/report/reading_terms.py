@@ -32,6 +32,11 @@ def reading_terms(
         "around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is "
         "what is left where two images that have nothing in common were averaged."
     )
+    if any(one.visibility is not None for one in records):
+        yield tr("visibility at 2x (JND)"), tr(
+            "How many times more of the detail along the seam was lost than an eye just sees side by side at 2x: just "
+            "noticeable differences of contrast, by the sensitivity of the eye to the size and contrast of the detail."
+        )
     if any(one.sharpness is not None for one in records):
         yield tr("sharpness 1"), tr(
             "The contrast of the finest detail in the whole window, 1 for that of its sources in the mosaic's tones."

@@ -82,6 +82,8 @@ def _found(record: WindowRecord) -> Iterator[str]:
     if causes and (causes != "none" or record.verdict in LOSSES):
         words = tr("cause: {cause}") if record.verdict in LOSSES else tr("found: {cause}")
         known.append(filled(words, cause=causes_words(causes)))
+    if record.verdict in LOSSES and record.visibility is not None:
+        known.append(filled(tr("visibility at 2x (JND): {value:.1f}"), value=record.visibility))
     if record.observer:
         known.append(filled(tr("observer: {word}"), word=observer_word(record.observer)))
     if known:

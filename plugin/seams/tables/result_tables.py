@@ -74,6 +74,7 @@ WINDOW_COLUMNS: tuple[Column[WindowResult], ...] = (
     Column("kept_low", "real", lambda result: result.profile and result.profile.low),
     Column("kept_high", "real", lambda result: result.profile and result.profile.high),
     Column("band_width", "real", lambda result: result.band_width_m),
+    Column("visibility", "real", lambda result: result.visibility),
     Column("contrast_1", "real", lambda result: result.explanation and result.explanation.contrast),
     Column("sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness),
     Column("added_1", "real", lambda result: result.explanation and result.explanation.added),

@@ -140,6 +140,16 @@ def results(brighton: Path, on_seams: list[PixelWindow]) -> tuple[list[WindowRes
     return hard, feathered
 
 
+def test_an_eye_just_sees_the_feathers_and_no_hard_cut(results: tuple[list[WindowResult], list[WindowResult]]) -> None:
+    """In just noticeable differences at 2x."""
+    hard, feathered = ([one.visibility for one in of if one.visibility is not None] for of in results)
+    assert len(hard) == len(feathered) >= 10
+    assert max(hard) < 0.1
+    assert min(feathered) > 0.7
+    assert np.median(feathered) == pytest.approx(1.15, abs=0.15)
+    assert max(feathered) < 1.7
+
+
 def test_feathering_takes_detail_away(results: tuple[list[WindowResult], list[WindowResult]]) -> None:
     ratios, variances = [], []
     for cut, blended in zip(*results):

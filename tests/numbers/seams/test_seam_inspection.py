@@ -42,6 +42,7 @@ def test_a_seam_is_judged_by_what_it_kept(
     assert result.profile.kept[0] == pytest.approx(expected, abs=0.06)
     assert result.profile.low < expected < result.profile.high
     assert result.band_width_m == pytest.approx(0.1 * 0.894 * width, abs=0.5)
+    assert (result.visibility > 1) == (verdict is Verdict.SIGNIFICANT)
 
 
 def test_the_papers_rule_and_the_seam_can_differ(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:

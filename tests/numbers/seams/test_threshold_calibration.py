@@ -52,6 +52,24 @@ def test_the_threshold_is_told_with_what_it_does_to_the_judged_windows(
     assert found.steps == tuple(step_at(verdicts, value) for value in sorted({*visible, *invisible}))
 
 
+@given(VALUES, VALUES)
+def test_a_measure_of_loss_is_calibrated_as_what_is_left_is(visible: list[float], invisible: list[float]) -> None:
+    """Visibility is high where kept is low: the same curve, and thresholds that flag what lies at or above them."""
+    left = calibrate(Verdicts("kept_1", tuple(3 - value for value in visible), tuple(3 - value for value in invisible)))
+    verdicts = Verdicts("visibility", tuple(visible), tuple(invisible), is_loss=True)
+    found = calibrate(verdicts)
+    assert found.verdicts == verdicts
+    assert found.area == left.area
+    assert found.steps == tuple(step_at(verdicts, value) for value in sorted({*visible, *invisible}, reverse=True))
+    for step in found.steps:
+        assert step.flagged_visible == sum(value >= step.threshold for value in visible)
+        assert step.flagged_invisible == sum(value >= step.threshold for value in invisible)
+    assert (found.best is None) == (left.best is None)
+    if found.best and found.best_range:
+        assert found.best == step_at(verdicts, found.best.threshold)
+        assert found.best_range[0] <= found.best.threshold <= found.best_range[1]
+
+
 def test_where_the_smoothed_threshold_cant_be_set_the_best_step_that_can_is_given() -> None:
     visible, invisible = (0.2, 0.4, 0.9, 1.2, 1.4), (0.6, 1.3, 1.6, 1.8, 2.0)
     verdicts = Verdicts("ratio_1", visible, invisible)

@@ -136,6 +136,25 @@ def test_the_numbers_are_of_what_the_seam_kept_where_that_is_known() -> None:
     assert outcome.results["MAX_RATIO"] == summary(outcome, "kept_1")["threshold"]
 
 
+def test_what_an_eye_sees_of_a_loss_is_a_measure_too(tmp_path: Path) -> None:
+    """It is high where a loss was seen, so windows at or above its threshold are flagged."""
+    seen = [2.5 - 2 * value for value in KEPT]
+    chart = tmp_path / "roc.svg"
+    outcome = run(
+        "calibratethreshold", WINDOWS=judged(kept_1=("double", KEPT), visibility=("double", seen)),
+        MEASURE="visibility", CHART=str(chart),
+    )  # fmt: skip
+    assert outcome.complaint is None
+    assert outcome.results["AUC"] == pytest.approx(summary(outcome, "kept_1")["auc"])
+    threshold = outcome.results["MAX_RATIO"]
+    assert threshold == pytest.approx(2.5 - 2 * summary(outcome, "kept_1")["threshold"], abs=0.1)
+    row = summary(outcome, "visibility")
+    assert row["flagged_visible"] == sum(value >= threshold for value in seen[: len(VISIBLE)])
+    (standard,) = (row for row in outcome.rows() if (row["measure"], row["row"]) == ("visibility", "standard"))
+    assert standard["threshold"] == 1
+    assert "visibility" in chart.read_text(encoding="utf-8")
+
+
 def test_where_no_seam_was_measured_the_numbers_are_of_the_ratio() -> None:
     nothing = ("double", [None] * len(KEPT))
     outcome = run("calibratethreshold", WINDOWS=judged(kept_1=nothing))

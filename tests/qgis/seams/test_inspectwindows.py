@@ -98,6 +98,7 @@ def test_fields(scene: Scene, levels: int) -> None:
         ("kept_low", REAL),
         ("kept_high", REAL),
         ("band_width", REAL),
+        ("visibility", REAL),
         ("contrast_1", REAL),
         ("sharpness_1", REAL),
         ("added_1", REAL),

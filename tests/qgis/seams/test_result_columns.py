@@ -67,6 +67,7 @@ def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
         kept_low=0.51,
         kept_high=0.62,
         band_width=2.0,
+        visibility=1.4,
         contrast=0.43,
         sharpness=0.69,
         added=0.04,
@@ -81,7 +82,7 @@ def test_a_window_that_cant_be_compared_has_nothing_but_its_verdict(project: obj
     record = record_of(WindowResult(3, None, unknown, Verdict.NOT_COMPARABLE))
     assert (record.ratios, record.expected_ratios, record.cause) == ((None,) * 3, (None,) * 3, "")
     assert (record.ratio, record.is_compared, record.causes, record.explained) == (None, False, "", None)
-    assert (record.kept, record.kept_1, record.band_width) == ((None,) * 3, None, None)
+    assert (record.kept, record.kept_1, record.band_width, record.visibility) == ((None,) * 3, None, None, None)
 
 
 def test_the_profile_has_a_row_for_each_level_and_distance(project: object) -> None:

@@ -75,7 +75,8 @@ def test_fields_and_numbers(scanned: Run) -> None:
     assert scanned.log.warnings == scanned.log.errors == []
     assert scanned.layer("SEAMS").fields().names() == [
         "seam_id", "station", "left_source", "right_source", "left_date", "right_date", "length", "kept_1",
-        "kept_2", "kept_3", "kept_low", "kept_high", "band_width", "verdict", "reason",
+        "kept_2", "kept_3", "kept_low", "kept_high", "band_width", "visibility", "verdict",
+        "reason",
     ]
     assert scanned.layer("CELLS").fields().names() == ["source"]
     assert scanned.layer("WORST").fields().names() == ["window_id", "seam_id", "station"]
@@ -91,6 +92,7 @@ def test_fields_and_numbers(scanned: Run) -> None:
         assert one["kept_low"] < one["kept_1"] < one["kept_high"] < 1
         assert one["kept_1"] == pytest.approx(0.65, abs=0.08)
         assert one["band_width"] == pytest.approx(0.1 * FEATHER_PX, rel=0.5)
+        assert 0.7 < one["visibility"] < 2
 
 
 def test_seams_lie_where_the_images_meet(scanned: Run) -> None:

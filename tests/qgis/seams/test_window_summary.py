@@ -69,7 +69,7 @@ def result(
         causes=(Cause(cause),), evidence=evidence, profile=PROFILE, has_seam=True, explained=0.83,
         contrast=0.43, sharpness=sharpness, added=0.04, curves={"luminance": curve}, ratios={"luminance": ratios},
         similarity={"luminance": 1.0}, changes=({"luminance": change},) * 2, expected=(0.41, 0.6, 0.9),
-        unclear_share=0.02, mixed_share=0.1, shares=(1.0,), apart=apart,
+        unclear_share=0.02, mixed_share=0.1, shares=(1.0,), apart=apart, visibility=1.4,
     )  # fmt: skip
     return WindowResult(
         1, None, Judgement(Verdict.SIGNIFICANT, ratios), Verdict.REDUCED, explanation=found,
@@ -157,6 +157,16 @@ def test_numbers_that_say_nothing_are_left_out(qgis_app: QgsApplication) -> None
             "the rest is as sharp as its sources. Images are feathered."),
         ),
         (
+            {"visibility": 1.42},
+            ("Significant loss. In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %), 1.4 "
+            "times what an eye just sees at 2x; the rest is as sharp as its sources. Images are feathered."),
+        ),
+        (
+            {"verdict": "reduced", "kept": (0.85,), "kept_low": 0.8, "kept_high": 0.88, "visibility": 0.97},
+            ("Reduced. In a strip of 2.0 m along the seam 15 % of the finest detail is lost (12 to 20 %), less than an "
+            "eye just sees at 2x; the rest is as sharp as its sources. Images are feathered."),
+        ),
+        (
             {"band_width": 0.0},
             ("Significant loss. Beside the seam 44 % of the finest detail is lost (38 to 49 %); the rest is as "
             "sharp as its sources. Images are feathered."),
@@ -168,7 +178,7 @@ def test_numbers_that_say_nothing_are_left_out(qgis_app: QgsApplication) -> None
         ),
         (
             {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 1.07, "band_width": 0.0,
-             "cause": "none", "causes": "none"},
+             "cause": "none", "causes": "none", "visibility": 0.1},
             ("Preserved. Along the seam as much of the finest detail is left as around it (98 %, 90 to 107 %); the "
             "rest is as sharp as its sources."),
         ),

@@ -5,7 +5,9 @@ import math
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-BEST_ZOOM = 2.0  # Pyka 2010: detail is best judged at two-fold magnification
+from ...measure.limits import JUDGED_MAGNIFICATION
+
+BEST_ZOOM = JUDGED_MAGNIFICATION
 ZOOMS = (1.0, 2.0, 4.0, 8.0)
 
 Point = tuple[float, float]

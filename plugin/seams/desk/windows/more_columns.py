@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from functools import partial
 from operator import attrgetter
 from typing import TYPE_CHECKING
 
@@ -82,6 +83,15 @@ CHOSEN_COLUMNS = (
     _number(
         "band_width", QT_TRANSLATE_NOOP("@default", "band width"),
         QT_TRANSLATE_NOOP("@default", "Width of the band along the seam in which detail was lost."), _metres,
+    ),
+    _number(
+        "visibility", QT_TRANSLATE_NOOP("@default", "visibility"),
+        QT_TRANSLATE_NOOP(
+            "@default",
+            "How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable "
+            "differences, JND)."
+        ),
+        partial(shown_number, decimals=1),
     ),
     _number(
         "sharpness", QT_TRANSLATE_NOOP("@default", "sharpness"),

@@ -63,7 +63,7 @@ class _Scale:
 
     def back(self, threshold: float) -> float:
         """Of a threshold on this scale the measure's own."""
-        return math.exp(threshold + self._mean) if self._is_log else threshold
+        return math.exp(threshold + self._mean) if self._is_log else float(threshold)
 
     def best(self, visible: np.ndarray, invisible: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The best thresholds of weighted verdicts (resamples, verdicts), and the powers they were found at."""

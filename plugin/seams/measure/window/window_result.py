@@ -112,6 +112,11 @@ class WindowResult:
         return self.profile.band_width_px * self.ground_sample_distance if self.profile else None
 
     @property
+    def visibility(self) -> float | None:
+        """The loss beside the seam in just noticeable differences of contrast at the desk's magnification."""
+        return self.explanation.visibility if self.explanation else None
+
+    @property
     def causes(self) -> tuple[Cause, ...]:
         """All that were found, strongest first."""
         return self.explanation.causes if self.explanation else ()

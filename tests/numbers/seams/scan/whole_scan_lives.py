@@ -54,7 +54,8 @@ def scanned(
 def told(result: ScanResult) -> list[object]:
     """All that becomes a layer, in plain values."""
     pieces = [
-        (one.piece.vertices.tolist(), one.left, one.right, one.kept, one.low, one.high, one.band_width_m, one.verdict)
+        (one.piece.vertices.tolist(), one.left, one.right, one.kept, one.low, one.high, one.band_width_m,
+         one.visibility, one.verdict)
         for one in result.pieces
     ]
     return [pieces, [(one.source, one.wkb) for one in result.polygons], list(result.worst)]

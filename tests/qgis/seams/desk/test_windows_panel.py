@@ -369,7 +369,7 @@ def test_context_menu(panel: WindowsPanel, session: WindowsSession) -> None:
 @pytest.mark.parametrize(
     ("text", "fids"),
     [
-        ("kept < 0.7", [2]), ("kept<0.95 and cause = 'feathering'", [2]), ("kept_1 > 1", [10]),
+        ("kept < 0.7", [2]), ("visibility > 1", [2]), ("kept<0.95 and cause = 'feathering'", [2]), ("kept_1 > 1", [10]),
         ("ratio_2 >= 0.7", [1, 10, 12]), ("observer = visible", [2]), ("verdict = 'significant' or id = 1", [1, 2, 12]),
         ("Sources > 2", [1, 10]), ("cause is null", [1, 3, 4, 12]), ("observer <> invisible", [2]),
         ("reason like '%west%'", [4]), ("ratio / composite_ratio < 0.7", [2]),
@@ -433,8 +433,9 @@ def test_columns_are_chosen_moved_and_kept(
 ) -> None:
     before = titles(panel)
     choose_column(panel, "band width")
+    choose_column(panel, "visibility")
     choose_column(panel, "verdict")
-    assert titles(panel) == [*(title for title in before if title != "verdict"), "band width"]
+    assert titles(panel) == [*(title for title in before if title != "verdict"), "band width", "visibility"]
     header = panel.table.horizontalHeader()
     header.moveSection(header.visualIndex(KEPT), 0)
     other = WindowsPanel(session)

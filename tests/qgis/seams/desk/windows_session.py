@@ -96,6 +96,7 @@ def window(
     cause: str = "",
     kept: tuple[float | None, ...] = (),
     paper_verdict: str = "",
+    visibility: float | None = None,
 ) -> WindowRecord:
     """A window whose number is its feature id."""
     return WindowRecord(
@@ -103,7 +104,7 @@ def window(
         composite_ratios=(composite_ratio,), cause=cause, kept=kept, fid=fid,
         reference="seam" if kept else "", kept_low=kept[0] - 0.05 if kept and kept[0] is not None else None,
         kept_high=kept[0] + 0.05 if kept and kept[0] is not None else None,
-        stale=stale, paper_verdict=paper_verdict,
+        stale=stale, paper_verdict=paper_verdict, visibility=visibility,
     )  # fmt: skip
 
 
@@ -111,7 +112,7 @@ ROWS = [
     window(1, "reduced", (0.83, 0.95, 0.99), sources=3, kept=(0.9, 0.95, 1.0)),
     window(
         2, "significant", (0.381234, 0.52, 0.88), "visible", sources=2, composite_ratio=0.6, cause="feathering",
-        kept=(0.557, 0.8, 0.97), paper_verdict="reduced",
+        kept=(0.557, 0.8, 0.97), paper_verdict="reduced", visibility=1.24,
     ),
     window(3),
     window(4, "not_comparable", reason="No source covers <window> in west_12.tif.", sources=0),

@@ -7,7 +7,7 @@ from .....imagery.records.array_records import packed, unpacked
 from ...profile.cell_table import CellTable, MixtureTable
 from .scan_block import BlockScan
 
-_OWN = ("squares", "dense", "outside", "labels", "mixture", "clear")
+_OWN = ("squares", "dense", "outside", "labels", "mixture", "clear", "grey")
 _TABLES = {"cells": CellTable.names(), "beside": MixtureTable.names()}
 
 

@@ -42,6 +42,8 @@ class DensePart:
     """(rows, columns) float32 by cells of 16 px: share of the pixels that are a mixture of two sources."""
     clear: np.ndarray
     """(rows, columns) float32 by cells of 16 px: share of the pixels in which one source is followed for sure."""
+    grey: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: mean of the mosaic."""
     cells: CellTable
     beside: MixtureTable
     """What is mixed of what along its seams."""
@@ -97,16 +99,17 @@ def measure_part(
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
-    mixed, clear = (
+    mixed, clear, grey = (
         one[own].reshape(window.height // CELL_PX, CELL_PX, window.width // CELL_PX, CELL_PX)
         .mean(axis=(1, 3), dtype=np.float32)
-        for one in (following.mixed, following.clear)
+        for one in (following.mixed, following.clear, image.plane)
     )
     return DensePart(
         window,
         labels[own][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
         mixed,
         clear,
+        grey,
         cells.within(place).moved(*first),
         beside.within(place).moved(*first),
         float((labels[own][known[own]] == UNKNOWN).mean()),
@@ -146,11 +149,13 @@ def _of_planes(filters: Filters, numbers: Sequence[int]) -> Filters:
 
 
 def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
+    nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
     return DensePart(
         window,
         np.full((window.height // LABEL_PX, window.width // LABEL_PX), UNKNOWN, np.uint8),
-        np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32),
-        np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32),
+        nothing,
+        nothing,
+        nothing,
         CellTable.empty(levels),
         MixtureTable.empty(levels),
         unexplained,

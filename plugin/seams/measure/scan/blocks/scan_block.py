@@ -65,6 +65,8 @@ class BlockScan:
     """(CELLS, CELLS) float32: share of the pixels that are a mixture of two sources; NaN where not measured."""
     clear: np.ndarray
     """(CELLS, CELLS) float32: share of the pixels that follow one source for sure; NaN where not measured densely."""
+    grey: np.ndarray
+    """(CELLS, CELLS) float32: mean of the mosaic; NaN where not measured densely."""
     cells: CellTable
     beside: MixtureTable
     """What is mixed of what along its seams."""
@@ -202,6 +204,7 @@ class _Block:
         self._labels = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
         self._mixture = np.full((CELLS, CELLS), np.nan, np.float32)
         self._clear = np.full((CELLS, CELLS), np.nan, np.float32)
+        self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
         self._outside = np.zeros((UNITS, UNITS), bool)
         self._tables: list[CellTable] = []
         self._mixtures: list[MixtureTable] = []
@@ -240,7 +243,7 @@ class _Block:
 
         for target, values, step in (
             (self._labels, part.labels, LABEL_PX), (self._mixture, part.mixture, CELL_PX),
-            (self._clear, part.clear, CELL_PX),
+            (self._clear, part.clear, CELL_PX), (self._grey, part.grey, CELL_PX),
         ):
             own = place(step, len(target))
             target[own] = values[: own[0].stop - own[0].start, : own[1].stop - own[1].start]
@@ -276,5 +279,5 @@ class _Block:
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
             request.key, tuple(one.ref.path for one in request.sources), self._squares, self._dense, self._labels,
-            self._mixture, self._clear, table, beside, self._outside, notices,
+            self._mixture, self._clear, self._grey, table, beside, self._outside, notices,
         )

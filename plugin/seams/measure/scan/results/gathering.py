@@ -103,8 +103,8 @@ class Gathering:
             return None
         judged = tuple(
             judge_piece(piece, (self._name(piece.left), self._name(piece.right)), found,
-                        request.mosaic.ground_sample_distance)
-            for piece, found in zip(pieces, sums.profiles())
+                        request.mosaic.ground_sample_distance, seen)
+            for piece, found, seen in zip(pieces, sums.profiles(), sums.visibilities(request.mosaic))
         )
         polygons = given_polygons(request) or tuple(polygons_of(borders))
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
@@ -152,12 +152,12 @@ class Gathering:
         sums = PieceSums(pieces, mosaic.grid, settings.levels)
         if not loss_path:
             for _, _, scan, ground in self._blocks_on_ground():
-                sums.add(scan.cells, self._mixture(scan), ground, self._grid.window(scan.key))
+                sums.add(scan.cells, self._mixture(scan), ground, self._grid.window(scan.key), scan.grey)
             return sums
         names: dict[int, int] = {}
         with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
             for row, column, scan, ground in self._blocks_on_ground():
-                sums.add(scan.cells, self._mixture(scan), ground, self._grid.window(scan.key))
+                sums.add(scan.cells, self._mixture(scan), ground, self._grid.window(scan.key), scan.grey)
                 labels = self._labels(scan)
                 for number in np.unique(labels[labels != NOTHING]).tolist():
                     names.setdefault(number, len(names) + 1)
@@ -237,11 +237,11 @@ def filled(scan: BlockScan) -> np.ndarray:
 def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
     """A block with what was looked at once more."""
     labels_px, cells_px = len(first.labels) // UNITS, len(first.mixture) // UNITS
-    labels, mixture, clear = (
+    labels, mixture, clear, grey = (
         np.where(enlarged(second.dense, times), new, old)
         for times, new, old in (
             (labels_px, second.labels, first.labels), (cells_px, second.mixture, first.mixture),
-            (cells_px, second.clear, first.clear),
+            (cells_px, second.clear, first.clear), (cells_px, second.grey, first.grey),
         )
     )
     cells, beside = first.cells, first.beside
@@ -249,7 +249,7 @@ def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
         second.dense[one.row % CELLS // cells_px, one.column % CELLS // cells_px] for one in (cells, beside)
     )
     return replace(
-        first, labels=labels, mixture=mixture, clear=clear, dense=first.dense | second.dense,
+        first, labels=labels, mixture=mixture, clear=clear, grey=grey, dense=first.dense | second.dense,
         cells=CellTable.joined([cells.chosen(~replaced), second.cells]),
         beside=MixtureTable.joined([beside.chosen(~was_beside), second.beside]),
         notices=first.notices + second.notices,

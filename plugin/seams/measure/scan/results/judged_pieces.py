@@ -37,6 +37,8 @@ class JudgedPiece:
     verdict: Verdict
     reason: Message | None = None
     """Why there is no verdict."""
+    visibility: float | None = None
+    """The loss in just noticeable differences of contrast at 2x; None too where no source says what there was."""
     left_date: str | None = None
     """When the source on the left hand was taken, where the seams say so."""
     right_date: str | None = None
@@ -49,9 +51,10 @@ class JudgedPiece:
 
 
 def judge_piece(
-    piece: SeamPiece, sides: tuple[str | None, str | None], found: StripProfile, ground_sample_distance: float
+    piece: SeamPiece, sides: tuple[str | None, str | None], found: StripProfile, ground_sample_distance: float,
+    visibility: float | None = None,
 ) -> JudgedPiece:
-    """The verdict on one piece by its profile."""
+    """The verdict on one piece by its profile, and how visible its loss is, JND."""
     if found.profile is None:
         needed = MIN_STRIP_PX / (2 * STRIP_PX) * ground_sample_distance
         short = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed) if piece.length_m < needed else None
@@ -63,10 +66,10 @@ def judge_piece(
             piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, messages.PIECE_NOT_EXPLAINED()
         )
     verdict, why = judge_by_seam(profile, True, 1.0, MAX_SIGNIFICANT_KEPT)
-    if profile.high > MAX_INTERVAL_FACTOR * profile.low:
+    if verdict is Verdict.NOT_COMPARABLE and profile.high > MAX_INTERVAL_FACTOR * profile.low:
         why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
     width = profile.band_width_px * ground_sample_distance
-    return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why)
+    return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, visibility)
 
 
 def dated(one: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:

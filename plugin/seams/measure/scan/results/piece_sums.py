@@ -7,10 +7,14 @@ from dataclasses import replace
 import numpy as np
 
 from .....imagery.grids import Grid, PixelWindow
+from .....imagery.rasters import Raster
 from ...profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, whole_cells
 from ...profile.ground import FAR_PX, LevelGround
+from ...profile.seam_profile import strip_bins
 from ...profile.seam_sums import SeamSums, StripProfile
+from ...visibility import visibility, white_grey
 from ..blocks.block_grid import BLOCK_PX
+from ..blocks.scan_block import CELLS
 from ..lines.piece_index import PieceIndex
 from ..lines.seam_pieces import SeamPiece
 
@@ -37,12 +41,15 @@ class PieceSums:
         self._place[order] = np.arange(len(pieces)) - firsts
         self._open: dict[int, SeamSums] = {}  # by the last row of their pieces
         self._found: list[StripProfile] = [NOTHING] * len(pieces)
+        self._grey = np.zeros((2, len(pieces)))  # of the strip's cells: mean of the mosaic times area, and area
+        self._brightest = 0.0  # of cells
 
     def add(
-        self, table: CellTable, mixture: MixtureTable, ground: Sequence[LevelGround | None], window: PixelWindow
+        self, table: CellTable, mixture: MixtureTable, ground: Sequence[LevelGround | None], window: PixelWindow,
+        grey: np.ndarray | None = None,
     ) -> None:
         """The cells of one block; rows of blocks come one after the other. ``mixture`` has numbers of sources that
-        mean the same in all blocks."""
+        mean the same in all blocks. ``grey``: means of the mosaic as ``BlockScan`` has them, None where not known."""
         self._finish(window.row // BLOCK_PX)
         index = self._index.near(window, REACH_PX)
         whole = whole_cells(table)
@@ -58,6 +65,8 @@ class PieceSums:
         piece_of[beside] = np.where(is_its_own, number, -1)
         near = table.bin < MIXED_BINS
         table, whole = table.chosen(near), replace(whole, of_row=whole.of_row[near])
+        if grey is not None:
+            self._add_grey(table, grey, piece_of[whole.of_row])
         last = np.where(piece_of >= 0, self._last_row[piece_of], -1)
         for row in np.unique(last[last >= 0]).tolist():
             if row not in self._open:
@@ -69,6 +78,22 @@ class PieceSums:
         """Of every piece, in their order."""
         self._finish(max(self._open, default=0) + 1)
         return self._found
+
+    def visibilities(self, mosaic: Raster) -> list[float | None]:
+        """Of every piece, in just noticeable differences at 2x; ``mosaic``: what its grey values mean on a screen."""
+        grey, area = self._grey
+        means = np.divide(grey, area, out=np.full(len(area), np.nan), where=area > 0)
+        white = white_grey(mosaic, self._brightest)
+        return [
+            one.profile and visibility(one.profile.kept, one.profile.energy, mean, white)
+            for one, mean in zip(self.profiles(), means.tolist())
+        ]
+
+    def _add_grey(self, table: CellTable, grey: np.ndarray, piece: np.ndarray) -> None:
+        strip = (table.bin < strip_bins(0).stop) & (piece >= 0)
+        values, area = grey[table.row[strip] % CELLS, table.column[strip] % CELLS], table.area[0, strip]
+        self._grey += [np.bincount(piece[strip], one, len(self._found)) for one in (area * values, area)]
+        self._brightest = float(np.fmax.reduce(values, initial=self._brightest))
 
     def _finish(self, row: int) -> None:
         """The pieces that lie above a row of blocks."""

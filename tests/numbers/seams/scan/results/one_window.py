@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
+from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX, DetailCells
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, LABELS, SQUARES, UNITS
 from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import CellTable
@@ -39,11 +40,13 @@ def pieces_of(made: Blend, count: int = 1, grid: Grid = GRID) -> list[SeamPiece]
     return found
 
 
-def profiles_of(table: CellTable, pieces: list[SeamPiece]) -> list[PieceProfile]:
+def profiles_of(
+    table: CellTable, pieces: list[SeamPiece], grey: np.ndarray | None = None, mosaic: Raster | None = None
+) -> list[PieceProfile]:
     """By the window's own ground."""
     sums = PieceSums(len(pieces), LEVELS)
-    sums.add(table, grounds(table, table), PieceIndex(pieces, GRID), WINDOW)
-    return sums.profiles()
+    sums.add(table, grounds(table, table), PieceIndex(pieces, GRID), WINDOW, grey)
+    return sums.profiles(mosaic)
 
 
 def scan_of_window(cells: DetailCells, labels: np.ndarray) -> BlockScan:
@@ -56,5 +59,5 @@ def scan_of_window(cells: DetailCells, labels: np.ndarray) -> BlockScan:
     mixture[:count, :count] = np.linspace(0, 1, count**2).reshape(count, count)
     return BlockScan(
         (0, 0), ("a", "b"), np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool), full,
-        mixture, mixture.copy(), table_of(cells), np.zeros((UNITS, UNITS), bool),
+        mixture, mixture.copy(), mixture.copy(), table_of(cells), np.zeros((UNITS, UNITS), bool),
     )

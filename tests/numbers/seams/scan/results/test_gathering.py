@@ -72,6 +72,7 @@ def test_a_hard_cut_has_no_failed_metre(tmp_path: Path, density: str) -> None:
     assert result.worst_kept == pytest.approx(1, abs=0.06)
     assert all(piece.low < 1 < piece.high for piece in result.pieces)
     assert all(piece.band_width_m == 0 for piece in result.pieces)
+    assert all(0 <= piece.visibility < 0.5 for piece in result.pieces)
     assert distance_px(result, one, SEAM) < 2
 
 
@@ -86,6 +87,7 @@ def test_a_feathered_mosaic_fails_along_its_seam(tmp_path: Path, density: str) -
     assert distance_px(result, one, SEAM) < 3
     widths = [piece.band_width_m for piece in result.pieces]
     assert np.median(widths) == pytest.approx(0.6 * FEATHER_PX * GSD, rel=0.4)
+    assert all(0.7 < piece.visibility < 2 for piece in result.pieces)
     loss = picture(tmp_path)[0]
     low = np.unique(np.argwhere((loss < 0.85) & (loss != NO_LOSS))[:, 1])
     assert set(low) <= {(SEAM - FEATHER_PX) // 32, SEAM // 32, (SEAM + FEATHER_PX) // 32}
@@ -238,7 +240,7 @@ def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
     nothing = BlockScan(
         (0, 0), ("a", "b"), np.full((16, 16), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool),
         np.full((LABELS, LABELS), UNKNOWN, np.uint8) if labels is None else labels,
-        np.full((128, 128), np.nan, np.float32), np.full((128, 128), np.nan, np.float32), CellTable.empty(3),
+        *(np.full((128, 128), np.nan, np.float32) for _ in range(3)), CellTable.empty(3),
         np.zeros((UNITS, UNITS), bool),
     )
     return replace(nothing, **arrays)

@@ -5,12 +5,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX, EDGES_PX
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, seam_profile
 from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import CellTable
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.results.block_ground import grounds, whole_cells
 from seam_inspector.plugin.seams.measure.scan.results.piece_sums import PieceSums
+from seam_inspector.plugin.seams.measure.visibility import window_visibility
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend
 from tests.numbers.seams.scan.results.one_window import GRID, WINDOW, pieces_of, profiles_of, table_of
@@ -114,6 +117,33 @@ def test_blocks_add_up_in_any_order() -> None:
             assert other.profile.kept == pytest.approx(one.profile.kept, rel=1e-6)
             assert other.profile.low == pytest.approx(one.profile.low, rel=1e-3)
             assert other.profile.high == pytest.approx(one.profile.high, rel=1e-3)
+
+
+# --- what an eye sees of it -------------------------------------------------------------------------------------
+
+MOSAIC = Raster(RasterRef("mosaic.tif"), SIDE, SIDE, None, "", ("band_1",), "uint8")
+
+
+@pytest.mark.parametrize("width", [0, 33, 66])
+def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
+    made = blend(width)
+    cells, count = made.cells(), SIDE // CELL_PX
+    grey = np.full((CELLS, CELLS), np.nan, np.float32)
+    grey[:count, :count] = made.made.reshape(count, CELL_PX, count, CELL_PX).mean(axis=(1, 3))
+    expected = window_visibility(seam_profile(cells), cells, made.made, MOSAIC)
+    (found,) = profiles_of(table_of(cells), pieces_of(made), grey, MOSAIC)
+    assert found.visibility == pytest.approx(expected, rel=0.03, abs=0.03)
+    assert (found.visibility > 1) == (width > 0)
+
+
+def test_a_piece_on_ground_of_unknown_brightness_is_not_said_to_be_seen() -> None:
+    made = blend(66)
+    table, pieces = table_of(made.cells()), pieces_of(made)
+    grey = np.full((CELLS, CELLS), 120, np.float32)
+    for known in ({}, {"grey": grey}, {"mosaic": MOSAIC}):
+        (found,) = profiles_of(table, pieces, **known)
+        assert found.profile is not None
+        assert found.visibility is None
 
 
 # --- too little -------------------------------------------------------------------------------------------------

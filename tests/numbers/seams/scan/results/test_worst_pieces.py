@@ -67,6 +67,7 @@ def test_a_piece_that_was_not_measured_says_why() -> None:
     for found in (long, short):
         assert found.verdict == Verdict.NOT_COMPARABLE
         assert found.kept is found.low is found.high is found.band_width_m is found.least_kept is None
+        assert found.visibility is None
     assert str(long.reason) != str(short.reason)
     assert "2" in str(short.reason)
 

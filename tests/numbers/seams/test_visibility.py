@@ -1,0 +1,267 @@
+"""What a loss means to an eye: the formulas of the papers by numerical integration, and real orthoimages."""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from osgeo import gdal
+from scipy.integrate import quad
+from scipy.optimize import brentq
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.imagery.wavelets import detail_components
+from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
+from seam_inspector.plugin.seams.measure.profile.seam_profile import seam_profile
+from seam_inspector.plugin.seams.measure.visibility import (
+    DESK,
+    Viewing,
+    contrast_sensitivity,
+    visibility,
+    white_grey,
+    window_visibility,
+)
+
+from tests.numbers.seams.profile.blends import SIDE, blend
+from tests.numbers.synthetic import luminance, read_pixels
+
+VARIANCES = (126.0, 79.0, 74.0)
+"""DN squared: the medians beside Brighton's seams."""
+GREY, WHITE = 131.0, 255.0
+shares = st.floats(0, 1)
+variances = st.tuples(*[st.floats(0.01, 1000)] * 3)
+greys = st.floats(2, 255)
+
+
+# --- the papers' formulas ---------------------------------------------------------------------------------------
+
+
+def by_integration(kept: tuple[float, ...], variance: tuple[float, ...], grey: float, magnification: float) -> float:
+    """Mannos and Sakrison, Legge and Foley, Quick, written out: 96 dpi from 60 cm, gamma 2.2, 1 % flare."""
+    luminance_of = lambda value: 0.01 + (value / 255) ** 2.2  # noqa: E731
+    slope = (luminance_of(grey + 1e-4) - luminance_of(grey - 1e-4)) / 2e-4
+    degree_cm = 60 * 2 * math.tan(math.radians(1) / 2)
+    frequencies = np.linspace(0.5, 30, 5000)
+    peak = max(_mannos_sakrison(frequency) for frequency in frequencies)
+    total = 0.0
+    for level, (share, energy) in enumerate(zip(kept, variance)):
+        frequency = 3 / 8 / 2**level / magnification * degree_cm / 2.54 * 96
+        threshold = 1 / (200 * _mannos_sakrison(frequency) / peak)
+        contrast = math.sqrt(energy) * slope / luminance_of(grey)
+        left = contrast * math.sqrt(share)
+        steps, _ = quad(
+            lambda c, t=threshold: 1 / (t * max(1, (c / t) ** 0.6)), left, contrast,
+            points=[threshold] if left < threshold < contrast else None,
+        )  # fmt: skip
+        total += steps**3
+    return total ** (1 / 3)
+
+
+def _mannos_sakrison(frequency: float) -> float:
+    return 2.6 * (0.0192 + 0.114 * frequency) * math.exp(-((0.114 * frequency) ** 1.1))
+
+
+@given(st.tuples(shares, shares, shares), variances, greys, st.sampled_from([1.0, 2.0, 4.0]))
+def test_it_is_the_integral_of_the_papers_formulas(
+    kept: tuple[float, ...], variance: tuple[float, ...], grey: float, magnification: float
+) -> None:
+    found = visibility(kept, variance, grey, WHITE, Viewing(magnification=magnification))
+    assert found == pytest.approx(by_integration(kept, variance, grey, magnification), rel=1e-3, abs=1e-6)
+
+
+def test_frequencies_on_a_desk() -> None:
+    """96 dpi from 60 cm are 39.6 pixels a degree; at 2x a pixel of the mosaic is two of them."""
+    assert DESK.pixels_per_degree == pytest.approx(39.58, abs=0.01)
+    assert [DESK.frequency(level) for level in (1, 2, 3)] == pytest.approx([7.42, 3.71, 1.86], abs=0.01)
+    assert Viewing(magnification=1).frequency(2) == DESK.frequency(1)
+
+
+def test_the_eye_is_most_sensitive_at_eight_cycles_a_degree() -> None:
+    frequencies = np.arange(0.1, 40, 0.1)
+    found = [contrast_sensitivity(frequency) for frequency in frequencies.tolist()]
+    assert frequencies[int(np.argmax(found))] == pytest.approx(7.9)
+    assert max(found) == pytest.approx(200, rel=1e-3)
+
+
+# --- properties -------------------------------------------------------------------------------------------------
+
+
+@given(variances, greys)
+def test_what_is_kept_whole_or_more_is_no_loss(variance: tuple[float, ...], grey: float) -> None:
+    assert visibility((1.0, 1.0, 1.0), variance, grey, WHITE) == 0
+    assert visibility((1.3, 1.0, 2.0), variance, grey, WHITE) == 0
+
+
+def test_more_detail_at_one_level_takes_no_loss_of_another_away() -> None:
+    lost = visibility((0.6, 1.0, 1.0), VARIANCES, GREY, WHITE)
+    assert visibility((0.6, 1.5, 1.5), VARIANCES, GREY, WHITE) == lost
+
+
+@given(variances, greys, shares, shares, st.sampled_from([0, 1, 2]))
+def test_the_less_is_kept_the_more_is_seen(
+    variance: tuple[float, ...], grey: float, one: float, other: float, level: int
+) -> None:
+    kept = [[0.8] * 3 for _ in range(2)]
+    kept[0][level], kept[1][level] = min(one, other), max(one, other)
+    most, least = (visibility(of, variance, grey, WHITE) for of in kept)
+    assert most is not None
+    assert least is not None
+    assert most >= least >= 0
+    if abs(one - other) > 0.01:
+        assert most > least
+
+
+def test_strong_detail_shows_its_loss_more_than_weak() -> None:
+    found = [visibility((0.7,), (variance,), GREY, WHITE) for variance in (1.0, 10.0, 100.0, 1000.0)]
+    assert found == sorted(found)
+    assert found[-1] > 2 * found[0]
+
+
+def test_the_same_detail_shows_more_on_dark_ground_but_not_in_black() -> None:
+    found = {grey: visibility((0.5,), (25.0,), grey, WHITE) for grey in (1.0, 60.0, 200.0)}
+    assert found[60.0] > found[200.0] > 0
+    assert found[1.0] < found[60.0]  # where the screen shows the room's light alone
+
+
+@given(st.tuples(shares, shares, shares), variances, greys, st.sampled_from([1 / 255, 16.0, 257.0]))
+def test_the_unit_of_grey_values_does_not_matter(
+    kept: tuple[float, ...], variance: tuple[float, ...], grey: float, times: float
+) -> None:
+    scaled = visibility(kept, [one * times**2 for one in variance], grey * times, WHITE * times)
+    assert scaled == pytest.approx(visibility(kept, variance, grey, WHITE), rel=1e-9)
+
+
+def test_nothing_is_made_up() -> None:
+    assert visibility((), VARIANCES, GREY, WHITE) is None
+    assert visibility((None, 0.5, 0.5), VARIANCES, GREY, WHITE) is None
+    assert visibility((0.5, 0.5, 0.5), VARIANCES, 0.0, WHITE) is None
+    assert visibility((0.5, 0.5, 0.5), VARIANCES, -3.0, WHITE) is None
+    assert visibility((0.5, 0.5, 0.5), VARIANCES, math.nan, WHITE) is None
+    assert visibility((0.5, 0.5, 0.5), VARIANCES, GREY, math.nan) is None
+    assert visibility((0.5, None, None), VARIANCES, GREY, WHITE) == visibility((0.5,), VARIANCES, GREY, WHITE)
+
+
+def raster(data_type: str, bits: int | None = None) -> Raster:
+    return Raster(RasterRef("mosaic.tif"), SIDE, SIDE, None, "", ("band_1",), data_type, bits)
+
+
+@pytest.mark.parametrize(
+    ("data_type", "bits", "largest", "white"),
+    [
+        ("uint8", None, 90.0, 255), ("uint16", 12, 90.0, 4095), ("uint16", None, 3000.0, 4095),
+        ("uint16", None, 60_000.0, 65_535), ("float32", None, 180.0, 255), ("int16", None, 3000.0, 4095),
+    ],
+)  # fmt: skip
+def test_white_is_the_brightest_value_that_the_image_can_have(
+    data_type: str, bits: int | None, largest: float, white: float
+) -> None:
+    assert white_grey(raster(data_type, bits), largest) == white
+
+
+# --- windows ----------------------------------------------------------------------------------------------------
+
+
+def test_a_feathers_window_is_seen_and_a_hard_cuts_is_not() -> None:
+    found = {}
+    for width in (0, 66):
+        made = blend(width)
+        cells = made.cells()
+        found[width] = window_visibility(seam_profile(cells), cells, made.made, raster("uint8"))
+    assert found[0] < 0.25
+    assert found[66] > found[0] + 0.8
+
+
+def test_a_window_scaled_to_16_bit_shows_the_same() -> None:
+    made = blend(66)
+    cells = made.cells()
+    scaled = replace(cells, mm=cells.mm * 257**2, cc=cells.cc * 257**2, mc=cells.mc * 257**2)
+    one = window_visibility(seam_profile(cells), cells, made.made, raster("uint8"))
+    other = window_visibility(seam_profile(scaled), scaled, made.made * 257, raster("uint16", 16))
+    assert other == pytest.approx(one, rel=1e-3)
+
+
+def test_a_window_without_a_profile_has_no_visibility() -> None:
+    cells = blend(0).cells()
+    assert window_visibility(None, cells, np.full((SIDE, SIDE), 100, np.float32), raster("uint8")) is None
+
+
+# --- real orthoimages -------------------------------------------------------------------------------------------
+
+
+def windows_of(folder: Path, pattern: str) -> Iterator[np.ndarray]:
+    """Windows of 256 px without empty pixels, luminance."""
+    for path in sorted(folder.glob(pattern)):
+        rows, columns = read_size(path)
+        for row in range(0, rows - 255, 512):
+            for column in range(0, columns - 255, 512):
+                pixels = read_pixels(str(path), column, row, 256, 256)[:3]
+                if (pixels.max(axis=0) > 0).all():
+                    yield luminance(pixels)
+
+
+def read_size(path: Path) -> tuple[int, int]:
+    dataset = gdal.Open(str(path))
+    return dataset.RasterYSize, dataset.RasterXSize
+
+
+def detail_of(plane: np.ndarray) -> tuple[float, ...]:
+    """Variance of the detail at levels 1 to 3, DN squared."""
+    levels = detail_components(plane[np.newaxis].astype(np.float32), "coif3", 3)
+    return tuple(float((one[:, 0].astype(np.float64) ** 2).sum()) / plane.size for one in levels)
+
+
+def just_seen(plane: np.ndarray, magnification: float, levels: int) -> float:
+    """What has to be kept at all levels for one just noticeable difference."""
+    variance, grey, viewing = detail_of(plane), float(plane.mean()), Viewing(magnification=magnification)
+
+    def beyond(kept: float) -> float:
+        found = visibility([kept] * levels, variance[:levels], grey, WHITE, viewing)
+        assert found is not None
+        return found - 1
+
+    return float(brentq(beyond, 1e-9, 1))
+
+
+@pytest.fixture(scope="module")
+def brighton(data_folder: Path) -> list[np.ndarray]:
+    found = list(windows_of(data_folder / "seams" / "brighton", "DJI_*.tif"))
+    assert len(found) > 20
+    return found
+
+
+def test_at_2x_one_difference_is_kept_0_62_at_the_finest_level(brighton: list[np.ndarray]) -> None:
+    found = [just_seen(plane, 2, 1) for plane in brighton]
+    assert np.median(found) == pytest.approx(0.62, abs=0.015)
+    assert (min(found), max(found)) == pytest.approx((0.50, 0.68), abs=0.03)
+
+
+@pytest.mark.parametrize(("magnification", "kept"), [(1, 0.67), (2, 0.68), (4, 0.64)])
+def test_pooled_over_levels_it_is_near_the_standard_limit(
+    brighton: list[np.ndarray], magnification: int, kept: float
+) -> None:
+    found = float(np.median([just_seen(plane, magnification, 3) for plane in brighton]))
+    assert found == pytest.approx(kept, abs=0.02)
+    assert found == pytest.approx(MAX_SIGNIFICANT_KEPT, abs=0.07)
+
+
+def test_averages_of_strangers_are_seen(brighton: list[np.ndarray]) -> None:
+    """Windows of other ground, so that nothing but the coarser levels has anything in common."""
+    found = []
+    for one, other in zip(brighton, brighton[len(brighton) // 2 :]):
+        variance, left = detail_of(one), detail_of((one - one.mean() + other - other.mean()) / 2)
+        mean = [(a + b) / 2 for a, b in zip(variance, detail_of(other))]
+        kept = [of / whole for of, whole in zip(left, mean)]
+        assert kept[0] == pytest.approx(0.5, abs=0.05)
+        found.append(visibility(kept, mean, float(one.mean()), WHITE))
+    assert 1.4 <= np.median(found) <= 1.8
+
+
+def test_fine_detail_of_a_dull_tile_has_to_lose_more(data_folder: Path, brighton: list[np.ndarray]) -> None:
+    tiles = list(windows_of(data_folder / "seams" / "packo", "*.tif"))
+    assert len(tiles) == 3
+    found = [just_seen(plane, 2, 1) for plane in tiles]
+    assert max(found) < min(just_seen(plane, 2, 1) for plane in brighton)
