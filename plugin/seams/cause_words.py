@@ -71,8 +71,15 @@ CAUSES: dict[str, ShownCause] = {
             QT_TRANSLATE_NOOP("@default", "feathering of images {value} px apart explains it"),
             QT_TRANSLATE_NOOP("@default", "images {value} px apart are feathered"),
         ),
-        lambda found: found.apart if (found.apart or 0) >= MIN_SHOWN_PX else None,
+        lambda found: found.misfit if (found.misfit or 0) >= MIN_SHOWN_PX else None,
         _tenths,
+    ),
+    Cause.OTHER_MIXTURE.value: ShownCause(
+        QT_TRANSLATE_NOOP("@default", "other mixture"),
+        QT_TRANSLATE_NOOP(
+            "@default", "Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand."
+        ),
+        (QT_TRANSLATE_NOOP("@default", "images are mixed by another rule than weights"),),
     ),
     Cause.NARROWED_HISTOGRAM.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "narrowed histogram"),
@@ -107,10 +114,10 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.MISREGISTRATION.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "misregistration"),
-        QT_TRANSLATE_NOOP("@default", "The mosaic does not lie where its sources do."),
-        (QT_TRANSLATE_NOOP("@default", "the mosaic does not lie where its sources do"),),
-        (QT_TRANSLATE_NOOP("@default", "the mosaic lies {value} px off its sources"),),
-        lambda found: found.evidence.misregistration,
+        QT_TRANSLATE_NOOP("@default", "Images that meet in the mosaic do not lie on each other there."),
+        (QT_TRANSLATE_NOOP("@default", "images do not fit where they meet"),),
+        (QT_TRANSLATE_NOOP("@default", "images lie {value} px apart where they meet"),),
+        lambda found: found.misfit,
         _tenths,
     ),
     Cause.MISSING_SOURCE.value: ShownCause(

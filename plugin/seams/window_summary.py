@@ -71,8 +71,8 @@ def cause_numbers(found: Explanation) -> list[str]:
         lines.append(filled(tr("gains of the colours differ by a factor of {factor}"), factor=factor))
     if change.shift is not None:
         lines.append(filled(tr("shift: {length} px"), length=shown_number(change.shift.length)))
-    if found.apart is not None:
-        lines.append(filled(tr("the sources lie {length} px apart"), length=shown_number(found.apart)))
+    if found.misfit is not None:
+        lines.append(filled(tr("images lie {length} px apart where they meet"), length=shown_number(found.misfit)))
     if found.expected and found.expected[0] is not None:
         left = percent(found.expected[0])
         lines.append(filled(tr("half of each source would leave {percent} % at level 1"), percent=left))

@@ -51,16 +51,19 @@ def measure_texture(
     noise = float(np.sqrt(left[sums["cc"] <= weak].mean()))
     loud = float(np.sqrt(left[sums["cc"] >= strong].mean()))
     transfer = float(sums["mu"].sum() / max(float(sums["uu"].sum()), 1e-9))
-    of_sources = [
-        float(sums["mu"][of].sum() / max(float(sums["uu"][of].sum()), 1e-9))
-        for of in (first[whole] == i for i in np.unique(first[whole]))
-        if np.count_nonzero(of) >= _FEWEST_OF_SOURCE
-    ] or [transfer]
+    large = [of for of in (first[whole] == i for i in np.unique(first[whole]))
+             if np.count_nonzero(of) >= _FEWEST_OF_SOURCE] or [np.ones(np.count_nonzero(whole), bool)]
+    energies = np.array([max(float(sums["uu"][of].sum()), 1e-9) for of in large])
+    of_sources, every = (np.array([float(sums[name][of].sum()) for of in large]) / energies for name in ("mu", "mm"))
+    lost, left_out = (
+        float(np.average(np.maximum(1 - share, 0), weights=energies)) for share in (of_sources**2, every)
+    )
     # What the sources' own compression left in them is none of the mosaic's.
     quantised = 0.0
     if noise >= MIN_COMPRESSED_DN * unit_dn:
         quantised = _quantised(mosaic / unit_dn) - _quantised(expected / unit_dn)
-    return Texture(transfer, min(of_sources), max(of_sources), noise, loud / max(noise, 1e-6), quantised)
+    ends = float(of_sources.min()), float(of_sources.max())
+    return Texture(transfer, *ends, lost, left_out, noise, loud / max(noise, 1e-6), quantised)
 
 
 def measure_tones(

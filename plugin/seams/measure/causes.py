@@ -1,12 +1,17 @@
-"""What happened to a mosaic in a window: the steps of production that explain what was measured (Pyka 2010)."""
+"""What happened to a mosaic in a window: the steps of production that explain what was measured (Pyka 2010).
+
+Causes are ranked by one figure in one unit: the share of the window's finest detail energy, that of its sources, which
+each of them took. What takes none of it (tones, noise, sharpening) comes after all that do.
+"""
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from math import log
 
 from . import limits
+from .profile.seam_profile import Measure, SeamProfile
 
 MIN_MISSING_SHARE = 0.03  # of the pixels, lying together, that no given source explains; noise alone has made 0.02
 MIN_SURE_FIT, MIN_UNSURE_MISSING_SHARE = 0.9, 0.08  # where compression or filters left less of the sources' detail
@@ -22,8 +27,12 @@ MIN_SHARPENED_TRANSFER = 1.07
 MAX_BLURRED_COMPRESSED = 0.5  # compression alone lets 0.67 and more of it pass at quality 65
 MAX_FEATHERED_KEPT = 0.97  # of the finest detail in the strip along the seam, and certainly less than all of it
 MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it mixed half and half; made ones kept 0.27
-MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no ground to tell kept_1 from
+MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
+MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
 MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
+MOST_LEFT_BY_MIXTURE = 0.15  # of the sources' energy in the strip, beyond what the ground leaves over
+MIN_MIXED_WIDTH_PX = 4.0  # of what is mixed: borders are known no better
+MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
 MIN_RESAMPLED_PX = 0.08  # off the pixels of the source
 MIN_NOISE_DN = 1.0  # rounding to whole values leaves 0.3 to 0.8
 MIN_COMPRESSED_DN = 0.5
@@ -55,6 +64,10 @@ class Texture:
     least_transfer: float
     """The same of the source of which least comes over."""
     most_transfer: float
+    lost: float
+    """Share of the sources' detail energy that does not come over, source by source, those that gained apart."""
+    left_out: float
+    """The same of all energy, whatever of it is from the sources: what compression puts in counts."""
     noise_dn: float
     """Standard deviation of what is not from the sources, in weak detail."""
     noise_rise: float
@@ -64,29 +77,38 @@ class Texture:
 
 
 @dataclass(frozen=True)
+class Misfit:
+    """How far two images lie from each other as they are placed in the mosaic."""
+
+    px: float
+    share: float
+    """Of what the finest detail of the two differs by beside the seam: as much would go if they fitted."""
+
+
+@dataclass(frozen=True)
 class CauseEvidence:
-    """What was measured in a window against the hard cut of its sources."""
+    """What was measured in a window against its sources."""
 
     missing: float
     """Share of the pixels that no given source explains."""
-    kept: float | None
-    """kept_1 beside the seam; None without a seam."""
-    kept_high: float | None
-    """Upper end of its interval."""
+    profile: SeamProfile | None
+    """None without a seam, or with too little to be measured."""
+    lost: float
+    """Share of the window's finest detail energy that its seams took."""
     mixed: float
     """Share of the pixels in which two sources together explain the mosaic and neither does alone."""
     sharpness: float | None
     """Of the whole window."""
     clipped: float
     """Share of pixels, in the band that has most."""
+    clipped_lost: float
+    """Share of the window's finest detail energy that is gone where it is clipped."""
     tones: tuple[SourceTone, ...]
     """Of the sources that are followed."""
     unevenness: float
     """Share of what the tones leave over that depends on the place: dodging."""
-    misregistration: float
-    """How far the mosaic lies off one of its sources on the ground, px."""
-    apart: float
-    """How much farther off one source than off another, px: the images that meet in the window do not fit."""
+    misfit: Misfit | None
+    """Of the two images that the mosaic follows most; None where there are none, or it can't be told."""
     off_pixel: float
     """How far its pixels lie off those of a source that it follows, px, 0 to 0.71."""
     texture: Texture | None
@@ -111,9 +133,33 @@ class CauseEvidence:
         return self.mixed >= MIN_MOSTLY_MIXED
 
     @property
+    def has_seam_loss(self) -> bool:
+        """Whether less than all is kept along a seam, for sure; without a profile, whether much is a mixture."""
+        found = self.profile
+        if found is None:
+            return self.mixed >= MIN_MIXED
+        kept = found.kept[0]
+        return kept is not None and kept <= MAX_FEATHERED_KEPT and found.high < 1
+
+    @property
     def is_smoothed_seam(self) -> bool:
-        """Whether less is left along the seam than any mixture of images leaves: somebody softened it."""
-        return self.kept_high is not None and self.kept_high < MIN_BLENDED_KEPT and self.mixed < MIN_MIXED
+        """Whether less is left along the seam than a mixture of its images leaves: somebody softened it."""
+        found = self.profile
+        if found is None or not self.has_seam_loss:
+            return False
+        if found.high < MIN_BLENDED_KEPT:
+            return True
+        is_less = found.by_energy is not None and found.by_mixture is not None and (
+            found.by_energy < MOST_LIKE_BLUR * found.by_mixture)
+        return found.measure is Measure.ENERGY and is_less
+
+    @property
+    def is_other_mixture(self) -> bool:
+        """Whether both images are there along the seam, and no weights explain it."""
+        found = self.profile
+        if found is None or (found.feather_width_px or 0) < MIN_MIXED_WIDTH_PX:
+            return False
+        return found.left_by_mixture > MOST_LEFT_BY_MIXTURE
 
     @property
     def least_transfer(self) -> float:
@@ -121,6 +167,11 @@ class CauseEvidence:
         if self.texture is not None:
             return self.texture.least_transfer
         return 1.0 if self.sharpness is None or self.mixed >= MIN_MIXED else self.sharpness
+
+    @property
+    def off_seam_lost(self) -> float:
+        """Share of the window's finest detail energy that did not come over away from the seams."""
+        return self.texture.lost if self.texture is not None else max(1 - self.least_transfer**2, 0.0)
 
     @property
     def is_uneven(self) -> bool:
@@ -145,110 +196,119 @@ class CauseEvidence:
         gains, offsets = self.spread
         return gains >= MIN_BALANCED_GAIN or offsets >= MIN_BALANCED_OFFSET
 
+    @property
+    def misfit_lost(self) -> float:
+        """Of what a feather took, the share that it would not have taken of images that fit."""
+        if self.misfit is None or self.misfit.px < limits.MIN_MISREGISTRATION_PX:
+            return 0.0
+        return self.misfit.share if self.misfit.share >= MIN_MISFIT_SHARE else 0.0
 
-Strength = Callable[[CauseEvidence], float]
-"""0 where a cause took no part; else the more it explains, the higher. Above 1: of the seam itself."""
+
+Took = Callable[[CauseEvidence], "float | None"]
+"""Share of the window's finest detail energy that a cause took, 0 for one that takes none; None where it took no
+part."""
 
 
-def _missing(found: CauseEvidence) -> float:
+def _missing(found: CauseEvidence) -> float | None:
     least = MIN_MISSING_SHARE if found.fit >= MIN_SURE_FIT else MIN_UNSURE_MISSING_SHARE
-    return 3 + found.missing if found.missing >= least else 0.0
+    return found.missing if found.missing >= least else None
 
 
-def _misregistration(found: CauseEvidence) -> float:
-    if found.misregistration < limits.MIN_MISREGISTRATION_PX:
-        return 0.0
-    return 2.5 if found.apart >= limits.MIN_MISREGISTRATION_PX / 2 else 0.95
+def _misregistration(found: CauseEvidence) -> float | None:
+    share = found.misfit_lost
+    if not share:
+        return None
+    return share * found.lost if found.has_seam_loss and not found.is_smoothed_seam else 0.0
 
 
-def _feathering(found: CauseEvidence) -> float:
-    kept, high = found.kept, found.kept_high
+def _feathering(found: CauseEvidence) -> float | None:
+    if not found.has_seam_loss or found.is_smoothed_seam or found.is_other_mixture:
+        return None
+    return (1 - found.misfit_lost) * found.lost
+
+
+def _other_mixture(found: CauseEvidence) -> float | None:
+    return found.lost if found.is_other_mixture and not found.is_smoothed_seam else None
+
+
+def _blur(found: CauseEvidence) -> float | None:
     if found.is_smoothed_seam:
-        return 0.0
-    if kept is not None and high is not None and kept <= MAX_FEATHERED_KEPT and high < 1:
-        return 2 - kept
-    return 1.2 if found.mixed >= MIN_MIXED else 0.0
-
-
-def _blur(found: CauseEvidence) -> float:
-    if found.is_resampled and not found.is_smoothed_seam:
-        return 0.0
-    if found.is_smoothed_seam and found.kept is not None:
-        return 2 - found.kept
-    least = found.least_transfer
+        return found.lost
     most = MAX_BLURRED_COMPRESSED if found.is_compressed else MAX_BLURRED_TRANSFER
-    return 1 - least**2 if least <= most else 0.0
+    return None if found.is_resampled or found.least_transfer > most else found.off_seam_lost
 
 
-def _resampled(found: CauseEvidence) -> float:
-    return max(1 - found.least_transfer**2, 0.05) if found.is_resampled else 0.0
+def _resampled(found: CauseEvidence) -> float | None:
+    return found.off_seam_lost if found.is_resampled else None
 
 
-def _sharpened(found: CauseEvidence) -> float:
-    if found.texture is None or found.texture.most_transfer < MIN_SHARPENED_TRANSFER:
-        return 0.0
-    return min(1 - found.texture.most_transfer**-2, 0.9)
+def _sharpened(found: CauseEvidence) -> float | None:
+    return None if found.texture is None or found.texture.most_transfer < MIN_SHARPENED_TRANSFER else 0.0
 
 
-def _compressed(found: CauseEvidence) -> float:
+def _compressed(found: CauseEvidence) -> float | None:
     if found.texture is None or not found.is_compressed:
-        return 0.0
-    return 0.35 + min(found.texture.noise_dn / found.unit_dn / 100, 0.3)
+        return None
+    is_told = found.is_resampled or found.least_transfer <= MAX_BLURRED_COMPRESSED  # by another cause
+    return 0.0 if is_told else found.texture.left_out
 
 
-def _noise(found: CauseEvidence) -> float:
+def _noise(found: CauseEvidence) -> float | None:
     texture = found.texture
-    if texture is None or found.is_compressed or found.misregistration >= limits.MIN_MISREGISTRATION_PX:
-        return 0.0
+    if texture is None or found.is_compressed:
+        return None
     least = MIN_NOISE_DN * found.unit_dn * max(texture.transfer, 1)
-    if texture.noise_dn < least or texture.noise_rise > MAX_NOISE_RISE:
-        return 0.0
-    return 0.1 + min(texture.noise_dn / found.unit_dn / 100, 0.3)
+    return None if texture.noise_dn < least or texture.noise_rise > MAX_NOISE_RISE else 0.0
 
 
-def _clipping(found: CauseEvidence) -> float:
-    return 0.02 + found.clipped if found.clipped >= MIN_CLIPPED_SHARE else 0.0
+def _clipping(found: CauseEvidence) -> float | None:
+    return found.clipped_lost if found.clipped >= MIN_CLIPPED_SHARE else None
 
 
-def _dodging(found: CauseEvidence) -> float:
-    return 0.06 if found.is_uneven else 0.0
+def _dodging(found: CauseEvidence) -> float | None:
+    return 0.0 if found.is_uneven else None
 
 
-def _gamma(found: CauseEvidence) -> float:
+def _gamma(found: CauseEvidence) -> float | None:
     bent = [abs(log(tone.gamma)) >= log(MIN_GAMMA_CHANGE) for tone in found.tones]
-    return 0.03 if any(bent) and not found.is_uneven and not found.is_mostly_mixed else 0.0
+    return 0.0 if any(bent) and not found.is_uneven and not found.is_mostly_mixed else None
 
 
-def _colour_shift(found: CauseEvidence) -> float:
+def _narrowed(found: CauseEvidence) -> float | None:
+    gains = [abs(tone.gain) for tone in found.tones if tone.gain]
+    if not gains or max(gains) > MAX_NARROWED_GAIN or _gamma(found) is not None:
+        return None
+    return 0.0
+
+
+def _colour_shift(found: CauseEvidence) -> float | None:
     shifts = [tone.colour_shift for tone in found.tones if tone.colour_shift is not None]
     holds = bool(shifts) and min(shifts) >= MIN_COLOUR_SHIFT and not found.is_uneven and not found.is_mostly_mixed
-    return 0.025 if holds else 0.0
+    return 0.0 if holds else None
 
 
-def _narrowed(found: CauseEvidence) -> float:
-    gains = [abs(tone.gain) for tone in found.tones if tone.gain]
-    if not gains or max(gains) > MAX_NARROWED_GAIN or _gamma(found):
-        return 0.0
-    return 0.028 * (2 - max(gains))
+def _balanced(found: CauseEvidence) -> float | None:
+    return 0.0 if found.is_balanced and not found.is_uneven and not found.is_mostly_mixed else None
 
 
-def _balanced(found: CauseEvidence) -> float:
-    return 0.005 if found.is_balanced and not found.is_uneven and not found.is_mostly_mixed else 0.0
+def _nothing(found: CauseEvidence) -> float | None:
+    return None
 
 
 class Cause(str, Enum):
-    """What took part in making the window what it is: the word that tables hold, and how strongly it did."""
+    """What took part in making the window what it is: the word that tables hold, and what it took. Those that took
+    nothing are told in this order."""
 
-    strength: Strength
+    took: Took
 
-    def __new__(cls, word: str, strength: Strength) -> Cause:
+    def __new__(cls, word: str, took: Took) -> Cause:
         made = str.__new__(cls, word)
-        made._value_, made.strength = word, strength
+        made._value_, made.took = word, took
         return made
 
     MISSING_SOURCE = "missing source", _missing
-    MISREGISTRATION = "misregistration", _misregistration
     FEATHERING = "feathering", _feathering
+    OTHER_MIXTURE = "other mixture", _other_mixture
     BLUR = "blur", _blur
     RESAMPLED = "resampled", _resampled
     SHARPENED = "sharpened", _sharpened
@@ -257,15 +317,24 @@ class Cause(str, Enum):
     CLIPPING = "clipping", _clipping
     DODGING = "dodging", _dodging
     GAMMA = "gamma", _gamma
-    COLOUR_SHIFT = "colour shift", _colour_shift
     NARROWED_HISTOGRAM = "narrowed histogram", _narrowed
+    COLOUR_SHIFT = "colour shift", _colour_shift
+    MISREGISTRATION = "misregistration", _misregistration
     BALANCED = "balanced", _balanced
-    NONE = "none", lambda found: 0.0
-    UNCLEAR = "unclear", lambda found: 0.0
+    NONE = "none", _nothing
+    UNCLEAR = "unclear", _nothing
+
+
+ALONG_THE_SEAM = (Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION)
+"""Causes that take detail beside a seam alone; the others do in the whole window."""
+
+
+def causes_taken(evidence: CauseEvidence) -> tuple[tuple[Cause, float], ...]:
+    """All that took part, and what each took, the most first."""
+    taken = [(cause, share) for cause in Cause if (share := cause.took(evidence)) is not None]
+    return tuple(sorted(taken, key=lambda one: -one[1]))
 
 
 def find_causes(evidence: CauseEvidence) -> tuple[Cause, ...]:
-    """All that took part, strongest first; ``none`` alone where nothing did."""
-    strengths = {cause: cause.strength(evidence) for cause in Cause}
-    found: Sequence[Cause] = [cause for cause, strength in strengths.items() if strength > 0]
-    return tuple(sorted(found, key=lambda cause: -strengths[cause])) or (Cause.NONE,)
+    """The same without figures; ``none`` alone where nothing did."""
+    return tuple(cause for cause, _ in causes_taken(evidence)) or (Cause.NONE,)

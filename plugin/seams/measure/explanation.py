@@ -14,14 +14,16 @@ from ...imagery.band_curves import correlation, measure_bands
 from ...imagery.shifts import Shift, farthest_apart, find_shift
 from ...imagery.wavelets import Curve
 from .cause_evidence import grey_unit, measure_texture, measure_tones, range_factor
-from .causes import Cause, CauseEvidence, find_causes
+from .causes import Cause, CauseEvidence, Misfit, find_causes
 from .changes import Change, gains_of_colours, measure_changes
 from .compared_image import ComparedImage, MeasuredClip
 from .feather_prediction import expected_ratios, feathers
+from .following.boxes import enlarged, near_border
 from .following.composite import Composite, follows_at
 from .following.followed_source import FollowedSource
-from .following.hard_cut import cut_hard
+from .following.hard_cut import HardCut, cut_hard
 from .following.levelling import left_over
+from .misfit import misfit_of, placed_misfit
 from .profile.cell_table import CellTable
 from .profile.loss_picture import LossPicture, loss_picture
 from .profile.seam_profile import SeamProfile
@@ -33,6 +35,7 @@ from .visibility import window_visibility
 MIN_UNMIXED_SQUARES = 64  # of 2^R px that follow one source, for the tone to be taken from them alone
 MIN_TONE_SHARE = 0.03  # of the pixels: a source that is followed in fewer says nothing of tones
 MAX_SAME_SHIFT_PX = 0.02  # between sources: their composite lies where they lie
+_ABOUT_PX, _EVERY = 24, 4  # ground about a seam that images are compared in; rows and columns that are looked at
 MIN_UNEVEN_RANGE = 0.006  # of the range of values: what differs by less is no dodging
 
 
@@ -72,8 +75,6 @@ class Explanation:
     """Share of pixels in which two sources are mixed."""
     shares: tuple[float, ...]
     """Share of the pixels that follow each source, in their order."""
-    apart: float | None
-    """How far the two sources that the mosaic follows most lie from each other, px; None where there are none."""
     visibility: float | None = None
     """The loss beside the seam in just noticeable differences of contrast; None where no profile is."""
     loss: LossPicture | None = field(default=None, compare=False, repr=False)
@@ -83,6 +84,12 @@ class Explanation:
     def cause(self) -> Cause:
         """The main one."""
         return self.causes[0]
+
+    @property
+    def misfit(self) -> float | None:
+        """How far the two images that the mosaic follows most lie from each other as they are placed in it, px; None
+        where there are none, or nothing in common shows it."""
+        return None if self.evidence.misfit is None else self.evidence.misfit.px
 
 
 def explain(
@@ -100,7 +107,7 @@ def explain(
     curves, coarse = measure_bands(composite.levelled, image.names, wavelet, levels)
     is_level = composite.levelled is composite.bands
     plain = curves if is_level else measure_bands(composite.bands, image.names, wavelet, levels)[0]
-    on_pixels, on_ground = _on_pixels(shifts, images, following), _of_followed(shifts, following)
+    on_pixels = _on_pixels(shifts, images, following)
     against_composite = _composite_changes(image, composite, plain, following, _main_shift(on_pixels), levels)
     detail = cut.around.detail(wavelet, levels, cut.inside)
     finest = detail.finest[(..., *(slice(part.start // 2, part.stop // 2) for part in cut.inside))]
@@ -109,17 +116,18 @@ def explain(
     sharpness = _sharpness(finest, cut.labels)
     unfiltered = cut.around.expected.unfiltered[cut.inside]
     unit = grey_unit(image.raster, next(iter(image.coarse.values())))
+    total = float(detail.judged.cc[0].sum(dtype=np.float64))
     evidence = CauseEvidence(
         missing=1 - cut.explained,
-        kept=profile.kept[0] if profile else None,
-        kept_high=profile.high if profile else None,
+        profile=profile,
+        lost=_seam_loss(profile, sharpness, total),
         mixed=following.mixed_share,
         sharpness=sharpness,
         clipped=next(iter(against_composite.values())).clipped,
+        clipped_lost=_clipped_loss(image, finest),
         tones=_source_tones(image, images, following, tones),
         unevenness=_unevenness(image, images, following, levels),
-        misregistration=max((one.length for one in on_ground), default=0.0),
-        apart=farthest_apart(on_ground),
+        misfit=_misfit(cut, shifts, wavelet),
         off_pixel=_off_pixel(on_pixels),
         texture=measure_texture(finest, cut.labels, sure, image.plane, unfiltered, unit),
         fit=following.fit,
@@ -127,8 +135,9 @@ def explain(
         lossy_file=image.raster.is_lossy,
     )
     unclear = cut.is_unclear
+    seen = window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster)
     return Explanation(
-        causes=(Cause.UNCLEAR,) if unclear else find_causes(evidence),
+        causes=_causes(evidence, unclear or (detail.has_seam and profile is None)),
         evidence=evidence,
         profile=None if unclear else profile,
         has_seam=detail.has_seam,
@@ -144,8 +153,7 @@ def explain(
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         shares=following.shares,
-        apart=_apart(images, following),
-        visibility=None if unclear else window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster),
+        visibility=None if unclear else seen,
         loss=None if unclear else loss_picture(detail, cut.around.expected.labels, cut.inside),
     )
 
@@ -171,10 +179,6 @@ def _on_pixels(
         for i in following.followed
         if (shift := shifts[i]) is not None
     ]
-
-
-def _of_followed(shifts: Sequence[Shift | None], following: FollowedSource) -> list[Shift]:
-    return [shift for i, shift in enumerate(shifts) if shift is not None and i in following.followed]
 
 
 def _off_pixel(shifts: Sequence[Shift]) -> float:
@@ -260,8 +264,47 @@ def _added(cells: CellTable) -> float | None:
     return 1 - mc**2 / (mm * cc) if mm > 0 and cc > 0 else None
 
 
-def _apart(images: Sequence[ComparedImage], following: FollowedSource) -> float | None:
-    if len(following.followed) < 2:
+def _causes(evidence: CauseEvidence, is_unclear: bool) -> tuple[Cause, ...]:
+    """Where nothing could be measured along a seam, finding nothing says nothing."""
+    found = find_causes(evidence)
+    return (Cause.UNCLEAR,) if is_unclear and found == (Cause.NONE,) else found
+
+
+def _seam_loss(profile: SeamProfile | None, sharpness: float | None, total: float) -> float:
+    """Share of the window's finest detail energy, ``total`` DN squared, that its seams took."""
+    if profile is not None:
+        return min(profile.lost / total, 1.0) if total > 0 else 0.0
+    return max(1 - sharpness**2, 0.0) if sharpness is not None else 0.0
+
+
+def _clipped_loss(image: ComparedImage, finest: np.ndarray) -> float:
+    """The same, gone where the mosaic is at an end of its scale."""
+    ends = np.zeros(image.bands.shape[1:], bool)
+    for band in image.bands:
+        ends |= (band == band.min()) | (band == band.max())
+    at = ends[::2, ::2]
+    if not at.any():
+        return 0.0
+    own, plain = (float(np.einsum("dij,dij,ij->", one, one, at)) for one in (finest[:, 0], finest[:, -1]))
+    total = float(np.einsum("dij,dij->", finest[:, -1], finest[:, -1]))
+    return max(plain - own, 0.0) / total if total > 0 else 0.0
+
+
+def _misfit(cut: HardCut, shifts: Sequence[Shift | None], wavelet: str) -> Misfit | None:
+    """Of the two sources that the mosaic follows most, as they are placed in it."""
+    pair = cut.following.followed[:2]
+    if len(pair) < 2:
         return None
-    shift = find_shift(*(images[i].spectra for i in following.followed[:2]))
-    return None if shift is None else shift.length
+    first, second = (shifts[i] for i in pair)
+    between = find_shift(*(cut.sources[i].spectra for i in pair))
+    if first is None or second is None or between is None:
+        return None
+    offsets = [cut.sources[i].offset for i in pair]
+    first, second = (replace(one, x=one.x - by[0], y=one.y - by[1]) for one, by in zip((first, second), offsets))
+    shown, labels = cut.around.expected.shown, cut.around.expected.labels
+    if any(i not in shown for i in pair):
+        return None
+    coarse = np.where(np.isin(labels, pair), labels, np.uint8(UNKNOWN))[::_EVERY, ::_EVERY]
+    seam = enlarged(near_border(coarse, _ABOUT_PX // _EVERY) & (coarse != UNKNOWN), _EVERY)
+    seam = seam[: labels.shape[0], : labels.shape[1]]
+    return misfit_of(placed_misfit(between, first, second), shown, (pair[0], pair[1]), seam, wavelet)

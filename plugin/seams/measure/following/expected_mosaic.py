@@ -45,8 +45,9 @@ class ExpectedMosaic:
         numbers = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
         numbers[: len(source_of)] = source_of
         shown: dict[int, np.ndarray] = {}
-        for plane, pixels in self.shown.items():
-            before = shown.get(source_of[plane])
+        most_first = sorted(self.shown, key=lambda plane: -np.count_nonzero(self.labels == plane))
+        for plane in most_first:
+            pixels, before = self.shown[plane], shown.get(source_of[plane])
             shown[source_of[plane]] = pixels if before is None else np.where(self.labels == plane, pixels, before)
         return replace(self, labels=numbers[self.labels], shown=shown)
 

@@ -80,6 +80,8 @@ class SeamProfile:
     """kept_1 by the energy against the ground around; None without ground."""
     by_mixture: float | None = None
     """kept_1 of the mixture of sources; None where there is none to be told."""
+    left_by_mixture: float = 0.0
+    """Share of the sources' energy in the strip that no mixture explains, beyond what the ground leaves over."""
     lost: float = 0.0
     """Energy of the finest detail that the seams took, DN squared: over all distances."""
     energy: tuple[float, ...] = ()

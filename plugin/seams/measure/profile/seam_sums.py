@@ -55,9 +55,8 @@ class SeamSums:
         # Beyond what the ground leaves over as well. A soft feather's ramp makes that of what the sources differ by.
         more_left = np.maximum(mixed.left - energy.left_by_ground, 0)
         by_energy, energy_levels = energy.kept(mixed.edge + mixed.soft * more_left)
-        judged, has_energy, has_mixture = together(
-            by_energy, mixed.kept, more_left[0] / np.maximum(mixed.plain[0], 1e-12)
-        )
+        left = more_left[0] / np.maximum(mixed.plain[0], 1e-12)
+        judged, has_energy, has_mixture = together(by_energy, mixed.kept, left)
         takes_mixture = has_mixture & ~has_energy
         kept = np.where(takes_mixture, mixed.levels, energy_levels)
         kept[0] = judged.value
@@ -79,7 +78,8 @@ class SeamSums:
                     tuple(map(_known, kept[:, number])), float(judged.low[number]), float(judged.high[number]),
                     band_width_px(finest) if kept[0, number] < BAND_KEPT else 0.0, float(added[number]), own_bins,
                     _known(width[number]), Measure.of(bool(has_energy[number]), bool(has_mixture[number])),
-                    _known(by_energy.value[number]), _known(mixed.kept.value[number]), float(lost[number]),
+                    _known(by_energy.value[number]), _known(mixed.kept.value[number]), float(left[number]),
+                    float(lost[number]),
                     tuple((plain / np.maximum(area, 1))[:, number].tolist()),
                 )
             found.append(StripProfile(profile, float(area[0, number]), float(fit[number])))

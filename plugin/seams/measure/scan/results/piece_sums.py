@@ -85,7 +85,7 @@ class PieceSums:
         means = np.divide(grey, area, out=np.full(len(area), np.nan), where=area > 0)
         white = white_grey(mosaic, self._brightest)
         return [
-            one.profile and visibility(one.profile.kept, one.profile.energy, mean, white)
+            visibility(one.profile.kept, one.profile.energy, mean, white) if one.profile else None
             for one, mean in zip(self.profiles(), means.tolist())
         ]
 
