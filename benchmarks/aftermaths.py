@@ -81,13 +81,22 @@ def blurred(sigma_px: float) -> Change:
 def resampled(y_px: float, x_px: float, order: int) -> Change:
     """Moved by parts of a pixel and interpolated; order 1: bilinear, 3: cubic convolution as GDAL does it."""
 
-    def change(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-        moved = bands.astype(np.float32)
-        for axis, part in ((1, y_px), (2, x_px)):
-            moved = ndimage.convolve1d(moved, taps(part, order), axis=axis, mode="nearest")
-        return whole_values(moved)
+    return lambda bands, rng: whole_values(interpolated(bands, y_px, x_px, order))
 
-    return change
+
+def interpolated(bands: np.ndarray, y_px: float, x_px: float, order: int) -> np.ndarray:
+    """Moved, not rounded, float32."""
+    moved = bands.astype(np.float32)
+    for axis, part in ((1, y_px), (2, x_px)):
+        moved = ndimage.convolve1d(moved, taps(part, order), axis=axis, mode="nearest")
+    return moved
+
+
+def resampled_and_balanced(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """As one source of a block is: moved by its own 0.2 to 0.6 px by cubic convolution, by its own gain and bias."""
+    way, length = rng.uniform(0, 2 * np.pi), rng.uniform(0.2, 0.6)
+    moved = interpolated(bands, length * np.sin(way), length * np.cos(way), 3)
+    return whole_values(moved * rng.uniform(0.88, 1.12) + rng.uniform(-8, 8))
 
 
 def taps(part: float, order: int) -> np.ndarray:

@@ -1,9 +1,9 @@
 """How well spoilt windows are told from sound ones, and what was done to them: `make benchmark-detection`.
 
-Real orthoimages are made into mosaics by known operations (``operations``): a seam, and what came over the whole mosaic
-afterwards. What the plugin says of a window is compared with what was done, its kept_1 with the detail that is truly
-left, and its measures with usual ones. Figures stand by halves: the operations and the ground that may be looked at
-while limits are set, and those that are held back.
+Orthoimages are made into mosaics by known operations (``operations``): a seam, and what came over the whole mosaic
+afterwards. What the plugin says of a window is compared with what was done, and its kept_1 with the detail that is
+truly left (``true_profile``). Figures stand by halves: the operations and the ground that may be looked at while limits
+are set, and those that are held back.
 
 On Brighton and PackO where SEAM_INSPECTOR_DATA is set, and on a generated block.
 """
@@ -23,18 +23,20 @@ from osgeo import gdal
 
 from demo.block import make_block
 
-from .detection_tables import print_areas, print_operations, print_summary, print_tones, print_truth
+from .campaign import POOL, outcomes
+from .cause_tables import print_causes, print_missing, print_operations, print_tones
+from .figures import grounds_of
+from .kept_tables import print_areas, print_hard_cuts, print_measures, print_truth, print_usable
 from .known_windows import Imagery, brighton, imagery, packo
 from .operations import OPERATIONS
-from .outcomes import POOL, Outcome, outcomes
-from .production import Operation
+from .outcomes import Outcome
+from .production import HALVES, Operation
 
-SIDES = (512, 256)
+SIDES = (512, 256, 128)
 COUNT = 3
 OTHER_SHARE = 0.5
 """Of the windows, on imagery other than Brighton's."""
 BLOCK_EXTENT = (330.0, 264.0)
-HALVES = {"used": False, "held back": True}
 
 
 @dataclass(frozen=True)
@@ -57,18 +59,30 @@ def grounds(data: Path | None, wanted: str, stack: ExitStack) -> Iterator[Ground
         yield Ground(imagery("block", block.sources), OTHER_SHARE if real else 1.0)
 
 
-def measured(ground: Ground, side: int, held_back: bool, operations: Sequence[Operation], count: int) -> list[Outcome]:
-    """The outcomes of one half of the operations on one half of the ground."""
-    own = [one for one in operations if one.in_half(held_back)]
-    count = ceil(count * ground.share)
-    started = time.perf_counter()
-    windows = ground.imagery.windows(side, POOL * count, held_back)
-    found = list(outcomes(own, windows, count))
-    if found:
-        half = next(name for name, held in HALVES.items() if held is held_back)
-        print(f"{ground.imagery.name}, {side} px, {half}: {len(found)} mosaics of {len(windows)} windows, "
-              f"{time.perf_counter() - started:.0f} s", flush=True)
-    return found
+@dataclass(frozen=True)
+class Extent:
+    """How much is done."""
+
+    operations: Sequence[Operation]
+    sides: Sequence[int]
+    halves: Sequence[str]
+    count: int
+    jobs: int
+    with_peers: bool
+
+    def measured(self, ground: Ground) -> Iterator[tuple[str, Outcome]]:
+        """Half and outcome of each half of the operations on one half of the ground."""
+        count = ceil(self.count * ground.share)
+        for side in self.sides:
+            for half in self.halves:
+                started = time.perf_counter()
+                own = [one for one in self.operations if one.in_half(half)]
+                windows = ground.imagery.windows(side, POOL * count, half != HALVES[0])
+                found = list(outcomes(own, windows, count, self.jobs, self.with_peers))
+                yield from ((half, one) for one in found)
+                if found:
+                    print(f"{ground.imagery.name}, {side} px, {half}: {len(found)} mosaics of {len(windows)} windows, "
+                          f"{time.perf_counter() - started:.0f} s", flush=True)
 
 
 def main() -> int:
@@ -78,42 +92,45 @@ def main() -> int:
     parser.add_argument("--half", choices=HALVES, help="only these; 'used' while limits are set")
     parser.add_argument("--side", type=int, choices=SIDES, help="only windows of this side, px")
     parser.add_argument("--imagery", default="", help="only the one whose name holds this, such as Brighton")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes (all cores)")
+    parser.add_argument("--peers", action="store_true", help="usual measures beside the plugin's; slow")
+    parser.add_argument("--operations", action="store_true", help="a line for each operation as well")
     arguments = parser.parse_args()
     gdal.UseExceptions()
     started = time.perf_counter()
-    operations = [one for one in OPERATIONS if arguments.only in one.name]
     data = os.environ.get("SEAM_INSPECTOR_DATA")
-    halves = {name: held for name, held in HALVES.items() if arguments.half in (None, name)}
+    halves = [half for half in HALVES if arguments.half in (None, half)]
     sides = [side for side in SIDES if arguments.side in (None, side)]
+    extent = Extent([one for one in OPERATIONS if arguments.only in one.name], sides, halves, arguments.windows,
+                    arguments.jobs, arguments.peers)
     with ExitStack() as stack:
-        found = [
-            one
-            for ground in grounds(Path(data) if data else None, arguments.imagery.lower(), stack)
-            for side in sides
-            for held_back in halves.values()
-            for one in measured(ground, side, held_back, operations, arguments.windows)
-        ]
-    for side in sides:
-        for name, held_back in halves.items():
-            report(f"{side} px, {name}", [one for one in found if one.window.side == side
-                                          and one.window.held_back is held_back])
+        found: dict[str, list[Outcome]] = {half: [] for half in halves}
+        for ground in grounds(Path(data) if data else None, arguments.imagery.lower(), stack):
+            for half, one in extent.measured(ground):
+                found[half].append(one)
+    for half, own in found.items():
+        report(half, own, arguments.operations)
     print(f"\n{time.perf_counter() - started:.0f} s")
     return 0
 
 
-def report(title: str, found: Sequence[Outcome]) -> None:
-    """Print all tables of one half, and the areas of each imagery for itself."""
+def report(title: str, found: Sequence[Outcome], with_operations: bool) -> None:
+    """Print all tables of one half, and the truth on each ground for itself."""
     if not found:
         return
-    print_operations(title, found)
-    names = list(dict.fromkeys(one.window.imagery for one in found))
-    for name in names if len(names) > 1 else ():
-        own = [one for one in found if one.window.imagery == name]
-        print_areas(f"{title}, {name}", own)
-    print_areas(title, found)
+    if with_operations:
+        print_operations(title, found)
     print_truth(title, found)
+    names = grounds_of(found)
+    for name in names if len(names) > 1 else ():
+        print_truth(f"{title}, {name}", [one for one in found if one.window.imagery == name])
+    print_areas(title, found)
+    print_measures(title, found)
+    print_hard_cuts(title, found)
+    print_usable(title, found)
+    print_causes(title, found)
+    print_missing(title, found)
     print_tones(title, found)
-    print_summary(title, found)
 
 
 if __name__ == "__main__":

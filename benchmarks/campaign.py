@@ -1,0 +1,65 @@
+"""Operations done to windows on all cores: which operation gets which windows, and who works it out."""
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from multiprocessing import get_all_start_methods, get_context
+
+from .known_windows import KnownWindow, WindowFacts
+from .outcomes import Finding, Outcome, find
+from .production import Operation
+
+POOL = 4
+"""So many times as many windows as an operation gets: each gets other ones."""
+
+
+@dataclass(frozen=True, eq=False)
+class Task:
+    """Operations of one making on one window: the seam is made once for all that comes over it."""
+
+    window: KnownWindow
+    operations: tuple[Operation, ...]
+    with_peers: bool
+
+
+_TASKS: list[Task] = []
+"""What processes that were forked off find there: neither operations nor windows have to be sent to them."""
+
+
+def outcomes(
+    operations: Sequence[Operation], windows: Sequence[KnownWindow], count: int, jobs: int = 1, with_peers: bool = False
+) -> Iterator[Outcome]:
+    """Each operation in ``count`` of the windows that it fits, in turn, window by window."""
+    planned: dict[int, list[Operation]] = defaultdict(list)
+    for turn, operation in enumerate(operations):
+        fitting = [place for place, window in enumerate(windows) if operation.fits(window)]
+        for number in range(min(count, len(fitting))):
+            planned[fitting[(turn * count + number) % len(fitting)]].append(operation)
+    tasks = [
+        Task(windows[place], tuple(own), with_peers)
+        for place, found in sorted(planned.items()) for _, own in groupby(found, key=lambda one: one.making.name)
+    ]
+    facts = {windows[place].number: WindowFacts.of(windows[place]) for place in planned}
+    for task, findings in zip(tasks, _worked_out(tasks, jobs)):
+        for operation, finding in zip(task.operations, findings):
+            yield Outcome(operation, facts[task.window.number], finding)
+
+
+def _worked_out(tasks: list[Task], jobs: int) -> Iterator[list[Finding]]:
+    if jobs == 1 or "fork" not in get_all_start_methods():
+        yield from map(_done, tasks)
+        return
+    _TASKS[:] = tasks
+    with get_context("fork").Pool(jobs) as pool:
+        yield from pool.imap(_done_by_number, range(len(tasks)))
+    _TASKS.clear()
+
+
+def _done_by_number(number: int) -> list[Finding]:
+    return _done(_TASKS[number])
+
+
+def _done(task: Task) -> list[Finding]:
+    return [find(operation, task.window, task.with_peers) for operation in task.operations]
