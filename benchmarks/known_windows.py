@@ -19,6 +19,7 @@ from .detail import detail_energy, luminance_of
 
 MARGIN_PX = 128
 """By which a frame is wider than its window on every side, where the imagery has that much."""
+ENOUGH_FRAMES = 32
 STEP_PX = 16
 """Raster of the frames that are looked at."""
 MIN_TEXTURE = 4.0
@@ -156,10 +157,11 @@ class Imagery:
         ]
 
     def _frame(self, side: int) -> int:
-        """The widest of three margins at which either half has ground for it."""
+        """With the widest of three margins at which either half has ground for enough of them."""
         for margin in (MARGIN_PX, MARGIN_PX // 2):
             frame = side + 2 * margin
-            if all(_half(list(self._covering(frame)), frame, held_back) for held_back in (False, True)):
+            corners = list(self._covering(frame))
+            if min(len(_half(corners, frame, held_back)) for held_back in (False, True)) >= ENOUGH_FRAMES:
                 return frame
         return side
 
