@@ -26,18 +26,36 @@ def unsharp(amount: float, radius_px: float = 1.0) -> Change:
 
 def jpeg(quality: int) -> Change:
     """Once to a file and back, by GDAL's driver (which stores the colours of half the pixels)."""
+    return _written("JPEG", f"QUALITY={quality}")
 
+
+def jpeg2000(percent: int) -> Change:
+    """To a file of so much of the size and back."""
+    return _written("JP2OpenJPEG", f"QUALITY={percent}", "REVERSIBLE=NO")
+
+
+def webp(quality: int) -> Change:
+    """To a file and back."""
+    return _written("WEBP", f"QUALITY={quality}")
+
+
+def _written(driver: str, *options: str) -> Change:
     def change(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
         count, rows, columns = bands.shape
         memory = gdal.GetDriverByName("MEM").Create("", columns, rows, count, gdal.GDT_Byte)
         memory.WriteArray(bands)
-        path = f"/vsimem/{uuid4().hex}.jpg"
-        gdal.GetDriverByName("JPEG").CreateCopy(path, memory, options=[f"QUALITY={quality}"])
+        path = f"/vsimem/{uuid4().hex}"
+        gdal.GetDriverByName(driver).CreateCopy(path, memory, options=list(options))
         found = gdal.Open(path).ReadAsArray()
-        gdal.GetDriverByName("JPEG").Delete(path)
+        gdal.GetDriverByName(driver).Delete(path)
         return np.asarray(found)
 
     return change
+
+
+def median3(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """Of 3 x 3 pixels."""
+    return np.asarray(ndimage.median_filter(bands, (1, 3, 3), mode="nearest"))
 
 
 def noise(sigma: float) -> Change:

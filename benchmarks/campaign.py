@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import groupby
 from multiprocessing import get_all_start_methods, get_context
 
@@ -21,33 +22,38 @@ class Task:
 
     window: KnownWindow
     operations: tuple[Operation, ...]
-    with_peers: bool
+    with_peers: bool = False
 
+
+Done = tuple[WindowFacts, list[Finding]]
 
 _TASKS: list[Task] = []
 """What processes that were forked off find there: neither operations nor windows have to be sent to them."""
 
 
-def outcomes(
-    operations: Sequence[Operation], windows: Sequence[KnownWindow], count: int, jobs: int = 1, with_peers: bool = False
-) -> Iterator[Outcome]:
+def spread(
+    operations: Sequence[Operation], windows: Sequence[KnownWindow], count: int, with_peers: bool = False
+) -> list[Task]:
     """Each operation in ``count`` of the windows that it fits, in turn, window by window."""
     planned: dict[int, list[Operation]] = defaultdict(list)
     for turn, operation in enumerate(operations):
         fitting = [place for place, window in enumerate(windows) if operation.fits(window)]
         for number in range(min(count, len(fitting))):
             planned[fitting[(turn * count + number) % len(fitting)]].append(operation)
-    tasks = [
+    return [
         Task(windows[place], tuple(own), with_peers)
         for place, found in sorted(planned.items()) for _, own in groupby(found, key=lambda one: one.making.name)
     ]
-    facts = {windows[place].number: WindowFacts.of(windows[place]) for place in planned}
-    for task, findings in zip(tasks, _worked_out(tasks, jobs)):
+
+
+def outcomes(tasks: Sequence[Task], jobs: int = 1) -> Iterator[Outcome]:
+    """Of all tasks in turn, worked out by so many processes."""
+    for task, (facts, findings) in zip(tasks, _worked_out(tasks, jobs)):
         for operation, finding in zip(task.operations, findings):
-            yield Outcome(operation, facts[task.window.number], finding)
+            yield Outcome(operation, facts, finding)
 
 
-def _worked_out(tasks: list[Task], jobs: int) -> Iterator[list[Finding]]:
+def _worked_out(tasks: Sequence[Task], jobs: int) -> Iterator[Done]:
     if jobs == 1 or "fork" not in get_all_start_methods():
         yield from map(_done, tasks)
         return
@@ -57,9 +63,14 @@ def _worked_out(tasks: list[Task], jobs: int) -> Iterator[list[Finding]]:
     _TASKS.clear()
 
 
-def _done_by_number(number: int) -> list[Finding]:
+def _done_by_number(number: int) -> Done:
     return _done(_TASKS[number])
 
 
-def _done(task: Task) -> list[Finding]:
-    return [find(operation, task.window, task.with_peers) for operation in task.operations]
+def _done(task: Task) -> Done:
+    return _facts(task.window), [find(operation, task.window, task.with_peers) for operation in task.operations]
+
+
+@lru_cache(maxsize=2)
+def _facts(window: KnownWindow) -> WindowFacts:
+    return WindowFacts.of(window)

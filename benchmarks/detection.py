@@ -5,7 +5,8 @@ afterwards. What the plugin says of a window is compared with what was done, and
 truly left (``true_profile``). Figures stand by halves: the operations and the ground that may be looked at while limits
 are set, and those that are held back.
 
-On Brighton and PackO where SEAM_INSPECTOR_DATA is set, and on a generated block.
+On Brighton and PackO where SEAM_INSPECTOR_DATA is set, on a generated block, on images of several dates and on those of
+a satellite that are nearly alike.
 """
 from __future__ import annotations
 
@@ -13,8 +14,7 @@ import argparse
 import os
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
-from contextlib import ExitStack
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from math import ceil
 from pathlib import Path
@@ -23,19 +23,23 @@ from osgeo import gdal
 
 from demo.block import make_block
 
-from .campaign import POOL, outcomes
+from .campaign import POOL, outcomes, spread
 from .cause_tables import print_causes, print_missing, print_operations, print_tones
 from .figures import grounds_of
 from .kept_tables import print_areas, print_hard_cuts, print_measures, print_truth, print_usable
 from .known_windows import Imagery, brighton, imagery, packo
+from .made_grounds import dates, satellites
+from .misfit_cases import is_misfit, misfit_tasks, print_misfits
 from .operations import OPERATIONS
 from .outcomes import Outcome
-from .production import HALVES, Operation
+from .production import HALVES
 
 SIDES = (512, 256, 128)
 COUNT = 3
 OTHER_SHARE = 0.5
 """Of the windows, on imagery other than Brighton's."""
+MISFIT_WINDOWS = 2
+"""So many times as many for the cases of images that do not fit."""
 BLOCK_EXTENT = (330.0, 264.0)
 
 
@@ -47,23 +51,29 @@ class Ground:
     share: float
 
 
-def grounds(data: Path | None, wanted: str, stack: ExitStack) -> Iterator[Ground]:
+def grounds(data: Path | None, wanted: str) -> Iterator[Ground]:
     """Whatever there is of what is wanted by its name."""
-    real = data is not None and (data / "seams" / "brighton").is_dir()
-    makers = {"Brighton": brighton, "PackO": packo} if real else {}
-    for name, maker in makers.items():
-        if data is not None and wanted in name.lower():
-            yield Ground(maker(data / "seams" / name.lower()), 1.0 if maker is brighton else OTHER_SHARE)
-    if wanted in "block":
-        block = make_block(stack.enter_context(tempfile.TemporaryDirectory(prefix="seam_inspector_")), BLOCK_EXTENT)
-        yield Ground(imagery("block", block.sources), OTHER_SHARE if real else 1.0)
+    real: dict[str, Callable[[], Imagery]] = {}
+    if data is not None and (data / "seams" / "brighton").is_dir():
+        seams = data / "seams"
+        real = {"brighton": lambda: brighton(seams / "brighton"), "packo": lambda: packo(seams / "packo")}
+    for name, make in {**real, "block": block, "dates": dates, "satellites": satellites}.items():
+        if wanted in name:
+            yield Ground(make(), OTHER_SHARE if real and name != "brighton" else 1.0)
+
+
+def block() -> Imagery:
+    """The orthoimages of the demonstration's block (0.10 m)."""
+    with tempfile.TemporaryDirectory(prefix="seam_inspector_") as folder:
+        return imagery("block", make_block(folder, BLOCK_EXTENT).sources)
 
 
 @dataclass(frozen=True)
 class Extent:
     """How much is done."""
 
-    operations: Sequence[Operation]
+    wanted: str
+    """What names of operations hold."""
     sides: Sequence[int]
     halves: Sequence[str]
     count: int
@@ -76,9 +86,12 @@ class Extent:
         for side in self.sides:
             for half in self.halves:
                 started = time.perf_counter()
-                own = [one for one in self.operations if one.in_half(half)]
+                own = [one for one in OPERATIONS if one.in_half(half) and self.wanted in one.name]
                 windows = ground.imagery.windows(side, POOL * count, half != HALVES[0])
-                found = list(outcomes(own, windows, count, self.jobs, self.with_peers))
+                tasks = spread(own, windows, count, self.with_peers)
+                if half != HALVES[2]:
+                    tasks += misfit_tasks(windows, MISFIT_WINDOWS * count, self.wanted)
+                found = list(outcomes(tasks, self.jobs))
                 yield from ((half, one) for one in found)
                 if found:
                     print(f"{ground.imagery.name}, {side} px, {half}: {len(found)} mosaics of {len(windows)} windows, "
@@ -101,13 +114,11 @@ def main() -> int:
     data = os.environ.get("SEAM_INSPECTOR_DATA")
     halves = [half for half in HALVES if arguments.half in (None, half)]
     sides = [side for side in SIDES if arguments.side in (None, side)]
-    extent = Extent([one for one in OPERATIONS if arguments.only in one.name], sides, halves, arguments.windows,
-                    arguments.jobs, arguments.peers)
-    with ExitStack() as stack:
-        found: dict[str, list[Outcome]] = {half: [] for half in halves}
-        for ground in grounds(Path(data) if data else None, arguments.imagery.lower(), stack):
-            for half, one in extent.measured(ground):
-                found[half].append(one)
+    extent = Extent(arguments.only, sides, halves, arguments.windows, arguments.jobs, arguments.peers)
+    found: dict[str, list[Outcome]] = {half: [] for half in halves}
+    for ground in grounds(Path(data) if data else None, arguments.imagery.lower()):
+        for half, one in extent.measured(ground):
+            found[half].append(one)
     for half, own in found.items():
         report(half, own, arguments.operations)
     print(f"\n{time.perf_counter() - started:.0f} s")
@@ -116,6 +127,9 @@ def main() -> int:
 
 def report(title: str, found: Sequence[Outcome], with_operations: bool) -> None:
     """Print all tables of one half, and the truth on each ground for itself."""
+    misfits, found = [one for one in found if is_misfit(one)], [one for one in found if not is_misfit(one)]
+    if misfits:
+        print_misfits(title, misfits)
     if not found:
         return
     if with_operations:

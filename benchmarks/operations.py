@@ -1,7 +1,7 @@
 """What is done to a mosaic, one way after another: how its seam was made, and what came over all of it afterwards.
 
-Each operation says what it did in the words of the plugin's causes. Every second parameter is held back: nobody looks
-at those while limits are set, nor at the windows in the east (``known_windows``).
+Each operation says what it did in the words of the plugin's causes. Every second parameter is held back, and all that
+is strange: nobody looks at those while limits are set, nor at the windows in the east (``known_windows``).
 """
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from . import aftermaths as after
 from . import seam_makings as seams
+from . import strange_makings as strange
 from .production import AS_IT_IS, HALVES, NOTHING_NAME, Aftermath, KnownTone, Making, Offset, Operation
 
 PHASE: Offset = (0.45, 0.37)
@@ -113,6 +114,19 @@ AFTERMATHS = (
 )
 """Every second one is held back, from the second on."""
 
+OTHER_MIXTURE = "other mixture"
+STRANGE_MAKINGS = (
+    Making("darkest of two in 33 px", strange.darkest(33), OTHER_MIXTURE, possible=("feathering",)),
+    Making("dissolve over 33 px", strange.dissolved(33), OTHER_MIXTURE, possible=("feathering",)),
+    Making("soft brush", strange.brushed, "blur", lost=True),
+)
+STRANGE_AFTERMATHS = (
+    Aftermath("JPEG 2000", after.jpeg2000(12), "compressed"),
+    Aftermath("WebP 75", after.webp(75), "compressed"),
+    Aftermath("median 3 x 3", after.median3, "blur"),
+)
+
+
 def _operations() -> Iterator[Operation]:
     for making in KINDS:
         for number, aftermath in enumerate(AFTERMATHS):
@@ -120,7 +134,12 @@ def _operations() -> Iterator[Operation]:
     for number, making in enumerate(OTHERS):
         yield Operation(making, NOTHING, _half(number))
     for making in MISSING:
-        yield Operation(making, NOTHING, "used", always=True)
+        yield Operation(making, NOTHING, HALVES[0], always=True)
+    for making in STRANGE_MAKINGS:
+        yield Operation(making, NOTHING, HALVES[2])
+    for making in KINDS:
+        for aftermath in STRANGE_AFTERMATHS:
+            yield Operation(making, aftermath, HALVES[2])
 
 
 def _half(number: int) -> str:

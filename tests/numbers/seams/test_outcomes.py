@@ -9,7 +9,7 @@ from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.seams.measure.explanation import Change
 from seam_inspector.plugin.seams.measure.tone import Tone
 
-from benchmarks.campaign import outcomes
+from benchmarks.campaign import outcomes, spread
 from benchmarks.figures import area
 from benchmarks.known_windows import KnownWindow, WindowFacts
 from benchmarks.operations import NOTHING, OPERATIONS
@@ -99,7 +99,7 @@ def test_pixels_are_unsaid_where_neither_cause_nor_share_tells_of_them(window: K
 def test_each_operation_gets_its_windows_and_other_ones_than_its_neighbour(window: KnownWindow) -> None:
     windows = [replace(window, number=number) for number in range(4)]
     plain = [one for one in OPERATIONS if one.aftermath is NOTHING and not one.making.three][:3]
-    found = [(one.operation.name, one.window.number) for one in outcomes(plain, windows, 2)]
+    found = [(one.operation.name, one.window.number) for one in outcomes(spread(plain, windows, 2))]
     assert len(set(found)) == len(found) == 6
     assert {number for name, number in found if name == plain[0].name} == {0, 1}
     assert {number for name, number in found if name == plain[1].name} == {2, 3}
