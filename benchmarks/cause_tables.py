@@ -33,7 +33,8 @@ def print_causes(title: str, outcomes: Sequence[Outcome]) -> None:
     head = ["what was done", "windows", "right %", "true %", "all named %", "wrong"]
     print_table(f"Main causes, {title}", head, rows,
                 "Right: the main cause is the main one of what was done; a feather that took less than 5 % need not\n"
-                "  be named, and where images lie 0.7 px or more off each other their misfit is as right as it.\n"
+                "  be named, and where images lie 0.7 px or more off each other their misfit is as right as it;\n"
+                "  so is what came over the whole mosaic where that took half as much detail of the window or more.\n"
                 "  True: the main cause is among what was done. All named: all that was done is.")
 
 

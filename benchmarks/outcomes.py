@@ -26,6 +26,8 @@ class Finding:
     """kept_1 as it is; nan where the mosaic holds a source that is not given."""
     foreign: float
     """Share of the pixels from a source that is not given, or that was not made use of."""
+    mains: frozenset[str]
+    """Causes that are right as the main one."""
     allowed: frozenset[str]
     """Causes that are true or that it is no mistake to name."""
 
@@ -79,8 +81,7 @@ class Outcome:
         true, said = self.true_causes[0], self.reading.cause
         if true == "feathering" and said == "misregistration":
             return said in self.allowed
-        return said in (true, self.operation.true_causes[0], *self.operation.as_well) or (
-            true == "none" and said in self.allowed)
+        return said in (true, *self.finding.mains) or (true == "none" and said in self.allowed)
 
     @property
     def is_true(self) -> bool:
@@ -138,7 +139,8 @@ def find(operation: Operation, window: KnownWindow, with_peers: bool = False) ->
     reading = read(made, window)
     missing = float(made.foreign[window.middle].mean())
     foreign = max(missing, _left_out(window, reading, len(made.sources)))
-    return Finding(reading, peers(made, window) if with_peers else None, made.truth, foreign, made.allowed)
+    return Finding(reading, peers(made, window) if with_peers else None, made.truth, foreign, made.mains,
+                   made.allowed)
 
 
 def _left_out(window: KnownWindow, reading: Reading, given: int) -> float:

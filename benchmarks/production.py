@@ -11,12 +11,14 @@ import numpy as np
 from . import seam_makings as seams
 from .known_windows import KnownWindow, hard_cut
 from .seam_makings import Change, Mix, Mixed, whole_values
-from .true_profile import truth_of
+from .true_profile import Truth, taken_by_change, truth_of
 
 Offset = tuple[float, float]
 
 HALVES = ("used", "held back", "strange")
 """Of the operations; the strange ones are nobody's to look at while limits are set, as those that are held back."""
+TAKE_DETAIL = ("blur", "resampled", "compressed")
+"""What takes detail from the whole window."""
 MIN_CLIPPED = 0.005
 """Of the pixels: from there on an operation may be called clipping too."""
 NOTHING_NAME = "nothing"
@@ -50,7 +52,7 @@ class Making:
     possible: tuple[str, ...] = ()
     """Causes that it is no mistake to name besides."""
     as_well: tuple[str, ...] = ()
-    """Causes that are as right as the main one."""
+    """Causes that are as right as its own."""
     lost: bool = False
     """Whether detail was lost in a strip along the seam."""
     kind: str = ""
@@ -109,6 +111,8 @@ class Made:
     """How the grid of each lies beside the mosaic's."""
     truth: float
     """kept_1 as it was before the aftermath."""
+    mains: frozenset[str]
+    """Causes that are right as the main one."""
     foreign: np.ndarray
     """Pixels from a source that is not given, (rows, columns) bool."""
     allowed: frozenset[str]
@@ -137,11 +141,6 @@ class Operation:
         whole = () if aftermath.cause == "none" else (aftermath.cause,)
         own = () if making.cause == "none" else (making.cause, *making.also)
         return (own + whole if making.lost or not whole else whole + own) or ("none",)
-
-    @property
-    def as_well(self) -> tuple[str, ...]:
-        """Causes that are as right as the main one, where that is the making's."""
-        return self.making.as_well if self.true_causes[0] == self.making.cause else ()
 
     @property
     def lost_in_strip(self) -> bool:
@@ -181,11 +180,23 @@ class Operation:
             tuple(given),
             tuple(window.valid[k] for k in mixed.given),
             tuple(self._offset(k == window.main[1]) for k in mixed.given),
-            truth,
+            truth.near,
+            self._mains(truth, mixed, bands, window),
             mixed.foreign,
             frozenset((*self.true_causes, *self.making.as_well, *self.making.possible, *self.aftermath.possible,
                        *clipped)),
         )
+
+    def _mains(self, truth: Truth, mixed: Mixed, bands: np.ndarray, window: KnownWindow) -> frozenset[str]:
+        """The main true cause, and what is as right: a making's others, or what took more of the whole window."""
+        making, aftermath = self.making, self.aftermath
+        right = {self.true_causes[0]}
+        if making.as_well:
+            right |= {making.cause, *making.as_well, *self.true_causes}
+        if making.lost and aftermath.cause in TAKE_DETAIL:
+            taken = taken_by_change(mixed.bands, bands, window.middle)
+            right |= {aftermath.cause} if taken > truth.taken / 2 else set()
+        return frozenset(right)
 
     def _offset(self, of_second: bool) -> Offset:
         own, whole = self.making.offset if of_second else (0.0, 0.0), self.aftermath.offset
@@ -193,14 +204,14 @@ class Operation:
 
 
 @lru_cache(maxsize=2)
-def _mixed(making: Making, window: KnownWindow) -> tuple[Mixed, float]:
+def _mixed(making: Making, window: KnownWindow) -> tuple[Mixed, Truth]:
     """The mosaic before anything came over it, and what it kept; asked for with every aftermath.
 
     Beside ground of a source that is not given nobody can tell what was kept: nan.
     """
     mixed = making.mix(window, np.random.default_rng(_seed(making.name, window)))
     if mixed.foreign[window.middle].any():
-        return mixed, np.nan
+        return mixed, Truth(np.nan, np.nan)
     return mixed, truth_of(mixed, seams.seam_distance(mixed.labels), window.middle)
 
 

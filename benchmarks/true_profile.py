@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .detail import detail_energy, details
+from .detail import detail_energy, details, luminance_of
 from .seam_makings import Mixed
 
 BIN_PX = 8
@@ -46,18 +46,41 @@ def truth_kept(
     return TrueProfile(tuple(kept[:-1].tolist()))
 
 
-def truth_of(mixed: Mixed, distance_px: np.ndarray, where: tuple[slice, slice], wavelet: str = "coif3") -> float:
-    """What a mosaic truly kept of the finest detail of its sources, in the ``BIN_PX`` beside the seam.
+@dataclass(frozen=True)
+class Truth:
+    """What a mosaic kept before anything came over the whole of it; nan where that can't be told."""
+
+    near: float
+    """Of the finest detail energy in the ``BIN_PX`` beside the seam."""
+    taken: float
+    """The share of it that mixing took from the whole window."""
+
+
+def truth_of(mixed: Mixed, distance_px: np.ndarray, where: tuple[slice, slice], wavelet: str = "coif3") -> Truth:
+    """By what the mosaic was made of.
 
     The sum over its parts of weight x detail, squared, over the square of the detail of the source on whose side each
-    pixel lies. A hard cut keeps 1 whatever it joins: the edge of the cut itself is nobody's detail. Before anything
-    came over the whole mosaic.
+    pixel lies. A hard cut keeps 1 whatever it joins: the edge of the cut itself is nobody's detail.
     """
-    near = tuple(slice(max(one.start - REACH_PX, 0), one.stop + REACH_PX) for one in where)
+    around = tuple(slice(max(one.start - REACH_PX, 0), one.stop + REACH_PX) for one in where)
     inside = np.zeros(distance_px.shape, bool)
-    inside[where] = distance_px[where] <= BIN_PX
-    inside, labels = inside[near], mixed.labels[near]
-    made = sum(part.weight[near] * details(part.plane[near], 1, wavelet) for part in mixed.parts)
-    followed = sum((labels == number) * details(plane[near], 1, wavelet) for number, plane in enumerate(mixed.planes))
-    energies = [np.square(one)[:, inside].sum() for one in (made, followed)]
-    return float(energies[0] / energies[1]) if inside.sum() >= MIN_PIXELS and energies[1] > 0 else np.nan
+    inside[where] = True
+    near, inside = (inside & (distance_px <= BIN_PX))[around], inside[around]
+    labels = mixed.labels[around]
+    made = sum(part.weight[around] * details(part.plane[around], 1, wavelet) for part in mixed.parts)
+    followed = sum(
+        (labels == number) * details(plane[around], 1, wavelet) for number, plane in enumerate(mixed.planes)
+    )
+    energies = [np.square(one).sum(axis=0) for one in (made, followed)]
+    kept = [_ratio(*(one[pixels].sum() for one in energies)) for pixels in (near, inside)]
+    return Truth(kept[0] if near.sum() >= MIN_PIXELS else np.nan, 1 - kept[1])
+
+
+def taken_by_change(before: np.ndarray, after: np.ndarray, where: tuple[slice, slice]) -> float:
+    """The share of the finest detail energy that did not come over: 1 less the gain, squared."""
+    fine = [details(luminance_of(bands[(slice(None), *where)]), 1, "coif3") for bands in (before, after)]
+    return 1 - float((fine[0] * fine[1]).sum() / np.square(fine[0]).sum()) ** 2
+
+
+def _ratio(made: float, of_sources: float) -> float:
+    return float(made / of_sources) if of_sources > 0 else np.nan

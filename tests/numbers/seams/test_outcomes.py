@@ -14,7 +14,7 @@ from benchmarks.figures import area
 from benchmarks.known_windows import KnownWindow, WindowFacts
 from benchmarks.operations import NOTHING, OPERATIONS
 from benchmarks.outcomes import Finding, Outcome
-from benchmarks.production import Operation
+from benchmarks.production import Made, Operation
 from benchmarks.readings import Reading
 from tests.numbers.synthetic import orthoimage
 
@@ -38,11 +38,12 @@ def named(name: str) -> Operation:
 
 def outcome_of(
     window: KnownWindow, operation: Operation, reading: Reading, truth: float = 1.0, foreign: float = 0.0,
-    allowed: frozenset[str] = frozenset(), misfit: tuple[float, float] = (0.0, 0.0),
+    made: Made | None = None, misfit: tuple[float, float] = (0.0, 0.0),
 ) -> Outcome:
     """Of images that lie a misfit (px) off each other."""
     facts = replace(WindowFacts.of(window), misfit=misfit)
-    return Outcome(operation, facts, Finding(reading, None, truth, foreign, allowed))
+    mains, allowed = (made.mains, made.allowed) if made else (frozenset(), frozenset())
+    return Outcome(operation, facts, Finding(reading, None, truth, foreign, mains, allowed))
 
 
 def judged(
@@ -50,13 +51,13 @@ def judged(
     misfit: tuple[float, float] = (0.0, 0.0),
 ) -> tuple[bool, bool, bool]:
     """Whether the main cause is right, whether it is true, whether all are named."""
-    allowed = operation.make(window).allowed
-    one = outcome_of(window, operation, replace(SOUND, causes=causes), truth, allowed=allowed, misfit=misfit)
+    made = operation.make(window)
+    one = outcome_of(window, operation, replace(SOUND, causes=causes), truth, made=made, misfit=misfit)
     return one.is_main_right, one.is_true, one.are_all_named
 
 
 def test_a_cause_is_right_where_it_is_the_main_one_and_true_where_it_took_part(window: KnownWindow) -> None:
-    both = named("feather 33 px cosine, JPEG 75")
+    both = named("feather 33 px cosine, JPEG 95")
     assert judged(window, both, "feathering", "compressed") == (True, True, True)
     assert judged(window, both, "compressed", "feathering") == (False, True, True)
     assert judged(window, both, "feathering") == (True, True, False)
@@ -67,12 +68,17 @@ def test_a_cause_is_right_where_it_is_the_main_one_and_true_where_it_took_part(w
 
 
 def test_a_feather_that_took_nothing_need_not_be_named(window: KnownWindow) -> None:
-    both = named("feather 33 px cosine, JPEG 75")
+    both = named("feather 33 px cosine, JPEG 95")
     assert judged(window, both, "compressed", truth=0.97) == (True, True, True)
     assert judged(window, both, "feathering", "compressed", truth=0.97) == (True, True, True)
     assert judged(window, both, "none", truth=0.97) == (False, False, False)
     assert judged(window, named("feather 33 px cosine"), "none", truth=0.97) == (True, True, True)
     assert judged(window, named("feather 33 px cosine"), "none", truth=0.9) == (False, False, False)
+
+
+def test_what_took_more_of_the_window_than_the_feather_may_be_the_main_cause(window: KnownWindow) -> None:
+    assert judged(window, named("feather 13 px cosine, blur 0.8 px"), "blur", "feathering") == (True, True, True)
+    assert judged(window, named("feather 13 px cosine, JPEG 95"), "compressed", "feathering") == (False, True, True)
 
 
 def test_a_misfit_is_as_right_as_the_feather_that_mixes_it_and_wrong_where_images_fit(window: KnownWindow) -> None:
