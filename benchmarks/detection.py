@@ -23,6 +23,7 @@ from osgeo import gdal
 
 from demo.block import make_block
 
+from .block_mosaics import print_block
 from .campaign import POOL, outcomes, spread
 from .cause_tables import print_causes, print_missing, print_operations, print_tones
 from .figures import grounds_of
@@ -33,6 +34,7 @@ from .misfit_cases import is_misfit, misfit_tasks, print_misfits
 from .operations import OPERATIONS
 from .outcomes import Outcome
 from .production import HALVES
+from .promises import print_promises
 
 SIDES = (512, 256, 128)
 COUNT = 3
@@ -40,6 +42,9 @@ OTHER_SHARE = 0.5
 """Of the windows, on imagery other than Brighton's."""
 MISFIT_WINDOWS = 2
 """So many times as many for the cases of images that do not fit."""
+LINE = "own line"
+"""What ``--only`` has to hold for the block's own mosaics."""
+LINE_WINDOWS = 3
 BLOCK_EXTENT = (330.0, 264.0)
 
 
@@ -121,13 +126,15 @@ def main() -> int:
             found[half].append(one)
     for half, own in found.items():
         report(half, own, arguments.operations)
+        if arguments.imagery.lower() in "block" and arguments.only in LINE and half != HALVES[2]:
+            print_block(half, sides, half != HALVES[0], LINE_WINDOWS * arguments.windows)
     print(f"\n{time.perf_counter() - started:.0f} s")
     return 0
 
 
-def report(title: str, found: Sequence[Outcome], with_operations: bool) -> None:
+def report(title: str, every: Sequence[Outcome], with_operations: bool) -> None:
     """Print all tables of one half, and the truth on each ground for itself."""
-    misfits, found = [one for one in found if is_misfit(one)], [one for one in found if not is_misfit(one)]
+    misfits, found = [one for one in every if is_misfit(one)], [one for one in every if not is_misfit(one)]
     if misfits:
         print_misfits(title, misfits)
     if not found:
@@ -145,6 +152,7 @@ def report(title: str, found: Sequence[Outcome], with_operations: bool) -> None:
     print_causes(title, found)
     print_missing(title, found)
     print_tones(title, found)
+    print_promises(title, every)
 
 
 if __name__ == "__main__":

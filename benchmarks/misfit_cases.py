@@ -116,6 +116,13 @@ def is_right(case: Case, seam: str, causes: Sequence[str]) -> bool:
     return MISREGISTRATION in causes if WIDTHS[seam] else causes[:1] != (MISREGISTRATION,)
 
 
+def is_right_case(outcome: Outcome) -> bool:
+    """The same of what was read of one of these cases."""
+    making = outcome.operation.making
+    case = next(one for one in CASES if one.name == making.kind)
+    return is_right(case, making.group, outcome.reading.causes)
+
+
 def print_misfits(title: str, outcomes: Sequence[Outcome]) -> None:
     """Case by case, hard cuts and feathers."""
     rows = []
@@ -126,9 +133,7 @@ def print_misfits(title: str, outcomes: Sequence[Outcome]) -> None:
                        and one.operation.making.kind == case.name]
                 if own:
                     rows.append([f"{side} px: {case.name}, {seam}", *_cells(case, seam, own)])
-        every = [is_right(case, seam, one.reading.causes) for case in CASES for seam in WIDTHS for one in outcomes
-                 if one.window.side == side and (one.operation.making.kind, one.operation.making.group) == (
-                     case.name, seam)]
+        every = [is_right_case(one) for one in outcomes if one.window.side == side]
         rows.append([f"{side} px: all", str(len(every)), percent(every), "", "", "", "", ""])
     head = ["case", "windows", "right %", "named %", "main %", "misfit, px", "true", "main causes"]
     print_table(f"Images that fit or do not fit, {title}", head, rows,
