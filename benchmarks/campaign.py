@@ -12,7 +12,7 @@ from .known_windows import KnownWindow, WindowFacts
 from .outcomes import Finding, Outcome, find
 from .production import Operation
 
-POOL = 4
+POOL = 8
 """So many times as many windows as an operation gets: each gets other ones."""
 
 

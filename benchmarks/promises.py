@@ -15,6 +15,8 @@ from .timing import print_table
 
 MOST_ERROR = {512: 0.02, 256: 0.03, 128: 0.05}
 INTERVALS = (92.0, 98.0)
+MANY = 100
+"""Windows of a row, for its intervals to be called too wide."""
 LEAST_VERDICTS = {512: 99.0, 256: 97.0, 128: 85.0}
 LEAST_AREAS = {
     ("13 px", 256): 0.985, ("33 px and more", 256): 0.99, ("13 px", 128): 0.97, ("33 px and more", 128): 0.97,
@@ -46,7 +48,8 @@ def _of_side(side: int, own: Sequence[Outcome]) -> Iterable[Row]:
     most, (low, high) = MOST_ERROR[side], INTERVALS
     yield f"{side} px: largest median error of a row", f"<= {most:g}", max(errors, default=np.nan), _at_most(most)
     yield f"{side} px: least share of intervals right", f">= {low:g} %", min(rights, default=np.nan), _at_least(low)
-    yield f"{side} px: largest share of intervals right", f"<= {high:g} %", max(rights, default=np.nan), _at_most(high)
+    many = [_percent(one.holds_truth for one in of_kind) for of_kind in of_kinds if len(of_kind) >= MANY]
+    yield f"{side} px: largest share of intervals right", f"<= {high:g} %", max(many, default=np.nan), _at_most(high)
     with_texture = [one for one in own if one.window.has_texture]
     least = LEAST_VERDICTS[side]
     yield (f"{side} px: windows with texture and a verdict", f">= {least:g} %",
