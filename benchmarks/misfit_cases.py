@@ -25,7 +25,8 @@ from .timing import print_table
 
 PREFIX = "misfit: "
 MISREGISTRATION = "misregistration"
-WIDTHS = {"hard cut": 0.0, "feather 33 px": 33.0}
+WIDTHS = {"cut hard": 0.0, "mixed over 33 px": 33.0}
+"""Full widths, px."""
 NOISE_DN = 2.0
 OTHER_DETAIL = 0.35
 """Share of the ground where the second image has other detail."""
