@@ -37,11 +37,11 @@ from .production import HALVES
 from .promises import print_promises
 
 SIDES = (512, 256, 128)
-COUNT = 3
+COUNT = 2
 OTHER_SHARE = 0.5
 """Of the windows, on imagery other than Brighton's."""
-MISFIT_WINDOWS = 2
-"""So many times as many for the cases of images that do not fit."""
+MISFIT_WINDOWS, MISSING_WINDOWS = 2, 4
+"""So many times as many for images that do not fit, and for a source that is missing."""
 LINE = "own line"
 """What ``--only`` has to hold for the block's own mosaics."""
 LINE_WINDOWS = 3
@@ -93,7 +93,9 @@ class Extent:
                 started = time.perf_counter()
                 own = [one for one in OPERATIONS if one.in_half(half) and self.wanted in one.name]
                 windows = ground.imagery.windows(side, POOL * count, half != HALVES[0])
-                tasks = spread(own, windows, count, self.with_peers)
+                often = [one for one in own if one.making.missing]
+                tasks = spread([one for one in own if one not in often], windows, count, self.with_peers)
+                tasks += spread(often, windows, MISSING_WINDOWS * count, self.with_peers)
                 if half != HALVES[2]:
                     tasks += misfit_tasks(windows, MISFIT_WINDOWS * count, self.wanted)
                 found = list(outcomes(tasks, self.jobs))
