@@ -70,8 +70,8 @@ def print_areas(title: str, outcomes: Sequence[Outcome]) -> None:
         rows += [[f"all of {group}, lost, {ground}", *_areas(own, lost_of_group(group), sides)] for group in GROUPS]
     print_table(f"Area under the ROC curve of kept_1, all hard cuts against feathers, {title}",
                 ["seam", *(f"{side} px" for side in sides)], rows,
-                "Windows that have kept_1, all aftermaths together; behind it how many, hard cuts first. Lost: at most\n"
-                f"  {MOST_KEPT:g} is truly left; between images that are alike even a wide feather takes less.")
+                "Windows that have kept_1, all aftermaths together; behind it how many, hard cuts first.\n"
+                f"  Lost: at most {MOST_KEPT:g} is truly left; between images that are alike even a wide feather takes less.")
 
 
 def print_measures(title: str, outcomes: Sequence[Outcome]) -> None:
