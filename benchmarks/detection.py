@@ -131,7 +131,8 @@ def main() -> int:
     for half, own in found.items():
         report(half, own, arguments.operations)
         if arguments.imagery.lower() in "block" and arguments.only in LINE and half != HALVES[2]:
-            print_block(half, sides if arguments.side else [LINE_SIDE, *sides], half != HALVES[0], LINE_WINDOWS * arguments.windows)
+            of_line = sides if arguments.side else [LINE_SIDE, *sides]
+            print_block(half, of_line, half != HALVES[0], LINE_WINDOWS * arguments.windows)
     print(f"\n{time.perf_counter() - started:.0f} s")
     return 0
 

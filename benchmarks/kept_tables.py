@@ -71,7 +71,7 @@ def print_areas(title: str, outcomes: Sequence[Outcome]) -> None:
     print_table(f"Area under the ROC curve of kept_1, all hard cuts against feathers, {title}",
                 ["seam", *(f"{side} px" for side in sides)], rows,
                 "Windows that have kept_1, all aftermaths together; behind it how many, hard cuts first.\n"
-                f"  Lost: at most {MOST_KEPT:g} is truly left; between images that are alike even a wide feather takes less.")
+                f"  Lost: at most {MOST_KEPT:g} is truly left; images that are alike lose less even by a wide feather.")
 
 
 def print_measures(title: str, outcomes: Sequence[Outcome]) -> None:
