@@ -175,7 +175,7 @@ def print_block(title: str, sides: Sequence[int], in_east: bool, count: int) -> 
 
 def _kinds(name: str, found: Sequence[MadeWindow]) -> Iterator[tuple[str, list[MadeWindow]]]:
     """The seams of the gap-filler for themselves."""
-    for kind, with_filler in ((name, False), (f"{name}, beside the gap-filler", True)):
+    for kind, with_filler in ((name, False), (f"{name}, with the gap-filler's wide feather", True)):
         own = [one for one in found if one.has_gap_filler is with_filler]
         if own:
             yield kind, own

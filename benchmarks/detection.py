@@ -44,7 +44,9 @@ MISFIT_WINDOWS, MISSING_WINDOWS = 2, 4
 """So many times as many for images that do not fit, and for a source that is missing."""
 LINE = "own line"
 """What ``--only`` has to hold for the block's own mosaics."""
-LINE_WINDOWS = 3
+LINE_SIDE = 1024
+"""px: the demonstration's own windows of 100 m."""
+LINE_WINDOWS = 4
 BLOCK_EXTENT = (330.0, 264.0)
 
 
@@ -129,7 +131,8 @@ def main() -> int:
     for half, own in found.items():
         report(half, own, arguments.operations)
         if arguments.imagery.lower() in "block" and arguments.only in LINE and half != HALVES[2]:
-            print_block(half, sides, half != HALVES[0], LINE_WINDOWS * arguments.windows)
+            of_line = sides if arguments.side else [LINE_SIDE, *sides]
+            print_block(half, of_line, half != HALVES[0], LINE_WINDOWS * arguments.windows)
     print(f"\n{time.perf_counter() - started:.0f} s")
     return 0
 

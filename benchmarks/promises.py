@@ -7,7 +7,7 @@ import numpy as np
 
 from .cause_tables import MISSING
 from .figures import area, known, median, sides_of
-from .kept_tables import TAKE_DETAIL
+from .kept_tables import TAKE_DETAIL, lost_of_group
 from .misfit_cases import is_misfit, is_right_case
 from .operations import KINDS
 from .outcomes import Outcome
@@ -57,8 +57,8 @@ def _of_side(side: int, own: Sequence[Outcome]) -> Iterable[Row]:
     hard = known(one.reading.kept for one in own if one.operation.making.group == "hard")
     for (group, of_side), wanted in LEAST_AREAS.items():
         if of_side == side:
-            spoilt = known(one.reading.kept for one in own if one.operation.making.group == group)
-            yield f"{side} px: area for {group}", f">= {wanted:g}", area(hard, spoilt), _at_least(wanted)
+            spoilt = known(one.reading.kept for one in own if lost_of_group(group)(one))
+            yield f"{side} px: area for {group} that lost", f">= {wanted:g}", area(hard, spoilt), _at_least(wanted)
     if side in LEAST_RIGHT:
         right = _percent(one.is_main_right for one in own)
         yield f"{side} px: main cause right", f">= {LEAST_RIGHT[side]:g} %", right, _at_least(LEAST_RIGHT[side])
