@@ -5,7 +5,6 @@ Where a patch is unsure of it, or its neighbours follow another source, the squa
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from itertools import combinations
 
 import numpy as np
 from scipy import ndimage
@@ -13,13 +12,14 @@ from scipy import ndimage
 from .....imagery.wavelets import detail_components
 from ...following.boxes import enlarged
 from ...following.expected_mosaic import Filters, mosaic_of
-from ...following.followed_source import (
-    MIN_LEFT_FACTOR,
-    MIN_MIXTURE_FIT,
-    MIN_MIXTURE_GAIN,
-    MIN_MIXTURE_WEIGHT,
+from ...following.followed_source import high_pass
+from ...following.following_rule import (
+    LEAST_ENERGY,
     MIN_WINNER_LEAD,
-    high_pass,
+    highest,
+    is_sure,
+    local_correlation,
+    mixtures,
 )
 from ...profile.detail_cells import CELL_PX
 from ...seam_cells import UNKNOWN
@@ -34,7 +34,6 @@ PATCH_START_PX = 36
 
 MIN_QUARTER_FIT = 0.15  # of a quarter's: strangers reach 0.1 there by chance
 MIN_STRANGER_FIT = 0.05  # of a patch's fine detail: strangers explain 0.01 to 0.03
-_LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values leaves
 _INNER = slice(4, 36)  # of a patch: what its high-pass knows
 _CELL = slice(12, 12 + CELL_PX)
 _MIN_VALID = 0.98  # of a patch
@@ -186,7 +185,7 @@ def _followed(
     """By patch: the source of highest correlation, whether it is that for sure, and whether a dense look is called
     for."""
     numbers = np.array(list(fines), np.uint8)
-    least = _LEAST_ENERGY * (CELL_PX**2)
+    least = LEAST_ENERGY * (CELL_PX**2)
     own = _quadrants(fine, fine, shape) + least
     energies = np.stack([_quadrants(one, one, shape) for one in fines.values()]) + least
     shared = np.stack([_quadrants(fine, one, shape) for one in fines.values()])
@@ -194,56 +193,32 @@ def _followed(
         if i in planes.valid:
             shared[k][:, _share(planes.valid[i], shape) < _MIN_VALID] = 0
     whole_own, whole_energies, whole_shared = own.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
-    correlation = whole_shared / np.sqrt(whole_own * whole_energies)
-    best, lead = _best(correlation)
+    correlation = local_correlation(whole_own, whole_energies, whole_shared)
+    best, lead = highest(correlation)
     winner = numbers[best]
-    top = np.take_along_axis(correlation, best[np.newaxis], 0)[0]
+    top = correlation.max(axis=0)
     textured = whole_own > 8 * least
-    left, next_left = 1 - np.maximum(top, 0) ** 2, 1 - np.maximum(top - lead, 0) ** 2
-    sure = textured & ((lead >= MIN_WINNER_LEAD) | (next_left >= MIN_LEFT_FACTOR * left)) & (
-        np.maximum(top, 0) ** 2 >= MIN_STRANGER_FIT
-    )
-    quarter, quarter_lead = _best(shared / np.sqrt(own * energies))
-    quarter_top = np.maximum((shared / np.sqrt(own * energies)).max(axis=0), 0) ** 2
+    explained = np.maximum(top, 0) ** 2
+    sure = textured & is_sure(top, lead) & (explained >= MIN_STRANGER_FIT)
+    quarters = local_correlation(own, energies, shared)
+    quarter, quarter_lead = highest(quarters)
+    quarter_fit = np.maximum(quarters.max(axis=0), 0) ** 2
     differs = (
-        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_top >= MIN_QUARTER_FIT) & (own > 8 * least)
+        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (own > 8 * least)
     ).any(axis=0)
-    mixed = _mixed(fines, own, energies, shared, shape).any(axis=0)
-    strange = textured & (np.maximum(top, 0) ** 2 < MIN_STRANGER_FIT) & ~differs & ~mixed
+    images = list(fines.values())
+    mixed = mixtures(
+        own, dict(enumerate(energies)), dict(enumerate(shared)),
+        lambda i, j: _quadrants(images[i], images[j], shape),
+    )[0].any(axis=0)
+    strange = textured & (explained < MIN_STRANGER_FIT) & ~differs & ~mixed
     doubtful = (textured & ~sure & ~strange) | differs | mixed
     return np.where(sure | doubtful, winner, np.uint8(UNKNOWN)), sure & ~doubtful, doubtful
 
 
-def _best(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Index of the highest along the first axis and its lead over the next; of one alone the value itself."""
-    best = values.argmax(axis=0)
-    if len(values) == 1:
-        return best, values[0]
-    ordered = np.partition(values, -2, axis=0)
-    return best, ordered[-1] - ordered[-2]
-
-
-def _mixed(
-    fines: dict[int, np.ndarray], own: np.ndarray, energies: np.ndarray, shared: np.ndarray, shape: tuple[int, int]
-) -> np.ndarray:
-    """Quarters in which two sources together explain the mosaic and neither does alone, (4, rows, columns)."""
-    alone = (np.maximum(shared, 0) ** 2 / (own * energies)).max(axis=0)
-    mixed = np.zeros(own.shape, bool)
-    images = list(fines.values())
-    for i, j in combinations(range(len(images)), 2):
-        common = _quadrants(images[i], images[j], shape)
-        determinant = 1.001 * energies[i] * energies[j] - common**2
-        a = (shared[i] * energies[j] - shared[j] * common) / determinant
-        b = (shared[j] * energies[i] - shared[i] * common) / determinant
-        both = (np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)) & (a + b > 0)
-        explained = np.where(both, (a * shared[i] + b * shared[j]) / own, 0)
-        mixed |= (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN)
-    return mixed
-
-
 def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """Patches without texture to tell a source by."""
-    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * _LEAST_ENERGY)
+    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * LEAST_ENERGY)
 
 
 def _every(starts: np.ndarray, every: int) -> np.ndarray:
