@@ -52,10 +52,17 @@ def mixtures(
     for i in energies:
         np.maximum(alone, np.maximum(shared[i], 0) ** 2 / (own * energies[i]), out=alone)
     for i, j in combinations(energies, 2):
-        both = common(i, j)
-        determinant = 1.001 * energies[i] * energies[j] - both**2
-        a = (shared[i] * energies[j] - shared[j] * both) / determinant
-        b = (shared[j] * energies[i] - shared[i] * both) / determinant
+        a, b = weights_of_two(energies[i], energies[j], shared[i], shared[j], common(i, j))
         takes_part = np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)  # never where they add up to less than 0
         np.maximum(explained, np.where(takes_part, (a * shared[i] + b * shared[j]) / own, 0), out=explained)
     return (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN), explained
+
+
+def weights_of_two(
+    energy_i: np.ndarray, energy_j: np.ndarray, shared_i: np.ndarray, shared_j: np.ndarray, common: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Weights with which two sources together come nearest to the mosaic, by least squares; energies above zero."""
+    determinant = 1.001 * energy_i * energy_j - common**2
+    return (
+        (shared_i * energy_j - shared_j * common) / determinant, (shared_j * energy_i - shared_i * common) / determinant
+    )

@@ -69,8 +69,7 @@ def expected_cut(
 ) -> tuple[ExpectedMosaic, np.ndarray]:
     """What the mosaic would look like cut hard, its labels those of the sources; and labels for the composite."""
     valid = {i: mask for i, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
-    moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
-    found = expected_mosaic(image.plane, followed.planes, followed.fine, followed.following, valid, known, moved)
+    found = expected_mosaic(image.plane, followed.planes, followed.fine, followed.following, valid, known)
     numbers = np.full(256, UNKNOWN, np.uint8)
     numbers[: len(followed.source_of)] = followed.source_of
     found = replace(found, labels=numbers[found.labels])
