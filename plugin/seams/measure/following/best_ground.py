@@ -21,6 +21,7 @@ MIN_EVEN_LEFT, MIN_EVEN_SLOPE = 0.2, -0.15  # see ``is_of_none``; JPEG of qualit
 _FEWEST = 50  # places that anything is learned from
 _CLASSES = 4  # of energy, in each of which the best ground is looked for
 _BEST = 0.2  # of each class
+_MOST_RISE = 2.0  # from one class to the next: a stronger one may be of another image altogether
 _MOST_LEARNED = 1.5  # times as much as is expected so far: still learned from
 _ROUNDS = 12
 _WEAK, _STRONG = 0.1, 0.9  # quantiles of the energies
@@ -45,7 +46,7 @@ class BestGround:
         """
         weak, strong = self.response(np.array([self.weak, self.strong])).tolist()
         slope = np.log(strong / weak) / max(np.log(self.strong / self.weak), 0.2)
-        return bool(strong > MIN_EVEN_LEFT and slope > MIN_EVEN_SLOPE)
+        return bool(min(weak, strong) > MIN_EVEN_LEFT and slope > MIN_EVEN_SLOPE)
 
     def strangeness(self, own: np.ndarray, left: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """How far what is left over of the mosaic's energy ``own`` is on the way from the expected to all, 0 where
@@ -63,9 +64,10 @@ def learn_best_ground(own: np.ndarray, left: np.ndarray) -> BestGround | None:
         return None
     own, left = sampled(own), sampled(left)
     share = left / own
-    order, chosen = np.argsort(own), np.zeros(len(own), bool)
-    for part in np.array_split(order, _CLASSES):
-        chosen[part] = share[part] <= np.quantile(share[part], _BEST)
+    chosen, most = np.zeros(len(own), bool), np.inf
+    for part in np.array_split(np.argsort(own), _CLASSES):
+        most = min(float(np.quantile(share[part], _BEST)), _MOST_RISE * most)
+        chosen[part] = share[part] <= most
     response = fit_response(own[chosen], left[chosen])
     for _ in range(_ROUNDS):
         before, chosen = chosen, left <= _MOST_LEARNED * response(own) * own
