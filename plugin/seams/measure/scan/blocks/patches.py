@@ -10,7 +10,8 @@ import numpy as np
 from scipy import ndimage
 
 from .....imagery.wavelets import detail_components
-from ...following.boxes import enlarged
+from ...following.best_ground import MIN_STRANGE, learn_best_ground
+from ...following.boxes import enlarged, opened
 from ...following.expected_mosaic import Filters, mosaic_of
 from ...following.followed_source import high_pass
 from ...following.following_rule import (
@@ -34,6 +35,7 @@ PATCH_START_PX = 36
 
 MIN_QUARTER_FIT = 0.15  # of a quarter's: strangers reach 0.1 there by chance
 MIN_STRANGER_FIT = 0.05  # of a patch's fine detail: strangers explain 0.01 to 0.03
+_ALIKE_SQUARES = 2  # a side of the least part of an image that others resemble
 _INNER = slice(4, 36)  # of a patch: what its high-pass knows
 _CELL = slice(12, 12 + CELL_PX)
 _MIN_VALID = 0.98  # of a patch
@@ -76,13 +78,19 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int =
     told = _told(fine, fines, planes, with_patch, empty)
     if not told.sampled.any():
         return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels))
-    cells, filters, learned_of = _cells(planes, fine, fines, told.sampled_source, (rows, columns), wavelet, levels)
+
+    def cells_of(found: _Told) -> tuple[CellTable, Filters, frozenset[int]]:
+        return _cells(planes, fine, fines, found.sampled_source, (rows, columns), wavelet, levels)
+
+    cells, filters, learned_of = cells_of(told)
     if filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
         shown = {i: filters.applied(i, one) if i in learned_of else one for i, one in fines.items()}
         told = _told(fine, shown, planes, with_patch, empty)
-        cells, filters, learned_of = _cells(
-            planes, fine, fines, told.sampled_source, (rows, columns), wavelet, levels
-        )
+        cells, filters, learned_of = cells_of(told)
+    strangers = told.strangers
+    if strangers.any():
+        told = told.without(strangers)
+        cells, filters, learned_of = cells_of(told)
     return SquareLook(told.source, told.doubtful, empty, cells, filters, learned_of)
 
 
@@ -96,23 +104,45 @@ class _Told:
     """bool"""
     sampled: np.ndarray
     """bool: those that follow one source. Not those alone that tell it best: smooth ground comes over otherwise."""
+    own: np.ndarray
+    """Energy of the mosaic, DN squared, 0 where it shows nothing to tell a source by."""
+    left: np.ndarray
+    """What the sources leave over of it, alone or mixed."""
 
     @property
     def sampled_source(self) -> np.ndarray:
         """uint8: of those, else ``UNKNOWN``."""
         return np.where(self.sampled, self.source, np.uint8(UNKNOWN))
 
+    @property
+    def strangers(self) -> np.ndarray:
+        """bool: of an image that isn't given, though one that is may resemble it; by the best ground of all."""
+        textured = self.own > 0
+        ground = learn_best_ground(self.own[textured], self.left[textured])
+        if ground is None:
+            return np.zeros_like(textured)
+        if ground.is_of_none:
+            return textured
+        strange, alike = ground.strangeness(np.where(textured, self.own, 1), self.left)
+        return textured & (((strange > MIN_STRANGE) & ~self.doubtful) | opened(textured & alike, _ALIKE_SQUARES))
+
+    def without(self, strangers: np.ndarray) -> _Told:
+        """Where those follow none."""
+        source = np.where(strangers, np.uint8(UNKNOWN), self.source)
+        return replace(self, source=source, doubtful=self.doubtful & ~strangers, sampled=self.sampled & ~strangers)
+
 
 def _told(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, with_patch: np.ndarray, empty: np.ndarray
 ) -> _Told:
     shape = with_patch.shape[0], with_patch.shape[1]
-    winner, sure, doubtful = _followed(fine, fines, planes, shape)
+    winner, sure, doubtful, own, left = _followed(fine, fines, planes, shape)
     winner[~with_patch], doubtful[~with_patch], sure[~with_patch] = UNKNOWN, False, False
     silent = ~empty & (~with_patch | (_is_plain(fine, shape) & (winner == UNKNOWN) & ~doubtful))
     filled, alone = _filled(winner, silent)
     doubtful |= alone & ~with_patch
-    return _Told(filled, doubtful, with_patch & ~doubtful & (filled != UNKNOWN) & sure.any())
+    sampled = with_patch & ~doubtful & (filled != UNKNOWN) & sure.any()
+    return _Told(filled, doubtful, sampled, np.where(with_patch, own, 0), left)
 
 
 def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarray:
@@ -139,7 +169,7 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     fines = {i: high_pass(plane) for i, plane in planes.sources.items()}
     if look.filters is not None and look.filters.taps:
         fines = {i: look.filters.applied(i, one) if i in look.learned_of else one for i, one in fines.items()}
-    winner, sure, _ = _followed(high_pass(planes.mosaic), fines, planes, shape)
+    winner, sure, *_ = _followed(high_pass(planes.mosaic), fines, planes, shape)
     found[tuple(squares.T)] = np.where(sure & valid, winner, UNKNOWN)[:, 0]
     return found
 
@@ -181,9 +211,9 @@ def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarr
 
 def _followed(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, shape: tuple[int, int]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """By patch: the source of highest correlation, whether it is that for sure, and whether a dense look is called
-    for."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """By patch: the source of highest correlation, whether it is that for sure, whether a dense look is called for,
+    the mosaic's energy, 0 without texture, and what sources leave over of it."""
     numbers = np.array(list(fines), np.uint8)
     least = LEAST_ENERGY * (CELL_PX**2)
     own = _quadrants(fine, fine, shape) + least
@@ -207,13 +237,16 @@ def _followed(
         (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (own > 8 * least)
     ).any(axis=0)
     images = list(fines.values())
-    mixed = mixtures(
+    mixed_quarters, explained_by_two = mixtures(
         own, dict(enumerate(energies)), dict(enumerate(shared)),
         lambda i, j: _quadrants(images[i], images[j], shape),
-    )[0].any(axis=0)
+    )
+    mixed = mixed_quarters.any(axis=0)
     strange = textured & (explained < MIN_STRANGER_FIT) & ~differs & ~mixed
     doubtful = (textured & ~sure & ~strange) | differs | mixed
-    return np.where(sure | doubtful, winner, np.uint8(UNKNOWN)), sure & ~doubtful, doubtful
+    left = (own * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
+    winner = np.where(sure | doubtful, winner, np.uint8(UNKNOWN))
+    return winner, sure & ~doubtful, doubtful, np.where(textured, whole_own, 0), left
 
 
 def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
