@@ -18,7 +18,7 @@ MIN_ALIKE_FACTOR = 1.8  # by which that leaves more over than true sources do
 MAX_TELLING = 0.7  # of the detail: where true sources leave over more, as of weak detail below noise, nothing is told
 MIN_EVEN_LEFT, MIN_EVEN_SLOPE = 0.2, -0.15  # see ``is_of_none``; JPEG of quality 50 has 0.25 with -0.33
 
-_FEWEST = 50  # places that anything is learned from
+_FEWEST = 24  # places that anything is learned from
 _CLASSES = 4  # of energy, in each of which the best ground is looked for
 _BEST = 0.2  # of each class
 _MOST_RISE = 2.0  # from one class to the next: a stronger one may be of another image altogether

@@ -9,12 +9,14 @@ Sums of products are taken over cells of 4 x 4 px, and everything else is comput
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Callable
 
 import numpy as np
+from scipy import ndimage
 
-from .boxes import box_means, enlarged
+from ..seam_cells import UNKNOWN
+from .boxes import box_means, enlarged, near_border
 from .following_rule import LEAST_ENERGY, MIN_WINNER_LEAD, highest, is_sure, local_correlation, mixtures
 
 MIN_FOLLOWED_SHARE = 0.005  # of a window's pixels: sources that win fewer do not count
@@ -61,6 +63,22 @@ class FollowedSource:
         """Indices of the sources that the mosaic was made from, those with most pixels first."""
         order = np.argsort(self.shares)[::-1]
         return tuple(int(i) for i in order if self.shares[i] >= MIN_FOLLOWED_SHARE)
+
+
+    def with_known(self, known: np.ndarray) -> FollowedSource:
+        """The same where labels are known, (rows, columns) uint8, else ``UNKNOWN``: they decide what is followed, and
+        that sources are mixed along the borders between them alone."""
+        is_known = known != UNKNOWN
+        parts, _ = ndimage.label(self.mixed[::CELL_PX, ::CELL_PX])
+        meeting = np.unique(parts[near_border(known, CELL_PX)[::CELL_PX, ::CELL_PX]])
+        along_borders = _to_pixels(np.isin(parts, meeting[meeting > 0]), *known.shape)
+        mixed = self.mixed & (along_borders | ~is_known)
+        labels = np.where(is_known, known, self.labels)
+        counts = np.bincount(labels.ravel(), minlength=len(self.shares))[: len(self.shares)]
+        return replace(
+            self, labels=labels, clear=np.where(is_known, ~mixed, self.clear), mixed=mixed,
+            mixed_share=float(mixed.mean()), shares=tuple((counts / labels.size).tolist()),
+        )
 
 
 def high_pass(band: np.ndarray) -> np.ndarray:

@@ -52,6 +52,9 @@ def cut_hard(
     """
     image, *images = on_common_bands((mosaic, *sources), levels)
     followed = follow_sources(image, images)
+    if labels is not None:
+        labels = _of_planes(labels, followed.source_of)
+        followed = replace(followed, following=followed.following.with_known(labels))
     expected, labels = expected_cut(image, images, followed, labels)
     following = _merged(followed, labels, len(images))
     tones = [image.tones_of(other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
@@ -75,6 +78,13 @@ def expected_cut(
     found = replace(found, labels=numbers[found.labels])
     nothing = (found.labels == UNKNOWN).all()
     return found, numbers[followed.following.labels] if nothing else found.labels
+
+
+def _of_planes(labels: np.ndarray, source_of: Sequence[int]) -> np.ndarray:
+    """Labels of sources as those of the first planes that are of them."""
+    numbers = np.full(256, UNKNOWN, np.uint8)
+    numbers[list(source_of[::-1])] = np.arange(len(source_of), dtype=np.uint8)[::-1]
+    return numbers[labels]
 
 
 def _explained(labels: np.ndarray) -> float:

@@ -80,4 +80,4 @@ def test_ground_of_none_of_the_sources(share: float, power: float, expected: boo
 
 
 def test_of_few_places_nothing_is_learned() -> None:
-    assert learn_best_ground(OWN[:40], 0.1 * OWN[:40]) is None
+    assert learn_best_ground(OWN[:20], 0.1 * OWN[:20]) is None

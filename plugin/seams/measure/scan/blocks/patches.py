@@ -119,10 +119,8 @@ class _Told:
         """bool: of an image that isn't given, though one that is may resemble it; by the best ground of all."""
         textured = self.own > 0
         ground = learn_best_ground(self.own[textured], self.left[textured])
-        if ground is None:
+        if ground is None or ground.is_of_none:  # there are too few patches to condemn a whole block
             return np.zeros_like(textured)
-        if ground.is_of_none:
-            return textured
         strange, alike = ground.strangeness(np.where(textured, self.own, 1), self.left)
         return textured & (((strange > MIN_STRANGE) & ~self.doubtful) | opened(textured & alike, _ALIKE_SQUARES))
 
