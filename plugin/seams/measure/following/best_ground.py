@@ -48,14 +48,17 @@ class BestGround:
         slope = np.log(strong / weak) / max(np.log(self.strong / self.weak), 0.2)
         return bool(min(weak, strong) > MIN_EVEN_LEFT and slope > MIN_EVEN_SLOPE)
 
-    def strangeness(self, own: np.ndarray, left: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def strangeness(
+        self, own: np.ndarray, left: np.ndarray, least: float = MIN_ALIKE_STRANGE, factor: float = MIN_ALIKE_FACTOR
+    ) -> tuple[np.ndarray, np.ndarray]:
         """How far what is left over of the mosaic's energy ``own`` is on the way from the expected to all, 0 where
-        nothing is told; and whether that is what images of the same ground leave over (bool)."""
+        nothing is told; and whether that is what images of the same ground leave over (bool): as far as ``least`` and
+        ``factor`` times what is expected."""
         expected = self.response(own)
         tells = expected < MAX_TELLING
         expected *= own
         strange = np.where(tells, (left - expected) / np.where(tells, own - expected, 1), 0)
-        return strange, (strange > MIN_ALIKE_STRANGE) & (left > MIN_ALIKE_FACTOR * expected)
+        return strange, (strange > least) & (left > factor * expected)
 
 
 def learn_best_ground(own: np.ndarray, left: np.ndarray) -> BestGround | None:

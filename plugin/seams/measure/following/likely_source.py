@@ -150,7 +150,7 @@ def _unexplained(
     ground = learn_best_ground(wide[textured], left[textured])
     if ground is None:
         return np.zeros_like(textured)
-    if ground.is_of_none:
+    if ground.is_of_none and sampling is FINE:  # a part of a block has too little ground to say that
         return textured
     strange, alike = ground.strangeness(wide, left)
     found = opened(textured & (strange > MIN_STRANGE), _STRIP_CELLS) | opened(textured & alike, _ALIKE_CELLS)
