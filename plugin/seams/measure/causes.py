@@ -162,11 +162,16 @@ class CauseEvidence:
         return found.left_by_mixture > MOST_LEFT_BY_MIXTURE
 
     @property
+    def is_mixed_all_over(self) -> bool:
+        """Whether hardly any ground lies beyond a mixture, so that nothing tells what else came over the mosaic."""
+        return self.mixed >= MIN_MIXED or bool(self.profile and self.profile.feather_width_px)
+
+    @property
     def least_transfer(self) -> float:
         """Of fine detail, by the source of which least comes over; by the whole window where none is unmixed."""
         if self.texture is not None:
             return self.texture.least_transfer
-        return 1.0 if self.sharpness is None or self.mixed >= MIN_MIXED else self.sharpness
+        return 1.0 if self.sharpness is None or self.is_mixed_all_over else self.sharpness
 
     @property
     def off_seam_lost(self) -> float:

@@ -21,8 +21,8 @@ from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS
 
 SLOTS = 2 * MIXED_BINS
 """Bins on either side: first those that follow the source of the lower number, then the others."""
-UNMIXED_SHARE = 0.05
-"""``feather_width`` reaches from this share of either source to the other."""
+UNMIXED_SHARE = 0.1
+"""A width is taken from this share of either source to the other: less is what noise makes."""
 
 _AREA, _MM, _MS, _MO, _MK, _SS, _SO, _SK, _OO, _OK, _KK = range(len(PRODUCTS))
 _NORMAL = np.array([[_SS, _SO, _SK], [_SO, _OO, _OK], [_SK, _OK, _KK]])
@@ -35,6 +35,11 @@ _EDGE_BINS = EDGES_PX.index(6)  # in which a cut's edge is
 _SOFT, _SHARP = 0.15, 0.5
 """Of t: with less a seam is so soft that k only takes from the mixture and is left out, with more it is needed. A
 cosine feather of 13 px has 0.45, one of 33 px 0.2."""
+_NO_MIXTURE, _A_MIXTURE = 0.15, 0.25
+"""Of the other source beside the border, where a feather mixes halves: what is no more there, and everywhere alike, is
+what one image resampled takes of another of the same ground."""
+_MOST_EVERYWHERE = 0.25
+"""The same far off, of which a width is taken above that."""
 _CUT, _FEATHERED = 1.0, 0.6
 """Of t: a cut has 0.9 to 1, and mixes nothing."""
 
@@ -68,8 +73,10 @@ def fit_mixtures(products: np.ndarray) -> Mixtures:
     of_edge = np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights, products[..., [_SK, _OK, _KK]])
     of_edge += np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights[..., :2], products[..., [_SK, _OK]])
     fitted = np.einsum("nsi,nsij,nsj->ns", weights, normal, weights) - 2 * np.einsum("nsi,nsi->ns", weights, right)
-    soft = 1 - sharp[:, :, 0]
-    return Mixtures(softness * _shares(products, weights), of_edge, np.maximum(products[..., _MM] + fitted, 0), soft)
+    soft, other = 1 - sharp[:, :, 0], _shares(products, weights)
+    most = other[:, near].max(axis=1, keepdims=True)
+    softness *= np.clip((most - _NO_MIXTURE) / (_A_MIXTURE - _NO_MIXTURE), 0, 1)
+    return Mixtures(softness * other, of_edge, np.maximum(products[..., _MM] + fitted, 0), soft)
 
 
 def mixed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
@@ -79,22 +86,30 @@ def mixed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.asarray(mixed)
 
 
+def followed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the wrong place
+    that is the other one."""
+    return np.asarray(np.where(other > 0.5, products[..., _OO], products[..., _SS]))
+
+
 def feather_width_px(other: np.ndarray) -> float:
-    """Over which either source goes from a share of 5 to one of 95 %, from shares of the other one (SLOTS,); 0 for a
-    cut. As wide as can be seen where it does not end."""
+    """Full width of a linear feather that takes as far as this from a share of 10 to one of 90 %, by shares of the
+    other source (SLOTS,); 0 for a cut. As wide as can be seen where it does not end."""
     middles = [(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])]
     reached = []
     for side in other.reshape(2, MIXED_BINS):
-        mixed = np.flatnonzero(side >= UNMIXED_SHARE)
+        everywhere = float(side[-1]) if side[-1] < _MOST_EVERYWHERE else 0.0
+        unmixed = UNMIXED_SHARE + everywhere
+        mixed = np.flatnonzero(side >= unmixed)
         last = int(mixed[-1]) if len(mixed) else -1
         if last < 0:
             reached.append(0.0)
         elif last == MIXED_BINS - 1:
             reached.append(float(EDGES_PX[MIXED_BINS]))
         else:
-            share = (side[last] - UNMIXED_SHARE) / max(side[last] - side[last + 1], 1e-9)
+            share = (side[last] - unmixed) / max(side[last] - side[last + 1], 1e-9)
             reached.append(middles[last] + float(share) * (middles[last + 1] - middles[last]))
-    return sum(reached)
+    return sum(reached) / (1 - 2 * UNMIXED_SHARE)
 
 
 def _weights(products: np.ndarray, with_edge: bool) -> np.ndarray:

@@ -15,6 +15,7 @@ from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCell
 from .energy_sums import EnergySums
 from .ground import LevelGround
 from .intervals import Kept, together
+from .mixture import UNMIXED_SHARE
 from .mixture_sums import MixedStrips, MixtureSums
 from .seam_profile import BAND_KEPT, MIN_STRIP_PX, Measure, ProfileBin, SeamProfile, band_width_px
 
@@ -123,6 +124,10 @@ class SeamSums:
         energy = self._energy
         left, plain = mixed.by_bins(0)
         by_mixture = (plain - left).sum(axis=0)
+        # A mixture that does not end where it is looked for goes on beyond.
+        shares, farther = mixed.shares()[-1], energy.plain[0, MIXED_BINS:].sum(axis=0)
+        last = np.where(shares >= UNMIXED_SHARE, 1 - left[-1] / np.maximum(plain[-1], 1e-12), 0)
+        by_mixture += farther * last
         own, expected, source = (one[0, :MIXED_BINS] for one in (energy.own, energy.expected, energy.plain))
         kept = np.divide(own, expected, out=np.ones(own.shape), where=expected > 0)
         within = np.logical_and.accumulate(kept < BAND_KEPT, axis=0)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ....imagery.wavelets import detail_components
 from ..following.expected_mosaic import ExpectedMosaic
-from .cell_table import CELL_PX, FARTHEST, CellTable, MixtureTable, WholeCells, whole_cells
+from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, CellTable, MixtureTable, WholeCells, whole_cells
 from .detail_sums import compared_planes, detail_sums, numbers_of
 from .ground import LevelGround, grounds
 from .seam_profile import SeamProfile
@@ -41,6 +41,19 @@ class WindowDetail:
     def judged(self) -> CellTable:
         """The window's own cells."""
         return self.cells.within(self.inside)
+
+    def unmixed(self) -> np.ndarray:
+        """The window's cells that lie wholly beyond what its seams mix, (rows, columns) bool; all without a seam."""
+        rows, columns = self.inside
+        made = np.zeros((rows.stop, columns.stop), bool)
+        reach = 0.0 if self.profile is None else (self.profile.feather_width_px or 0.0) / 2
+        if reach >= EDGES_PX[MIXED_BINS]:  # it does not end where it is looked for
+            return made[rows, columns]
+        far = self.whole.nearest >= np.searchsorted(EDGES_PX, reach)
+        row, column = self.whole.row, self.whole.column
+        within = far & (row < rows.stop) & (column < columns.stop)
+        made[row[within], column[within]] = True
+        return made[rows, columns]
 
     @property
     def has_seam(self) -> bool:
