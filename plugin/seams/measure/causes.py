@@ -30,6 +30,7 @@ MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it 
 MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
 MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
 MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
+MOSTLY_MIXED_PX = 300.0  # of a feather: it does not end where it is looked for
 MOST_LEFT_BY_MIXTURE = 0.15  # of the sources' energy in the strip, beyond what the ground leaves over
 MIN_MIXED_WIDTH_PX = 4.0  # of what is mixed: borders are known no better
 MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
@@ -130,7 +131,8 @@ class CauseEvidence:
     @property
     def is_mostly_mixed(self) -> bool:
         """Whether its tones lie between those of two sources, so that small differences say nothing."""
-        return self.mixed >= MIN_MOSTLY_MIXED
+        width = self.profile.feather_width_px if self.profile else None
+        return self.mixed >= MIN_MOSTLY_MIXED or (width or 0.0) >= MOSTLY_MIXED_PX
 
     @property
     def has_seam_loss(self) -> bool:
@@ -271,7 +273,7 @@ def _clipping(found: CauseEvidence) -> float | None:
 
 
 def _dodging(found: CauseEvidence) -> float | None:
-    return 0.0 if found.is_uneven else None
+    return 0.0 if found.is_uneven and not found.is_mostly_mixed else None
 
 
 def _gamma(found: CauseEvidence) -> float | None:

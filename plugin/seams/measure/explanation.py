@@ -37,7 +37,7 @@ MIN_PLACED_SHARE = 0.1  # of the pixels: a shift of what is followed in fewer is
 MIN_TONE_SHARE = 0.03  # of the pixels: a source that is followed in fewer says nothing of tones
 MAX_SAME_SHIFT_PX = 0.02  # between sources: their composite lies where they lie
 _ABOUT_PX, _EVERY = 24, 4  # ground about a seam that images are compared in; rows and columns that are looked at
-MIN_UNEVEN_RANGE = 0.006  # of the range of values: what differs by less is no dodging
+MIN_UNEVEN_RANGE = 0.003  # of the range of values: what differs by less in all bands is no dodging
 
 
 @dataclass(frozen=True)
@@ -236,14 +236,13 @@ def _unevenness(
         return 0.0
     where = follows_at(following, main[0], levels)
     names = image.names[:3]
-    found = []
+    found, largest = [], 0.0
     for name in names:
         least = MIN_UNEVEN_RANGE * float(np.ptp(image.coarse[name])) + 0.5
-        curve, local = left_over(image.coarse[name], images[main[0]].coarse[name], where, least)
-        if curve <= least:
-            return 0.0
-        found.append(1 - local / curve)
-    return min(found)
+        curve, local = left_over(image.coarse[name], images[main[0]].coarse[name], where)
+        found.append(1 - local / curve if curve > 0 else 0.0)
+        largest = max(largest, curve / least)
+    return min(found) if largest > 1 else 0.0
 
 
 def _composite_changes(
