@@ -22,7 +22,7 @@ from .following.boxes import enlarged, near_border
 from .following.composite import Composite, follows_at
 from .following.followed_source import FollowedSource
 from .following.hard_cut import HardCut, cut_hard
-from .following.levelling import left_over
+from .following.levelling import left_by_curve, left_over
 from .misfit import misfit_of, placed_misfit
 from .profile.cell_table import CELL_PX, CellTable
 from .profile.loss_picture import LossPicture, loss_picture
@@ -236,13 +236,12 @@ def _unevenness(
         return 0.0
     where = follows_at(following, main[0], levels)
     names = image.names[:3]
-    found, largest = [], 0.0
-    for name in names:
-        least = MIN_UNEVEN_RANGE * float(np.ptp(image.coarse[name])) + 0.5
-        curve, local = left_over(image.coarse[name], images[main[0]].coarse[name], where)
-        found.append(1 - local / curve if curve > 0 else 0.0)
-        largest = max(largest, curve / least)
-    return min(found) if largest > 1 else 0.0
+    bands = [(image.coarse[name], images[main[0]].coarse[name]) for name in names]
+    least = [MIN_UNEVEN_RANGE * float(np.ptp(own)) + 0.5 for own, _ in bands]
+    if all(left_by_curve(*band, where) <= most for band, most in zip(bands, least)):
+        return 0.0
+    found = (left_over(*band, where) for band in bands)
+    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in found)
 
 
 def _composite_changes(
