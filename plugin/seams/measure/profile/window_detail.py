@@ -15,6 +15,9 @@ from .ground import LevelGround, grounds
 from .seam_profile import SeamProfile
 from .seam_sums import SeamSums
 
+_EDGE_CELLS = 1
+"""In which periodic wavelets show what lies at the other edge of all that was read."""
+
 
 @dataclass(frozen=True, eq=False)
 class WindowDetail:
@@ -34,8 +37,11 @@ class WindowDetail:
 
     @cached_property
     def ground(self) -> list[LevelGround | None]:
-        """By level."""
-        return grounds(self.cells, self.whole)
+        """By level; where there is enough of it without the edge, at which another source than at the other edge may be
+        followed."""
+        end_row, end_column = (int(one.max(initial=0)) + 1 - _EDGE_CELLS for one in (self.cells.row, self.cells.column))
+        inner = grounds(self.cells.within((slice(_EDGE_CELLS, end_row), slice(_EDGE_CELLS, end_column))))
+        return inner if all(inner) else [one or more for one, more in zip(inner, grounds(self.cells, self.whole))]
 
     @property
     def judged(self) -> CellTable:
