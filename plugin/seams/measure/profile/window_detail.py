@@ -9,7 +9,7 @@ import numpy as np
 
 from ....imagery.wavelets import detail_components
 from ..following.expected_mosaic import ExpectedMosaic
-from .cell_table import CELL_PX, FARTHEST, CellTable, MixtureTable, WholeCells, whole_cells
+from .cell_table import CELL_PX, CellTable, MixtureTable, WholeCells, whole_cells
 from .detail_sums import compared_planes, detail_sums, numbers_of
 from .ground import LevelGround, grounds
 from .seam_profile import SeamProfile
@@ -50,8 +50,8 @@ class WindowDetail:
 
     @property
     def has_seam(self) -> bool:
-        """Whether two sources meet in the window or near to it."""
-        return bool((self.judged.bin < FARTHEST).any())
+        """Whether two sources meet in the window; those that meet beside it are no seam of its."""
+        return bool((self.judged.bin == 0).any())
 
     @cached_property
     def profile(self) -> SeamProfile | None:
