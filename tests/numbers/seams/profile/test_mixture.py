@@ -169,6 +169,16 @@ def test_the_mixture_is_the_feather_itself(width: int, ramp: str, change: str) -
     assert found.by_mixture == pytest.approx(made.truth(), abs=0.03)
 
 
+@pytest.mark.parametrize("change", AFTERWARDS)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_narrow_feather_is_told_from_a_cut_whatever_came_after(seed: int, change: str) -> None:
+    """How much of the cut's edge is left says how narrow it is, as a share of what the sources have left."""
+    made = blend(13, side=256, seed=seed, other_years=5.0 * seed)
+    found = made.profile(AFTERWARDS[change](made.made))
+    assert found.by_mixture == pytest.approx(made.truth(), abs=0.035)
+    assert 8 < found.feather_width_px < 16
+
+
 @pytest.mark.parametrize("other_years", [0.0, 25.0])
 @pytest.mark.parametrize("change", AFTERWARDS)
 def test_a_hard_cut_mixes_nothing(change: str, other_years: float) -> None:

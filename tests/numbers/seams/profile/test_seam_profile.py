@@ -8,14 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX, EDGES_PX
-from seam_inspector.plugin.seams.measure.profile.seam_profile import (
-    BAND_KEPT,
-    STRIP_PX,
-    SeamProfile,
-    local_kept,
-    seam_profile,
-)
+from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX
+from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, SeamProfile
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.seams.profile.blends import SIDE, Blend, blend
@@ -24,9 +18,7 @@ Change = Callable[[np.ndarray], np.ndarray]
 
 
 def profile_of(made: Blend, mosaic: np.ndarray | None = None) -> SeamProfile:
-    found = seam_profile(made.cells(mosaic))
-    assert found is not None
-    return found
+    return made.profile(mosaic)
 
 
 # --- known blends ----------------------------------------------------------------------------------------------
@@ -236,30 +228,22 @@ def test_a_feather_that_reaches_into_the_ground_around_widens_it() -> None:
 
 def test_without_a_seam_there_is_no_profile() -> None:
     made = blend(0)
-    assert seam_profile(made.cells(labels=np.zeros((SIDE, SIDE), np.uint8))) is None
+    assert made.detail(labels=np.zeros((SIDE, SIDE), np.uint8)).profile is None
 
 
 def test_a_source_beside_unknown_ground_has_no_seam() -> None:
     made = blend(0)
     labels = np.where(made.labels == 1, UNKNOWN, 0).astype(np.uint8)
-    assert seam_profile(made.cells(labels=labels)) is None
+    assert made.detail(labels=labels).profile is None
 
 
 def test_a_few_pixels_of_seam_are_too_little() -> None:
     made = blend(0)
     labels = np.zeros((SIDE, SIDE), np.uint8)
     labels[:8, :8] = 1
-    assert seam_profile(made.cells(labels=labels)) is None
+    assert made.detail(labels=labels).profile is None
     labels[:40, :40] = 1
-    assert seam_profile(made.cells(labels=labels)) is not None
-
-
-def test_without_ground_around_there_is_no_profile() -> None:
-    assert seam_profile(blend(0, side=64).cells()) is None
-    made = blend(0, side=256)
-    striped = (np.mgrid[:256, :256][1] // 48 % 2).astype(np.uint8)  # nothing lies 32 px from all seams
-    assert seam_profile(made.cells(labels=striped)) is None
-    assert local_kept(made.cells(labels=striped)) is None
+    assert made.detail(labels=labels).profile is not None
 
 
 # --- what was added in the band alone --------------------------------------------------------------------------
@@ -283,38 +267,3 @@ def test_detail_that_was_added_beside_the_seam_is_told_from_what_was_kept() -> N
 def test_added_everywhere_is_not_added_beside() -> None:
     made = blend(0)
     assert profile_of(made, noisy(made.made)).added_beside < 0.05
-
-
-# --- the picture -----------------------------------------------------------------------------------------------
-
-
-def test_the_picture_shows_where_detail_was_lost() -> None:
-    made = blend(66)
-    found = local_kept(made.cells())
-    assert found is not None
-    assert found.shape == (SIDE // CELL_PX,) * 2
-    distance = made.distance.reshape(SIDE // CELL_PX, CELL_PX, SIDE // CELL_PX, CELL_PX).mean(axis=(1, 3))
-    assert np.mean(found[distance < 8]) < 0.7
-    assert np.median(found[distance > 48]) == pytest.approx(1, abs=0.01)
-    assert (found[distance < 8] < BAND_KEPT).mean() > 0.9
-    assert (found[distance > 48] > BAND_KEPT).all()
-
-
-def test_the_picture_is_empty_where_no_source_explains() -> None:
-    made = blend(66)
-    labels = made.labels.copy()
-    labels[:64, :64] = UNKNOWN
-    found = local_kept(made.cells(labels=labels))
-    assert found is not None
-    assert np.isnan(found[:4, :4]).all()
-    assert np.isfinite(found[6:, 6:]).all()
-
-
-@pytest.mark.parametrize("level", [1, 2])
-def test_the_picture_of_coarser_levels(level: int) -> None:
-    made = blend(150)
-    found = local_kept(made.cells(), level)
-    assert found is not None
-    distance = made.distance.reshape(SIDE // CELL_PX, CELL_PX, SIDE // CELL_PX, CELL_PX).mean(axis=(1, 3))
-    assert np.mean(found[distance < 16]) == pytest.approx(made.truth(0, 16, level + 1), abs=0.1)
-    assert np.median(found[distance > 128]) == pytest.approx(1, abs=0.02)
