@@ -75,7 +75,9 @@ class Blend:
 
 
 @lru_cache(maxsize=8)
-def sources(side: int = SIDE, seed: int = 0, in_common: float = 0.0, other_years: float = 0.0) -> tuple[np.ndarray, ...]:
+def sources(
+    side: int = SIDE, seed: int = 0, in_common: float = 0.0, other_years: float = 0.0
+) -> tuple[np.ndarray, ...]:
     """Three planes of ground that changes from place to place; ``in_common``: the share of variance that all show.
 
     ``other_years``: standard deviation of what they differ by in the large, DN.

@@ -8,7 +8,7 @@ import pytest
 from seam_inspector.plugin.seams.measure.profile.loss_picture import LOSS_CELL_PX, LossPicture, loss_picture
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
-from tests.numbers.seams.profile.blends import SIDE, Blend, blend
+from tests.numbers.seams.profile.blends import SIDE, WAVELET, Blend, blend
 from tests.numbers.synthetic import texture, wavedec
 
 CELLS = SIDE // LOSS_CELL_PX
@@ -81,7 +81,6 @@ def test_a_hard_cut_is_even_and_a_feather_a_line_along_the_seam() -> None:
 @pytest.mark.parametrize("place", [150, 203, 256, 311])
 def test_the_line_lies_where_the_seam_is(place: int) -> None:
     """Within the pixel by which coif3's own middle lies beside that of its two samples."""
-    made = blend(33)
     column = np.broadcast_to(np.arange(SIDE), (SIDE, SIDE))
     rng = np.random.default_rng(place)
     hard = 120 + 10 * rng.standard_normal((SIDE, SIDE))
@@ -112,7 +111,6 @@ def test_ground_that_compression_left_rough_is_not_called_lost() -> None:
 
 def test_nothing_of_one_edge_shows_at_the_other() -> None:
     """The wavelets are periodic; a feather along the left edge only."""
-    made = blend(0)
     rng = np.random.default_rng(8)
     hard = 120 + 10 * rng.standard_normal((SIDE, SIDE))
     mosaic = np.where(np.arange(SIDE) < 24, 120 + 0.7 * (hard - 120), hard)

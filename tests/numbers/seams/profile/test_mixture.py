@@ -40,7 +40,8 @@ def pooled(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
 
 @settings(max_examples=60)
 @given(
-    values=arrays(float, (3, 14), elements=st.floats(-2, 2)), weights=arrays(float, (3, 14), elements=st.floats(0.01, 5))
+    values=arrays(float, (3, 14), elements=st.floats(-2, 2)),
+    weights=arrays(float, (3, 14), elements=st.floats(0.01, 5)),
 )
 def test_rows_that_never_fall_are_those_of_pooling(values: np.ndarray, weights: np.ndarray) -> None:
     expected = np.stack([pooled(*one) for one in zip(values, weights)])
@@ -56,7 +57,9 @@ def test_a_row_that_rises_stays_as_it_is() -> None:
 # --- sums of products that are known ------------------------------------------------------------------------------
 
 
-def products_of(other: np.ndarray, edge: float = 0.0, gain: float = 1.0, noise: float = 0.0, rho: float = 0.3) -> np.ndarray:
+def products_of(
+    other: np.ndarray, edge: float = 0.0, gain: float = 1.0, noise: float = 0.0, rho: float = 0.3
+) -> np.ndarray:
     """(1, SLOTS, products) of two sources of energies 4 and 9 a pixel and an edge of 5 in the bins beside the seam,
     mixed by ``other``, (SLOTS,)."""
     area, so = 1000.0, 6 * rho
