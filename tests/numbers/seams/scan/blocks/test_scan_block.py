@@ -231,8 +231,8 @@ def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str
     strip = EDGES_PX.index(8)
     beyond = cells.chosen((cells.bin >= strip) & (cells.cc[0] > 0.05 * cells.cc[0].max()))  # but for the cut's edge
     assert (beyond.mm[0] / beyond.cc[0]).min() > 0.7
-    beside = cells.chosen(cells.bin < strip)
-    assert beside.mm[0].sum() / beside.cc[0].sum() > 0.98
+    near = cells.chosen(cells.bin < strip)
+    assert near.mm[0].sum() / near.cc[0].sum() > 0.98
     first = (640 - 128) // LABEL_PX, (384 - 128) // LABEL_PX
     count = side // LABEL_PX
     assert (found.labels[first[0] : first[0] + count, first[1] : first[1] + count] == UNKNOWN).all()
