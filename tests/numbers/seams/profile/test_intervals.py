@@ -8,7 +8,7 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, MixtureTable
 from seam_inspector.plugin.seams.measure.profile.energy_sums import EnergySums
-from seam_inspector.plugin.seams.measure.profile.intervals import Kept
+from seam_inspector.plugin.seams.measure.profile.intervals import Kept, together
 from seam_inspector.plugin.seams.measure.profile.mixture_sums import LEAST_ERROR, MixedStrips, MixtureSums
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 
@@ -102,6 +102,18 @@ def test_a_long_seam_is_surer_than_a_short_one() -> None:
 def test_a_feather_that_reaches_into_the_ground_around_makes_energies_less_sure() -> None:
     narrow, wide = (energy_of(blend(width, side=256).detail()) for width in (33, 250))
     assert ratio(wide) > 1.2 * ratio(narrow)
+
+
+def test_an_error_of_many_hundred_per_cent_is_an_interval_that_has_ends() -> None:
+    value, nothing = np.array([1e-3, 0.5, 0.0, np.nan]), np.zeros(4)
+    found = Kept.of(value, np.array([900.0, 1e9, 5.0, 1.0]), nothing)
+    assert np.isfinite(found.high[:3]).all()
+    assert (found.low[:3] <= value[:3]).all()
+    assert np.isnan(found.high[3])
+    sure = Kept.of(np.full(4, 0.9), np.full(4, 0.02), np.full(4, 1e6))
+    both, _, _ = together(found, sure, nothing)
+    assert np.isfinite(both.high).all()
+    assert np.log(sure.high / sure.low) == pytest.approx(2 * 1.96 * 0.02, rel=1e-3)
 
 
 def test_rough_ground_makes_energies_less_sure() -> None:
