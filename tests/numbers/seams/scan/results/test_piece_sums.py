@@ -168,6 +168,25 @@ def test_rows_of_blocks_add_up_to_a_seam_across_all_of_them() -> None:
         )
 
 
+def test_a_piece_that_ends_above_a_row_of_blocks_waits_for_the_cells_below() -> None:
+    made = blend(33)
+    detail, grid = made.detail(), replace(GRID, rows=2 * BLOCK_PX)
+    first = (BLOCK_PX - SIDE // 2) // CELL_PX
+    cells, mixture = detail.cells.moved(first, 0), detail.mixture.moved(first, 0)
+    (whole,) = pieces_of(made)
+    upper = whole.vertices[: SIDE // 2 - 10] - (0, first * CELL_PX * grid.pixel_height)
+    areas = []
+    for at_once in (True, False):
+        sums = PieceSums([replace(whole, vertices=upper)], grid, LEVELS)
+        border = BLOCK_PX // CELL_PX
+        for row in (slice(0, 2 * border),) if at_once else (slice(0, border), slice(border, 2 * border)):
+            place = row, slice(0, SIDE // CELL_PX)
+            window = PixelWindow(0, row.start * CELL_PX, SIDE, 2 * BLOCK_PX)
+            sums.add(cells.within(place), mixture.within(place), detail.ground, window)
+        areas.append(sums.profiles()[0].area_px)
+    assert areas[0] == areas[1] > 0
+
+
 # --- too little -------------------------------------------------------------------------------------------------
 
 
