@@ -33,15 +33,15 @@ _LEAST_COUNT = 1e-6  # of a bin that says nothing, so that means have something 
 _LEAST_WEIGHT = 0.1  # of both sources together: with less the mosaic has neither
 _EDGE_BINS = EDGES_PX.index(6)  # in which a cut's edge is
 _SOFT, _SHARP = 0.15, 0.5
-"""Of t: with less a seam is so soft that k only takes from the mixture and is left out, with more it is needed. A
-cosine feather of 13 px has 0.45, one of 33 px 0.2."""
+"""Of t / (w_s + w_o): with less a seam is so soft that k only takes from the mixture and is left out, with more it is
+needed. A cosine feather of 13 px has 0.45, one of 33 px 0.2."""
 _NO_MIXTURE, _A_MIXTURE = 0.15, 0.25
 """Of the other source beside the border, where a feather mixes halves: what is no more there, and everywhere alike, is
 what one image resampled takes of another of the same ground."""
 _MOST_EVERYWHERE = 0.25
 """The same far off, of which a width is taken above that."""
 _CUT, _FEATHERED = 1.0, 0.6
-"""Of t: a cut has 0.9 to 1, and mixes nothing."""
+"""The same: a cut has 0.9 to 1, and mixes nothing."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,7 +65,8 @@ def fit_mixtures(products: np.ndarray) -> Mixtures:
     near = np.zeros(SLOTS, bool)
     near[np.arange(SLOTS) % MIXED_BINS < _EDGE_BINS] = True
     edges = products[:, near, _KK]
-    left = (with_edge[:, near, 2] * edges).sum(axis=1) / np.maximum(edges.sum(axis=1), 1e-12)
+    total, t = with_edge[:, near, :2].sum(axis=2), with_edge[:, near, 2]
+    left = (t * edges).sum(axis=1) / np.maximum((np.maximum(total, _LEAST_WEIGHT) * edges).sum(axis=1), 1e-12)
     sharp = np.clip((left - _SOFT) / (_SHARP - _SOFT), 0, 1)[:, np.newaxis, np.newaxis]
     weights = sharp * with_edge + (1 - sharp) * without
     softness = np.clip((_CUT - left) / (_CUT - _FEATHERED), 0, 1)[:, np.newaxis]

@@ -9,11 +9,14 @@ import numpy as np
 
 from ....imagery.wavelets import detail_components
 from ..following.expected_mosaic import ExpectedMosaic
-from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, CellTable, MixtureTable, WholeCells, whole_cells
+from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells, whole_cells
 from .detail_sums import compared_planes, detail_sums, numbers_of
 from .ground import LevelGround, grounds
 from .seam_profile import SeamProfile
 from .seam_sums import SeamSums
+
+_EDGE_CELLS = 1
+"""In which periodic wavelets show what lies at the other edge of all that was read."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,8 +37,11 @@ class WindowDetail:
 
     @cached_property
     def ground(self) -> list[LevelGround | None]:
-        """By level."""
-        return grounds(self.cells, self.whole)
+        """By level; where there is enough of it without the edge, at which another source than at the other edge may be
+        followed."""
+        end_row, end_column = (int(one.max(initial=0)) + 1 - _EDGE_CELLS for one in (self.cells.row, self.cells.column))
+        inner = grounds(self.cells.within((slice(_EDGE_CELLS, end_row), slice(_EDGE_CELLS, end_column))))
+        return inner if all(inner) else [one or more for one, more in zip(inner, grounds(self.cells, self.whole))]
 
     @property
     def judged(self) -> CellTable:
@@ -57,8 +63,8 @@ class WindowDetail:
 
     @property
     def has_seam(self) -> bool:
-        """Whether two sources meet in the window or near to it."""
-        return bool((self.judged.bin < FARTHEST).any())
+        """Whether two sources meet in the window; those that meet beside it are no seam of its."""
+        return bool((self.judged.bin == 0).any())
 
     @cached_property
     def profile(self) -> SeamProfile | None:
