@@ -96,8 +96,9 @@ benchmark-scan: link ## Measure the scan of a whole mosaic against the bare read
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.scan \
 		$(if $(SIDE),--side $(SIDE))
 
-benchmark-detection: link ## Measure how well lost contrast and its causes are found; real data by SEAM_INSPECTOR_DATA
-	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.detection
+benchmark-detection: link ## Measure how well lost contrast and its causes are found, on all cores: WINDOWS=1 SIDE=256 HALF=used for a try; real data by SEAM_INSPECTOR_DATA
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.detection $(if $(WINDOWS),--windows $(WINDOWS)) \
+		$(if $(SIDE),--side $(SIDE)) $(if $(HALF),--half "$(HALF)")
 
 benchmark-calibration: link ## Measure how often the calibration's range covers the true threshold; takes an hour
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $(PYTHON) -m benchmarks.calibration

@@ -26,18 +26,36 @@ def unsharp(amount: float, radius_px: float = 1.0) -> Change:
 
 def jpeg(quality: int) -> Change:
     """Once to a file and back, by GDAL's driver (which stores the colours of half the pixels)."""
+    return _written("JPEG", f"QUALITY={quality}")
 
+
+def jpeg2000(percent: int) -> Change:
+    """To a file of so much of the size and back."""
+    return _written("JP2OpenJPEG", f"QUALITY={percent}", "REVERSIBLE=NO")
+
+
+def webp(quality: int) -> Change:
+    """To a file and back."""
+    return _written("WEBP", f"QUALITY={quality}")
+
+
+def _written(driver: str, *options: str) -> Change:
     def change(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
         count, rows, columns = bands.shape
         memory = gdal.GetDriverByName("MEM").Create("", columns, rows, count, gdal.GDT_Byte)
         memory.WriteArray(bands)
-        path = f"/vsimem/{uuid4().hex}.jpg"
-        gdal.GetDriverByName("JPEG").CreateCopy(path, memory, options=[f"QUALITY={quality}"])
+        path = f"/vsimem/{uuid4().hex}"
+        gdal.GetDriverByName(driver).CreateCopy(path, memory, options=list(options))
         found = gdal.Open(path).ReadAsArray()
-        gdal.GetDriverByName("JPEG").Delete(path)
+        gdal.GetDriverByName(driver).Delete(path)
         return np.asarray(found)
 
     return change
+
+
+def median3(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """Of 3 x 3 pixels."""
+    return np.asarray(ndimage.median_filter(bands, (1, 3, 3), mode="nearest"))
 
 
 def noise(sigma: float) -> Change:
@@ -81,13 +99,22 @@ def blurred(sigma_px: float) -> Change:
 def resampled(y_px: float, x_px: float, order: int) -> Change:
     """Moved by parts of a pixel and interpolated; order 1: bilinear, 3: cubic convolution as GDAL does it."""
 
-    def change(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-        moved = bands.astype(np.float32)
-        for axis, part in ((1, y_px), (2, x_px)):
-            moved = ndimage.convolve1d(moved, taps(part, order), axis=axis, mode="nearest")
-        return whole_values(moved)
+    return lambda bands, rng: whole_values(interpolated(bands, y_px, x_px, order))
 
-    return change
+
+def interpolated(bands: np.ndarray, y_px: float, x_px: float, order: int) -> np.ndarray:
+    """Moved, not rounded, float32."""
+    moved = bands.astype(np.float32)
+    for axis, part in ((1, y_px), (2, x_px)):
+        moved = ndimage.convolve1d(moved, taps(part, order), axis=axis, mode="nearest")
+    return moved
+
+
+def resampled_and_balanced(bands: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """As one source of a block is: moved by its own 0.2 to 0.6 px by cubic convolution, by its own gain and bias."""
+    way, length = rng.uniform(0, 2 * np.pi), rng.uniform(0.2, 0.6)
+    moved = interpolated(bands, length * np.sin(way), length * np.cos(way), 3)
+    return whole_values(moved * rng.uniform(0.88, 1.12) + rng.uniform(-8, 8))
 
 
 def taps(part: float, order: int) -> np.ndarray:

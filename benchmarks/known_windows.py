@@ -13,12 +13,18 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal
 from scipy import ndimage
+from skimage.registration import phase_cross_correlation
 
-BEYOND = 1.5
-"""How much wider a frame is than its window, where that is less than ``WIDEST_PX``."""
-WIDEST_PX = 512
+from .detail import detail_energy, luminance_of
+
+MARGIN_PX = 128
+"""By which a frame is wider than its window on every side, where the imagery has that much."""
+ENOUGH_FRAMES = 32
 STEP_PX = 16
 """Raster of the frames that are looked at."""
+MIN_TEXTURE = 4.0
+"""Variance of the finest detail, DN2: a window with less has no texture to judge by."""
+FARTHEST_MISFIT_PX = 4.0
 MIN_SECOND_SHARE = 0.1
 """Of a window's pixels that come from the source it has second most of."""
 MIN_VALID = 0.9995
@@ -63,6 +69,40 @@ class KnownWindow:
         return int(order[0]), int(order[1])
 
 
+@dataclass(frozen=True)
+class WindowFacts:
+    """What tables ask of a window, without its pixels."""
+
+    imagery: str
+    number: int
+    held_back: bool
+    side: int
+    main: tuple[int, int]
+    texture: float
+    """Variance of the finest detail, the mean of the main sources, DN2."""
+    misfit: tuple[float, float]
+    """How the second main source lies on the first: down and right, px; nan where that can't be told."""
+
+    @classmethod
+    def of(cls, window: KnownWindow) -> WindowFacts:
+        planes = [luminance_of(window.sources[number][(slice(None), *window.middle)]) for number in window.main]
+        texture = np.mean([detail_energy(plane, 1, "coif3").mean() for plane in planes])
+        return cls(window.imagery, window.number, window.held_back, window.side, window.main, float(texture),
+                   misfit_of(*planes))
+
+    @property
+    def has_texture(self) -> bool:
+        return self.texture >= MIN_TEXTURE
+
+
+def misfit_of(first: np.ndarray, second: np.ndarray) -> tuple[float, float]:
+    """How one plane lies on another: down and right, px; nan where phase correlation finds nothing near."""
+    fine = [plane - ndimage.gaussian_filter(plane, 4.0) for plane in (first, second)]
+    found = phase_cross_correlation(*fine, upsample_factor=20)[0]
+    y, x = (-float(value) for value in found)
+    return (y, x) if np.hypot(y, x) <= FARTHEST_MISFIT_PX else (np.nan, np.nan)
+
+
 @dataclass(frozen=True, eq=False)
 class PlacedImage:
     """An orthoimage and where it lies on the common grid."""
@@ -104,7 +144,7 @@ class Imagery:
 
     def windows(self, side: int, count: int, held_back: bool) -> list[KnownWindow]:
         """Up to ``count`` windows of one half, spread over the imagery, always the same."""
-        frame = max(side, min(int(BEYOND * side), WIDEST_PX, self.rows, self.columns))
+        frame = self._frame(side)
         covering = self._covering(frame)
         half = _half(list(covering), frame, held_back)
         rng = np.random.default_rng([self.rows, self.columns, held_back])
@@ -115,6 +155,15 @@ class Imagery:
             KnownWindow(self.name, 2 * number + held_back, held_back, self.pixel_m, side, *parts)
             for number, parts in enumerate(islice(_mixed(crooked, ragged), count))
         ]
+
+    def _frame(self, side: int) -> int:
+        """With the widest of three margins at which either half has ground for enough of them."""
+        for margin in (MARGIN_PX, MARGIN_PX // 2):
+            frame = side + 2 * margin
+            corners = list(self._covering(frame))
+            if min(len(_half(corners, frame, held_back)) for held_back in (False, True)) >= ENOUGH_FRAMES:
+                return frame
+        return side
 
     def _corners(self, frame: int) -> Iterator[tuple[int, int]]:
         for row in range(0, self.rows - frame + 1, STEP_PX):
@@ -176,9 +225,10 @@ def _half(corners: Sequence[tuple[int, int]], frame: int, held_back: bool) -> li
     """Those on one side of the middle column, in an order in which any beginning is spread over all of them."""
     if not corners:
         return []
-    border = np.median([column for _, column in corners])
-    if border == 0:  # a single frame: nothing to set limits by
+    columns = [column for _, column in corners]
+    if min(columns) == max(columns):  # a single frame: nothing to set limits by
         return list(corners) * 64 if held_back else []
+    border = np.median(columns) + frame / 2
     half = [one for one in corners if (one[1] >= border if held_back else one[1] + frame <= border)]
     order = sorted(range(len(half)), key=lambda number: number * 0.6180339887498949 % 1)
     return [half[number] for number in order]

@@ -1,7 +1,7 @@
 """What is done to a mosaic, one way after another: how its seam was made, and what came over all of it afterwards.
 
-Each operation says what it did in the words of the plugin's causes. Every second parameter is held back: nobody looks
-at those while limits are set, nor at the windows in the east (``known_windows``).
+Each operation says what it did in the words of the plugin's causes. Every second parameter is held back, and all that
+is strange: nobody looks at those while limits are set, nor at the windows in the east (``known_windows``).
 """
 from __future__ import annotations
 
@@ -11,56 +11,59 @@ import numpy as np
 
 from . import aftermaths as after
 from . import seam_makings as seams
-from .production import AS_IT_IS, NOTHING_NAME, Aftermath, KnownTone, Making, Offset, Operation
+from . import strange_makings as strange
+from .production import AS_IT_IS, HALVES, NOTHING_NAME, Aftermath, KnownTone, Making, Offset, Operation
 
 PHASE: Offset = (0.45, 0.37)
 """Of grids that pixels are resampled from, px; below half a pixel, so that frames hold the same ground."""
 
-HARD = Making("hard cut", seams.hard, kind="hard")
-PLAIN = (
+
+def _feather(width_px: int, shape: str, group: str) -> Making:
+    return Making(f"feather {width_px} px {shape}", seams.feathered(width_px, shape), "feathering", lost=True,
+                  kind=f"{width_px} px {shape}", group=group)
+
+
+HARD = Making("hard cut", seams.hard, kind="hard cut", group="hard")
+RESAMPLED = Making("hard cut, each source resampled and balanced", seams.each_changed(after.resampled_and_balanced),
+                   "resampled", possible=("balanced", "none"), as_well=("balanced", "none"),
+                   kind="hard cut, resampled", group="hard", tones=(None, None))
+KINDS = (
     HARD,
-    Making("feather 13 px", seams.feathered(13), "feathering", lost=True, kind="13 px"),
-    Making("feather 33 px", seams.feathered(33), "feathering", lost=True, kind="33 px and more"),
-    Making("feather 256 px linear", seams.feathered(256, "linear"), "feathering", lost=True, kind="256 px"),
+    RESAMPLED,
+    *(_feather(13, shape, "13 px") for shape in ("cosine", "linear")),
+    *(_feather(width, shape, "33 px and more") for width in (33, 66, 256) for shape in ("cosine", "linear")),
+    Making("feather Gaussian, sigma 13 px", seams.feathered(13, "gaussian"), "feathering", lost=True,
+           kind="Gaussian, sigma 13 px", group="33 px and more"),
+    Making("pyramid blend", seams.blended, possible=("feathering",), kind="multiband"),  # keeps 0.97 beside the seam
 )
-"""Each with every aftermath."""
-WIDER = tuple(
-    Making(name, mix, "feathering", lost=True, kind="33 px and more")
-    for name, mix in (
-        ("feather 66 px", seams.feathered(66)),
-        ("feather 128 px", seams.feathered(128)),
-        ("feather Gaussian, sigma 13 px", seams.feathered(13, "gaussian")),
-        ("feather 48 px linear", seams.feathered(48, "linear")),
-    )
-)
+"""Rows of the tables, each with every aftermath."""
 
 
 def _balanced(name: str, first: KnownTone, second: KnownTone, cause: str = "balanced", width: float = 0.0) -> Making:
     mix, tones = seams.changed({0: first, 1: second}, width), (first, second)
     if width:
-        return Making(f"{name}, feather {width:g} px", mix, "feathering", (cause,), lost=True, kind="33 px and more",
-                      tones=tones)
-    return Making(name, mix, cause, possible=("balanced",), kind="hard", tones=tones)
+        return Making(f"{name}, feather {width:g} px", mix, "feathering", (cause,), lost=True,
+                      group="33 px and more", tones=tones)
+    return Making(name, mix, cause, possible=("balanced",), group="hard", tones=tones)
 
 
 def _moved(y_px: float, x_px: float) -> Making:
     mix = seams.changed({1: after.resampled(y_px, x_px, 3)}, 33)
-    also = ("feathering",) if (y_px + x_px).is_integer() else ("feathering", "resampled")
-    return Making(f"one source {np.hypot(y_px, x_px):g} px off, feather 33 px", mix, "misregistration", also,
+    also = () if (y_px + x_px).is_integer() else ("resampled",)
+    return Making(f"one source {np.hypot(y_px, x_px):g} px off, feather 33 px", mix, "feathering", also,
                   lost=True, covered=True, shift=(y_px, x_px))
 
 
 def _missing(share: float, width: float = 0.0) -> Making:
     name = f"source of {share:.0%} missing" + (f", feather {width:g} px" if width else "")
     also = ("feathering",) if width else ()
-    return Making(name, seams.missing(share, width), "missing source", also, covered=True)
+    return Making(name, seams.missing(share, width), "missing source", also, covered=True, missing=share)
 
 
 OTHERS = (
-    Making("pyramid blend", seams.blended, possible=("feathering",)),  # keeps 0.97 in the first 8 px
-    Making("three sources meet", seams.meeting(0), kind="hard", three=True, covered=True),
-    Making("three sources meet, feather 33 px", seams.meeting(33), "feathering", lost=True, kind="33 px and more",
-           three=True, covered=True),
+    Making("three sources meet", seams.meeting(0), group="hard", three=True, covered=True),
+    Making("three sources meet, feather 33 px", seams.meeting(33), "feathering", lost=True,
+           group="33 px and more", three=True, covered=True),
     _balanced("gains 0.8 and 1", KnownTone(0.8), AS_IT_IS),
     _balanced("gains 0.9 and 1.1", KnownTone(0.9), KnownTone(1.1)),
     _balanced("offset 25", KnownTone(1, 25), AS_IT_IS),
@@ -72,13 +75,11 @@ OTHERS = (
     Making("one source blurred 0.8 px", seams.changed({1: after.blurred(0.8)}), "blur"),
     Making("one source resampled, cubic", seams.changed({1: after.resampled(*PHASE, 3)}), "resampled",
            possible=("blur",), offset=PHASE),
-    _missing(0.12),
-    _missing(0.3),
-    _missing(0.55),
     _missing(0.3, 33),
-    _missing(0.2),
 )
-"""Alone, or with few aftermaths."""
+"""Alone."""
+MISSING = tuple(_missing(share) for share in (0.05, 0.1, 0.15, 0.3, 0.55))
+"""Alone, in both halves."""
 
 
 def _toned(name: str, tone: KnownTone, cause: str, *possible: str) -> Aftermath:
@@ -104,28 +105,45 @@ AFTERMATHS = (
     Aftermath("blur 0.8 px", after.blurred(0.8), "blur"),
     Aftermath("resampled, cubic", after.resampled(*PHASE, 3), "resampled", ("blur",), offset=PHASE),
     Aftermath("resampled, bilinear", after.resampled(*PHASE, 1), "resampled", ("blur",), offset=PHASE),
-    Aftermath("moved 0.62 px, cubic", after.resampled(0.5, 0.37, 3), "misregistration", ("resampled", "blur"),
-              shift=(0.5, 0.37)),
-    Aftermath("moved 0.3 px, cubic", after.resampled(-0.3, 0.0, 3), "resampled", ("misregistration", "blur"),
-              shift=(-0.3, 0.0)),
+    Aftermath("moved 0.62 px, cubic", after.resampled(0.5, 0.37, 3), "resampled", ("blur",), shift=(0.5, 0.37)),
+    Aftermath("moved 0.3 px, cubic", after.resampled(-0.3, 0.0, 3), "resampled", ("blur",), shift=(-0.3, 0.0)),
     Aftermath("gains by channel", after.gains((0.85, 1.0, 0.92)), "colour shift", ("narrowed histogram",), tone=None),
     Aftermath("clipping 3 %", after.nothing, "clipping", fit=after.clipping(0.03), tone=None),
     Aftermath("of 12 bit", after.nothing, depth=12, tone=None),
     Aftermath("of 16 bit", after.nothing, depth=16, tone=None),
 )
 """Every second one is held back, from the second on."""
-FEW = tuple(one for one in AFTERMATHS if one.name in ("nothing", "unsharp 1", "JPEG 75", "JPEG 85", "noise 6 DN"))
+
+OTHER_MIXTURE = "other mixture"
+STRANGE_MAKINGS = (
+    Making("darkest of two in 33 px", strange.darkest(33), OTHER_MIXTURE, possible=("feathering",)),
+    Making("dissolve over 33 px", strange.dissolved(33), OTHER_MIXTURE, possible=("feathering",)),
+    Making("soft brush", strange.brushed, "blur", lost=True),
+)
+STRANGE_AFTERMATHS = (
+    Aftermath("JPEG 2000", after.jpeg2000(12), "compressed"),
+    Aftermath("WebP 75", after.webp(75), "compressed"),
+    Aftermath("median 3 x 3", after.median3, "blur"),
+)
 
 
 def _operations() -> Iterator[Operation]:
-    for making in PLAIN:
+    for making in KINDS:
         for number, aftermath in enumerate(AFTERMATHS):
-            yield Operation(making, aftermath, number % 2 == 1, always=aftermath is NOTHING)
-    for number, making in enumerate(WIDER):
-        for aftermath in FEW:
-            yield Operation(making, aftermath, number % 2 == 1)
+            yield Operation(making, aftermath, _half(number), always=aftermath is NOTHING)
     for number, making in enumerate(OTHERS):
-        yield Operation(making, NOTHING, number % 2 == 1)
+        yield Operation(making, NOTHING, _half(number))
+    for making in MISSING:
+        yield Operation(making, NOTHING, HALVES[0], always=True)
+    for making in STRANGE_MAKINGS:
+        yield Operation(making, NOTHING, HALVES[2])
+    for making in KINDS:
+        for aftermath in STRANGE_AFTERMATHS:
+            yield Operation(making, aftermath, HALVES[2])
+
+
+def _half(number: int) -> str:
+    return HALVES[number % 2]
 
 
 OPERATIONS = tuple(_operations())

@@ -1,21 +1,35 @@
 """An operation done to a window, what was read of it, and whether that is what happened."""
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 
-from .known_windows import KnownWindow
+from .known_windows import KnownWindow, WindowFacts
 from .production import Operation
 from .readings import Reading, peers, read
-from .true_profile import truth_of
 
-POOL = 4
-"""So many times as many windows as an operation gets: each gets other ones."""
 HARDLY_LOST = 0.95
 """Share of the detail along the seam: where more is left, a feather took nothing that anybody could name."""
+MIN_MISFIT_PX = 0.7
+"""From there on a feather's loss may as well be the misfit's."""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What was read of one mosaic, and what is known of it."""
+
+    reading: Reading
+    peers: tuple[float, float, float] | None
+    truth: float
+    """kept_1 as it is; nan where the mosaic holds a source that is not given."""
+    foreign: float
+    """Share of the pixels from a source that is not given, or that was not made use of."""
+    mains: frozenset[str]
+    """Causes that are right as the main one."""
+    allowed: frozenset[str]
+    """Causes that are true or that it is no mistake to name."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,14 +37,32 @@ class Outcome:
     """What became of one window."""
 
     operation: Operation
-    window: KnownWindow
-    reading: Reading
-    peers: tuple[float, float, float]
-    truth: float
-    """kept_1 as it is; nan where the mosaic holds a source that is not given."""
-    foreign: float
-    """Share of the pixels from a source that is not given, or that was not made use of."""
-    allowed: frozenset[str]
+    window: WindowFacts
+    finding: Finding
+
+    @property
+    def reading(self) -> Reading:
+        return self.finding.reading
+
+    @property
+    def truth(self) -> float:
+        return self.finding.truth
+
+    @property
+    def foreign(self) -> float:
+        return self.finding.foreign
+
+    @property
+    def misfit(self) -> float:
+        """How far the two main sources lie off each other as placed in the mosaic, px."""
+        moved = self.operation.making.shift or (0.0, 0.0)
+        return float(np.hypot(*np.add(self.window.misfit, moved)))
+
+    @property
+    def allowed(self) -> frozenset[str]:
+        """Causes that are true or that it is no mistake to name."""
+        fits = not self.misfit >= MIN_MISFIT_PX or "feathering" not in self.true_causes
+        return self.finding.allowed if fits else self.finding.allowed | {"misregistration"}
 
     @property
     def true_causes(self) -> tuple[str, ...]:
@@ -42,10 +74,14 @@ class Outcome:
 
     @property
     def is_main_right(self) -> bool:
-        """Whether the main cause is the true one, or one that can't be told from it where no detail was lost."""
-        true = self.true_causes[0]
-        return self.reading.cause in (true, self.operation.true_causes[0]) or (
-            true == "none" and self.reading.cause in self.allowed)
+        """Whether the main cause is the true one, or one that can't be told from it where no detail was lost.
+
+        Where images that do not fit were feathered, the misfit is as right as the feather.
+        """
+        true, said = self.true_causes[0], self.reading.cause
+        if true == "feathering" and said == "misregistration":
+            return said in self.allowed
+        return said in (true, *self.finding.mains) or (true == "none" and said in self.allowed)
 
     @property
     def is_true(self) -> bool:
@@ -64,6 +100,16 @@ class Outcome:
     @property
     def has_kept(self) -> bool:
         return not np.isnan(self.reading.kept)
+
+    @property
+    def is_measured(self) -> bool:
+        """Whether both kept_1 and its truth are known."""
+        return self.has_kept and not np.isnan(self.truth)
+
+    @property
+    def error(self) -> float:
+        """Of kept_1."""
+        return self.reading.kept - self.truth
 
     def tone_errors(self) -> Iterator[tuple[str, float]]:
         """By how much what was measured of the main sources' grey values and places is off, each with what it is."""
@@ -87,26 +133,14 @@ class Outcome:
         return self.reading.low <= self.truth <= self.reading.high
 
 
-def outcomes(operations: Sequence[Operation], windows: Sequence[KnownWindow], count: int) -> Iterator[Outcome]:
-    """Each operation in ``count`` of the windows that it fits, in turn, window by window."""
-    tasks: dict[int, list[Operation]] = defaultdict(list)
-    for turn, operation in enumerate(operations):
-        fitting = [place for place, window in enumerate(windows) if operation.fits(window)]
-        for number in range(min(count, len(fitting))):
-            tasks[fitting[(turn * count + number) % len(fitting)]].append(operation)
-    for place, planned in sorted(tasks.items()):
-        for operation in planned:
-            yield outcome(operation, windows[place])
-
-
-def outcome(operation: Operation, window: KnownWindow) -> Outcome:
+def find(operation: Operation, window: KnownWindow, with_peers: bool = False) -> Finding:
     """Make a mosaic and read it."""
     made = operation.make(window)
     reading = read(made, window)
-    missing = made.foreign[window.middle].mean()
-    truth = np.nan if missing else truth_of(made, window.middle).least
-    foreign = max(float(missing), _left_out(window, reading, len(made.sources)))
-    return Outcome(operation, window, reading, peers(made, window), truth, foreign, made.allowed)
+    missing = float(made.foreign[window.middle].mean())
+    foreign = max(missing, _left_out(window, reading, len(made.sources)))
+    return Finding(reading, peers(made, window) if with_peers else None, made.truth, foreign, made.mains,
+                   made.allowed)
 
 
 def _left_out(window: KnownWindow, reading: Reading, given: int) -> float:

@@ -11,9 +11,14 @@ import numpy as np
 from . import seam_makings as seams
 from .known_windows import KnownWindow, hard_cut
 from .seam_makings import Change, Mix, Mixed, whole_values
+from .true_profile import Truth, taken_by_change, truth_of
 
 Offset = tuple[float, float]
 
+HALVES = ("used", "held back", "strange")
+"""Of the operations; the strange ones are nobody's to look at while limits are set, as those that are held back."""
+TAKE_DETAIL = ("blur", "resampled", "compressed")
+"""What takes detail from the whole window."""
 MIN_CLIPPED = 0.005
 """Of the pixels: from there on an operation may be called clipping too."""
 NOTHING_NAME = "nothing"
@@ -46,17 +51,23 @@ class Making:
     also: tuple[str, ...] = ()
     possible: tuple[str, ...] = ()
     """Causes that it is no mistake to name besides."""
+    as_well: tuple[str, ...] = ()
+    """Causes that are as right as its own."""
     lost: bool = False
     """Whether detail was lost in a strip along the seam."""
     kind: str = ""
-    """Column of the pooled tables that it belongs to."""
+    """Row of the tables that it belongs to."""
+    group: str = ""
+    """What kinds are pooled by: ``hard``, ``13 px`` or ``33 px and more``."""
+    missing: float = 0.0
+    """Share of the pixels from a source that is not given."""
     three: bool = False
     covered: bool = False
     """Whether it needs three sources, and sources that cover all of the frame."""
     offset: Offset = (0.0, 0.0)
     """How the grid of the second source lies beside the mosaic's: down and right, px."""
-    tones: tuple[KnownTone, KnownTone] = (AS_IT_IS, AS_IT_IS)
-    """What became of the grey values of the two sources with most pixels."""
+    tones: tuple[KnownTone | None, KnownTone | None] = (AS_IT_IS, AS_IT_IS)
+    """What became of the grey values of the two sources with most pixels; None where it isn't told."""
     shift: Offset | None = None
     """By how much the second source was moved: down and right, px."""
 
@@ -91,8 +102,6 @@ class Made:
     """What an operation made of a window's frame."""
 
     bands: np.ndarray
-    hard: np.ndarray
-    """The known hard cut after the same aftermath."""
     before: np.ndarray
     """The hard cut of the sources as they are, with no aftermath."""
     sources: tuple[np.ndarray, ...]
@@ -100,8 +109,10 @@ class Made:
     valid: tuple[np.ndarray, ...]
     offsets: tuple[Offset, ...]
     """How the grid of each lies beside the mosaic's."""
-    distance: np.ndarray
-    """From the true seam, px."""
+    truth: float
+    """kept_1 as it was before the aftermath."""
+    mains: frozenset[str]
+    """Causes that are right as the main one."""
     foreign: np.ndarray
     """Pixels from a source that is not given, (rows, columns) bool."""
     allowed: frozenset[str]
@@ -114,9 +125,10 @@ class Operation:
 
     making: Making
     aftermath: Aftermath
-    held_back: bool
+    half: str
+    """One of ``HALVES``."""
     always: bool = False
-    """Whether it belongs to both halves: the plain seams that everything is compared with."""
+    """Whether it belongs to the half held back as well: the plain seams that everything is compared with."""
 
     @property
     def name(self) -> str:
@@ -134,8 +146,8 @@ class Operation:
     def lost_in_strip(self) -> bool:
         return self.making.lost
 
-    def in_half(self, held_back: bool) -> bool:
-        return self.always or self.held_back is held_back
+    def in_half(self, half: str) -> bool:
+        return self.half == half or (self.always and half == "held back")
 
     def fits(self, window: KnownWindow) -> bool:
         """Whether the window has the sources that it needs."""
@@ -153,10 +165,10 @@ class Operation:
 
     def make(self, window: KnownWindow) -> Made:
         """The mosaic of one window, always the same."""
-        mixed, distance = _mixed(self.making, window)
+        mixed, truth = _mixed(self.making, window)
         seed = _seed(self.name, window)
         change = self.aftermath.fit(mixed.bands) if self.aftermath.fit else self.aftermath.change
-        bands, hard = (change(one, np.random.default_rng(seed)) for one in (mixed.bands, mixed.hard))
+        bands = change(mixed.bands, np.random.default_rng(seed))
         before = hard_cut(window.sources, mixed.labels)
         ends = ((bands == 0) & (before > 0)) | ((bands == 255) & (before < 255))
         clipped = ("clipping",) if ends.mean(axis=(1, 2)).max() >= MIN_CLIPPED else ()
@@ -164,15 +176,27 @@ class Operation:
         given = (deepened(window.sources[k], depth, np.random.default_rng([*seed, k])) for k in mixed.given)
         return Made(
             bands,
-            hard,
             before,
             tuple(given),
             tuple(window.valid[k] for k in mixed.given),
             tuple(self._offset(k == window.main[1]) for k in mixed.given),
-            distance,
+            truth.near,
+            self._mains(truth, mixed, bands, window),
             mixed.foreign,
-            frozenset((*self.true_causes, *self.making.possible, *self.aftermath.possible, *clipped)),
+            frozenset((*self.true_causes, *self.making.as_well, *self.making.possible, *self.aftermath.possible,
+                       *clipped)),
         )
+
+    def _mains(self, truth: Truth, mixed: Mixed, bands: np.ndarray, window: KnownWindow) -> frozenset[str]:
+        """The main true cause, and what is as right: a making's others, or what took more of the whole window."""
+        making, aftermath = self.making, self.aftermath
+        right = {self.true_causes[0]}
+        if making.as_well:
+            right |= {making.cause, *making.as_well, *self.true_causes}
+        if making.lost and aftermath.cause in TAKE_DETAIL:
+            taken = taken_by_change(mixed.bands, bands, window.middle)
+            right |= {aftermath.cause} if taken > truth.taken / 2 else set()
+        return frozenset(right)
 
     def _offset(self, of_second: bool) -> Offset:
         own, whole = self.making.offset if of_second else (0.0, 0.0), self.aftermath.offset
@@ -180,10 +204,15 @@ class Operation:
 
 
 @lru_cache(maxsize=2)
-def _mixed(making: Making, window: KnownWindow) -> tuple[Mixed, np.ndarray]:
-    """The mosaic before anything came over it, and the distance from its seam; asked for with every aftermath."""
+def _mixed(making: Making, window: KnownWindow) -> tuple[Mixed, Truth]:
+    """The mosaic before anything came over it, and what it kept; asked for with every aftermath.
+
+    Beside ground of a source that is not given nobody can tell what was kept: nan.
+    """
     mixed = making.mix(window, np.random.default_rng(_seed(making.name, window)))
-    return mixed, seams.seam_distance(mixed.labels)
+    if mixed.foreign[window.middle].any():
+        return mixed, Truth(np.nan, np.nan)
+    return mixed, truth_of(mixed, seams.seam_distance(mixed.labels), window.middle)
 
 
 def _seed(name: str, window: KnownWindow) -> list[int]:

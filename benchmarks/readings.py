@@ -43,6 +43,8 @@ class Reading:
     high: float
     band_width: float
     """m"""
+    misfit: float
+    """How far the images lie off each other as placed in the mosaic, px."""
     explained: float
     contrast: float
     composite_ratio: float
@@ -83,6 +85,7 @@ def reading_of(result: WindowResult) -> Reading:
         low=_number(profile.low) if profile else np.nan,
         high=_number(profile.high) if profile else np.nan,
         band_width=profile.band_width_px * result.ground_sample_distance if profile else np.nan,
+        misfit=_number(getattr(found, "misfit", None)),
         explained=_number(result.explained),
         contrast=_number(change.contrast[0]) if change else np.nan,
         composite_ratio=_number(found.ratios[LUMINANCE].detail[0]) if found else np.nan,

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
-from .known_windows import KnownWindow, crooked_cut, hard_cut
+from .detail import luminance_of
+from .known_windows import KnownWindow, crooked_cut
 
 PYRAMID_LEVELS = 5
 MEETING_RADIUS = 0.25
@@ -19,13 +20,25 @@ Change = Callable[[np.ndarray, np.random.Generator], np.ndarray]
 
 
 @dataclass(frozen=True, eq=False)
+class Part:
+    """What a mosaic took of a source, or of one component of it."""
+
+    plane: np.ndarray
+    """Luminance, (rows, columns) float32, in the mosaic's tones."""
+    weight: np.ndarray
+    """How much of it each pixel has, (rows, columns) float32."""
+
+
+@dataclass(frozen=True, eq=False)
 class Mixed:
     """A mosaic of one frame and all that is known of it."""
 
     bands: np.ndarray
     """(bands, rows, columns) 8 bit."""
-    hard: np.ndarray
-    """The hard cut of the same sources, changed in the same way."""
+    planes: tuple[np.ndarray, ...]
+    """Luminance of the window's sources as they went into the mosaic, in its tones, (rows, columns) float32."""
+    parts: tuple[Part, ...]
+    """What the mosaic is the sum of; the weights of whole sources add up to 1."""
     labels: np.ndarray
     """(rows, columns) uint8: the window's source on whose side of the seam each pixel lies."""
     given: tuple[int, ...]
@@ -37,10 +50,27 @@ class Mixed:
         return ~np.isin(self.labels, self.given)
 
 
+def mixed(
+    sources: Sequence[np.ndarray], weights: Sequence[np.ndarray], labels: np.ndarray, given: Sequence[int] | None = None
+) -> Mixed:
+    """Whole sources by weights that add up to 1, (rows, columns) each; all sources are given unless said otherwise."""
+    bands = whole_values(np.asarray(sum(weight * source for weight, source in zip(weights, sources))))
+    planes = tuple(luminance_of(source) for source in sources)
+    parts = tuple(Part(plane, weight) for plane, weight in zip(planes, weights) if weight.any())
+    return Mixed(bands, planes, parts, labels, tuple(range(len(sources)) if given is None else given))
+
+
+def cut_or_feathered(
+    sources: Sequence[np.ndarray], labels: np.ndarray, width_px: float = 0.0, shape: str = "cosine",
+    given: Sequence[int] | None = None,
+) -> Mixed:
+    """Width 0: cut hard."""
+    return mixed(sources, feather_weights(len(sources), labels, width_px, shape), labels, given)
+
+
 def hard(window: KnownWindow, rng: np.random.Generator) -> Mixed:
     """Cut as the window is."""
-    bands = hard_cut(window.sources, window.labels)
-    return Mixed(bands, bands, window.labels, _all(window))
+    return cut_or_feathered(window.sources, window.labels)
 
 
 def feathered(width_px: float, shape: str = "cosine") -> Mix:
@@ -55,22 +85,35 @@ def changed(changes: dict[int, Change], width_px: float = 0.0, shape: str = "cos
         sources = list(window.sources)
         for number, change in changes.items():
             sources[window.main[number]] = change(sources[window.main[number]], rng)
-        cut = hard_cut(sources, window.labels)
-        bands = feather(sources, window.labels, width_px, shape) if width_px else cut
-        return Mixed(bands, cut, window.labels, _all(window))
+        return cut_or_feathered(sources, window.labels, width_px, shape)
+
+    return mix
+
+
+def each_changed(change: Change, width_px: float = 0.0) -> Mix:
+    """Feathered after every source was changed in a way of its own, as its draw has it; width 0: cut hard."""
+
+    def mix(window: KnownWindow, rng: np.random.Generator) -> Mixed:
+        return cut_or_feathered([change(source, rng) for source in window.sources], window.labels, width_px)
 
     return mix
 
 
 def blended(window: KnownWindow, rng: np.random.Generator) -> Mixed:
     """By Laplacian pyramids (Burt and Adelson 1983)."""
-    pyramids = [(laplacian(source), gaussian(window.labels == k)) for k, source in enumerate(window.sources)]
-    levels = [sum(image[r] * mask[r] for image, mask in pyramids) for r in range(PYRAMID_LEVELS + 1)]
+    masks = [gaussian(window.labels == k) for k in _all(window)]
+    pyramids = [laplacian(source) for source in window.sources]
+    levels = [sum(image[r] * mask[r] for image, mask in zip(pyramids, masks)) for r in range(PYRAMID_LEVELS + 1)]
     blend = levels.pop()
     while levels:
         fine = levels.pop()
         blend = fine + expand(blend, fine.shape[-2:])
-    return Mixed(whole_values(blend), hard_cut(window.sources, window.labels), window.labels, _all(window))
+    planes = tuple(luminance_of(source) for source in window.sources)
+    parts = [
+        Part(_whole(component, plane.shape), _whole(weight, plane.shape))
+        for plane, mask in zip(planes, masks) for component, weight in zip(laplacian(plane), mask) if mask[0].any()
+    ]
+    return Mixed(whole_values(blend), planes, tuple(parts), window.labels, _all(window))
 
 
 def missing(share: float, width_px: float = 0.0) -> Mix:
@@ -80,9 +123,8 @@ def missing(share: float, width_px: float = 0.0) -> Mix:
         first, second = window.main
         depth = signed_distance(window.labels == second)
         labels = np.where(depth >= np.quantile(depth[window.middle], 1 - share), second, first).astype(np.uint8)
-        cut = hard_cut(window.sources, labels)
-        bands = feather(window.sources, labels, width_px, "cosine") if width_px else cut
-        return Mixed(bands, cut, labels, tuple(k for k in _all(window) if k != second))
+        given = [k for k in _all(window) if k != second]
+        return cut_or_feathered(window.sources, labels, width_px, given=given)
 
     return mix
 
@@ -96,20 +138,27 @@ def meeting(width_px: float) -> Mix:
         first, second = window.main
         third = next(k for k in _all(window) if k not in (first, second))
         labels = np.where((window.labels == second) & other, third, window.labels).astype(np.uint8)
-        cut = hard_cut(window.sources, labels)
-        bands = feather(window.sources, labels, width_px, "cosine") if width_px else cut
-        return Mixed(bands, cut, labels, _all(window))
+        return cut_or_feathered(window.sources, labels, width_px)
 
     return mix
 
 
 def feather(sources: Sequence[np.ndarray], labels: np.ndarray, width_px: float, shape: str) -> np.ndarray:
-    """Weights by the distance from each source's own border; where two meet they add up to 1 as they are."""
-    numbers = np.unique(labels)
-    weights = [ramp(signed_distance(labels == number), width_px, shape) for number in numbers]
+    """The bands, rounded to 8 bit."""
+    return mixed(sources, feather_weights(len(sources), labels, width_px, shape), labels).bands
+
+
+def feather_weights(count: int, labels: np.ndarray, width_px: float, shape: str) -> list[np.ndarray]:
+    """By the distance from each source's own border; where two meet they add up to 1 as they are. Width 0: cut hard."""
+    inside = [labels == number for number in range(count)]
+    if not width_px:
+        return [one.astype(np.float32) for one in inside]
+    weights = [
+        ramp(signed_distance(one), width_px, shape) if one.any() else np.zeros(labels.shape, np.float32)
+        for one in inside
+    ]
     total = np.maximum(np.sum(weights, axis=0), 1e-6)
-    blended = sum(weight / total * sources[number] for number, weight in zip(numbers, weights))
-    return whole_values(np.asarray(blended))
+    return [weight / total for weight in weights]
 
 
 def ramp(distance: np.ndarray, width_px: float, shape: str) -> np.ndarray:
@@ -152,6 +201,16 @@ def expand(bands: np.ndarray, shape: Sequence[int]) -> np.ndarray:
     wide = np.zeros((*bands.shape[:-2], *shape), np.float32)
     wide[..., ::2, ::2] = 4 * bands
     return _smoothed(wide)
+
+
+def _whole(level: np.ndarray, shape: Sequence[int]) -> np.ndarray:
+    """A level of a pyramid in the size of the image."""
+    sizes = [tuple(shape)]
+    while sizes[-1] != level.shape[-2:]:
+        sizes.append(tuple((size + 1) // 2 for size in sizes[-1]))
+    for size in sizes[-2::-1]:
+        level = expand(level, size)
+    return level
 
 
 def _smoothed(bands: np.ndarray) -> np.ndarray:

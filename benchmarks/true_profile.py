@@ -1,16 +1,17 @@
-"""How much detail a spoilt mosaic truly kept, by distance from the seam: against the known hard cut, by PyWavelets."""
+"""How much detail a mosaic truly kept beside its seam, by what it was made of and by PyWavelets."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
-import pywt
 
-from .production import Made
+from .detail import detail_energy, details, luminance_of
+from .seam_makings import Mixed
 
 BIN_PX = 8
 FARTHEST_PX = 64
+REACH_PX = 32
+"""Farther than the wavelets look."""
 MIN_PIXELS = 256
 """Of a bin."""
 
@@ -27,17 +28,12 @@ class TrueProfile:
         """In the first bin."""
         return self.kept[0]
 
-    @property
-    def least(self) -> float:
-        """In the bin that lost most."""
-        return float(np.nanmin(self.kept))
-
 
 def truth_kept(
     hard: np.ndarray, made: np.ndarray, distance_px: np.ndarray, level: int, wavelet: str,
     where: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> TrueProfile:
-    """The energies of two planes, (rows, columns), pixel by pixel; ``where`` narrows what is looked at.
+    """The energies of two planes, (rows, columns), by distance; ``where`` narrows what is looked at.
 
     The transform is the undecimated one, so it makes no difference where on the grid of the decimated one a seam lies.
     """
@@ -50,28 +46,41 @@ def truth_kept(
     return TrueProfile(tuple(kept[:-1].tolist()))
 
 
-def truth_of(made: Made, where: tuple[slice, slice], level: int = 1, wavelet: str = "coif3") -> TrueProfile:
-    """Of the luminance."""
-    weights = np.array((0.299, 0.587, 0.114))
-    hard, spoilt = (np.tensordot(weights, bands.astype(np.float64), 1) for bands in (made.hard, made.bands))
-    return truth_kept(hard, spoilt, made.distance, level, wavelet, where)
+@dataclass(frozen=True)
+class Truth:
+    """What a mosaic kept before anything came over the whole of it; nan where that can't be told."""
+
+    near: float
+    """Of the finest detail energy in the ``BIN_PX`` beside the seam."""
+    taken: float
+    """The share of it that mixing took from the whole window."""
 
 
-def detail_energy(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
-    """Squares of the three details of a level, (rows, columns), each at the pixel that it stands for."""
-    return _energy(plane, level, wavelet, _delay(level, wavelet))
+def truth_of(mixed: Mixed, distance_px: np.ndarray, where: tuple[slice, slice], wavelet: str = "coif3") -> Truth:
+    """By what the mosaic was made of.
+
+    The sum over its parts of weight x detail, squared, over the square of the detail of the source on whose side each
+    pixel lies. A hard cut keeps 1 whatever it joins: the edge of the cut itself is nobody's detail.
+    """
+    around = tuple(slice(max(one.start - REACH_PX, 0), one.stop + REACH_PX) for one in where)
+    inside = np.zeros(distance_px.shape, bool)
+    inside[where] = True
+    near, inside = (inside & (distance_px <= BIN_PX))[around], inside[around]
+    labels = mixed.labels[around]
+    made = sum(part.weight[around] * details(part.plane[around], 1, wavelet) for part in mixed.parts)
+    followed = sum(
+        (labels == number) * details(plane[around], 1, wavelet) for number, plane in enumerate(mixed.planes)
+    )
+    energies = [np.square(one).sum(axis=0) for one in (made, followed)]
+    kept = [_ratio(*(one[pixels].sum() for one in energies)) for pixels in (near, inside)]
+    return Truth(kept[0] if near.sum() >= MIN_PIXELS else np.nan, 1 - kept[1])
 
 
-def _energy(plane: np.ndarray, level: int, wavelet: str, delay: int) -> np.ndarray:
-    details = pywt.swt2(plane, wavelet, level, norm=True, trim_approx=True)[1]
-    return np.roll(np.sum(np.square(details), axis=0), (-delay, -delay), (0, 1))
+def taken_by_change(before: np.ndarray, after: np.ndarray, where: tuple[slice, slice]) -> float:
+    """The share of the finest detail energy that did not come over: 1 less the gain, squared."""
+    fine = [details(luminance_of(bands[(slice(None), *where)]), 1, "coif3") for bands in (before, after)]
+    return 1 - float((fine[0] * fine[1]).sum() / np.square(fine[0]).sum()) ** 2
 
 
-@lru_cache
-def _delay(level: int, wavelet: str) -> int:
-    """By how many pixels the coefficients lag behind what they come from: where the energy of a point lies."""
-    side = 2 ** (level + 6)
-    point = np.zeros((side, side))
-    point[side // 2, side // 2] = 1
-    across = _energy(point, level, wavelet, 0).sum(axis=1)
-    return round(float(across @ np.arange(side) / across.sum())) - side // 2
+def _ratio(made: float, of_sources: float) -> float:
+    return float(made / of_sources) if of_sources > 0 else np.nan

@@ -26,7 +26,7 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal, ogr, osr
 
-from .camera import Box, Exposure, take
+from .camera import Box, Exposure, Orthoimage, take
 from .canvas import PIXEL, Curve, Extent
 from .mosaic import Dodging, assemble, balance, dodge
 from .scene import Scene, make_scene
@@ -48,6 +48,9 @@ EXPOSURES = (
     Exposure(GAP_FILLER, turn=0.9, sun=0.70, blur=0.32, gain=(1.22, 1.27, 1.46), bias=(-32, -30, -24), gamma=1.15,
              falloff=(0.03, 0.04), shift=(1.45, -1.30), warp=0.25, origin=(0.4, 0.3)),
 )
+
+TIES = {one.name: one.shift for one in EXPOSURES if one.name != GAP_FILLER}
+"""What the block's adjustment corrects, px to the east and south."""
 
 Points = list[tuple[float, float]]
 
@@ -98,20 +101,13 @@ def make_block(folder: str | Path, extent_m: Extent = (500.0, 400.0), seed: int 
     """Draw the scene, photograph it, mosaic it and write the files into a folder. ``feather_m``: of the usual seam."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    rng = np.random.default_rng(seed)
-    scale = extent_m[0] / WIDTH
-    progress("Drawing the scene")
-    scene = make_scene(extent_m, MARGIN * scale + 1.5, rng)
-    layout = replace(make_layout(extent_m, scene, rng), feather_m=feather_m)
-    images = []
-    for exposure in EXPOSURES:
-        progress(f"Taking orthoimage {exposure.name}")
-        images.append(take(scene, exposure, footprints(layout)[exposure.name], rng))
-        write_image(folder / exposure.name, images[-1].pixels, images[-1].left, images[-1].top)
-    del scene  # hundreds of megabytes
+    images, layout = photograph(extent_m, seed, progress)
+    layout = replace(layout, feather_m=feather_m)
+    for image in images:
+        write_image(folder / image.name, image.pixels, image.left, image.top)
     progress("Assembling the mosaic")
-    ties = {one.name: one.shift for one in EXPOSURES if one.name != GAP_FILLER}
-    mosaic = assemble(images, balance(images), ties, layout.weights, extent_m)
+    mosaic = assemble(images, balance(images), TIES, layout.weights, extent_m)
+    scale = layout.scale
     dodging = Dodging(0.44 * extent_m[0], 0.79 * extent_m[1], 64 * scale, 62 * scale, reach=20 * scale)
     dodge(mosaic, dodging)
     write_image(folder / "mosaic.tif", mosaic, 0.0, 0.0)
@@ -119,6 +115,21 @@ def make_block(folder: str | Path, extent_m: Extent = (500.0, 400.0), seed: int 
     write_seams(folder / "seamlines.gpkg", layout)
     return Block(folder / "mosaic.tif", tuple(sorted(folder / one.name for one in EXPOSURES)),
                  folder / "seamlines.gpkg", damage_places(layout, dodging))
+
+
+def photograph(
+    extent_m: Extent, seed: int, progress: Callable[[str], None] = lambda message: None
+) -> tuple[list[Orthoimage], Layout]:
+    """The orthoimages of a scene, and the seams that their mosaic is cut along."""
+    rng = np.random.default_rng(seed)
+    progress("Drawing the scene")
+    scene = make_scene(extent_m, MARGIN * extent_m[0] / WIDTH + 1.5, rng)
+    layout = make_layout(extent_m, scene, rng)
+    images = []
+    for exposure in EXPOSURES:
+        progress(f"Taking orthoimage {exposure.name}")
+        images.append(take(scene, exposure, footprints(layout)[exposure.name], rng))
+    return images, layout
 
 
 def ramp(distance: np.ndarray) -> np.ndarray:

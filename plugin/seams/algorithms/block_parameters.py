@@ -50,7 +50,8 @@ def given_sources(run: Run) -> GivenSources:
 def gathered_sources(
     run: Run, given: GivenSources, crs: QgsCoordinateReferenceSystem, wkt: str, mosaic: RasterRef | None = None
 ) -> list[Source]:
-    """All sources, each once, with their footprints in a reference system; warns of those left out."""
+    """All sources, each once, with their footprints in a reference system; warns of those left out. Copies of the
+    mosaic are still among them."""
     from ..measure.source_images import gather_sources
 
     indexed = _indexed_sources(run, given, crs)
@@ -78,7 +79,10 @@ def _indexed_sources(run: Run, given: GivenSources, crs: QgsCoordinateReferenceS
 def given_block(run: Run, mosaic: Raster, given: GivenSources, cells: Iterable[Cell] = ()) -> Block:
     """Mosaic and sources; warns of those left out. Raises SettingsError when none is named at all."""
     from ...toolkit.layers import mosaic_crs
-    from ..measure.inspection import Block
+    from ..measure.inspection import make_block
 
-    sources = gathered_sources(run, given, mosaic_crs(mosaic), mosaic.wkt, mosaic.ref)
-    return Block(mosaic, tuple(sources), tuple(cells))
+    indexed = _indexed_sources(run, given, mosaic_crs(mosaic))
+    run.tell_once(given.left_out)
+    block, notices = make_block(mosaic, given.refs, indexed, cells)
+    run.tell_once(notices)
+    return block

@@ -11,6 +11,7 @@ from ...imagery.message import Message
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.wavelets import check_decomposition
 from . import limits, messages
+from .inputs.mosaic_copies import leave_out_copies
 from .seam_cells import Cell, cells_over
 from .source_images import Source, gather_sources, sources_in
 from .verdicts import check_max_ratio, check_min_kept
@@ -89,13 +90,14 @@ def make_block(
 ) -> tuple[Block, list[Message]]:
     """A mosaic with its sources, each once, and notices about those left out.
 
-    ``sources`` are opened for their footprints; ``indexed`` ones come with theirs and are not. The mosaic
-    itself among the sources is dropped.
+    ``sources`` are opened for their footprints; ``indexed`` ones come with theirs and are not. The mosaic itself and
+    copies of it among the sources are dropped.
 
     Raises SettingsError when no source is named at all.
     """
-    kept, notices = gather_sources(sources, indexed, mosaic.wkt, mosaic.ref)
-    return Block(mosaic, tuple(kept), tuple(cells)), notices
+    gathered, notices = gather_sources(sources, indexed, mosaic.wkt, mosaic.ref)
+    kept, of_copies = leave_out_copies(mosaic, gathered, only_one_is_told=False)
+    return Block(mosaic, tuple(kept), tuple(cells)), [*notices, *of_copies]
 
 
 def window_request(block: Block, window_id: int, extent: Extent, settings: InspectionSettings) -> WindowRequest:

@@ -109,7 +109,7 @@ def test_footprints_lie_in_the_mosaics_system(make_raster: MakeRaster) -> None:
 
 def test_a_source_outside_the_window_is_never_opened(make_raster: MakeRaster) -> None:
     image = orthoimage(SIZE)
-    mosaic, source = mosaic_of(make_raster, image), make_raster("source.tif", image)
+    mosaic, source = mosaic_of(make_raster, image), make_raster("source.tif", image // 2 + 60)  # no copy
     indexed = [Source(RasterRef(f"/nowhere/{number}.tif"), FAR_AWAY) for number in range(500)]
     block, notices = make_block(mosaic, [RasterRef(source)], indexed)
     assert notices == []
@@ -221,7 +221,8 @@ def test_the_softer_the_mosaic_the_worse_the_verdict(
 def test_the_largest_loss_of_one_source_is_not_a_loss_against_every_source(make_raster: MakeRaster) -> None:
     scene = orthoimage(SIZE, 3)
     mosaic = mosaic_of(make_raster, softened(scene, 1.0))
-    sharp, soft = make_raster("sharp.tif", scene), make_raster("soft.tif", softened(scene, 1.0))
+    brighter = softened(scene, 1.0) + 3  # or it would be taken for a copy
+    sharp, soft = make_raster("sharp.tif", scene), make_raster("soft.tif", brighter)
     assert inspect(block_of(mosaic, sharp), reference="sources").judgement.verdict is Verdict.SIGNIFICANT
     both = inspect(block_of(mosaic, sharp, soft), reference="sources")
     assert both.judgement.verdict is both.paper_verdict is Verdict.PRESERVED

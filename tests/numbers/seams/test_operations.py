@@ -5,12 +5,13 @@ import numpy as np
 import pytest
 from scipy import ndimage
 
+from benchmarks.detail import detail_energy
 from benchmarks.known_windows import Imagery, KnownWindow, PlacedImage
-from benchmarks.operations import NOTHING, OPERATIONS, PLAIN
-from benchmarks.production import Operation
+from benchmarks.operations import HARD, KINDS, NOTHING, OPERATIONS
+from benchmarks.production import HALVES, Operation
 from benchmarks.readings import read
-from benchmarks.seam_makings import seam_distance
-from benchmarks.true_profile import detail_energy, truth_kept, truth_of
+from benchmarks.seam_makings import cut_or_feathered, seam_distance
+from benchmarks.true_profile import truth_kept, truth_of
 from tests.numbers.synthetic import orthoimage, texture
 
 SIDE = 128
@@ -54,10 +55,10 @@ def test_windows_stay_the_same(imagery: Imagery) -> None:
 
 def test_half_of_the_operations_are_held_back_and_none_stands_twice() -> None:
     assert len({one.name for one in OPERATIONS}) == len(OPERATIONS)
-    assert 0.4 < np.mean([one.held_back for one in OPERATIONS]) < 0.6
-    for held_back in (False, True):
-        half = [one for one in OPERATIONS if one.in_half(held_back)]
-        assert {making.name for making in PLAIN} == {one.making.name for one in half if one.making in PLAIN}
+    assert 0.4 < np.mean([one.half == HALVES[1] for one in OPERATIONS]) < 0.6
+    for name in HALVES[:2]:
+        half = [one for one in OPERATIONS if one.in_half(name)]
+        assert {making.name for making in KINDS} == {one.making.name for one in half if one.making in KINDS}
         assert {"none", "feathering", "missing source", "balanced"} <= {one.true_causes[0] for one in half}
 
 
@@ -65,12 +66,23 @@ def test_half_of_the_operations_are_held_back_and_none_stands_twice() -> None:
 def test_detail_is_lost_along_the_seam_where_an_operation_says_so(operation: Operation, window: KnownWindow) -> None:
     made = operation.make(window)
     assert made.bands.dtype == np.uint8
-    assert made.bands.shape == made.hard.shape == window.sources[0].shape
-    near = truth_of(made, window.middle).near
-    if operation.lost_in_strip:
-        assert near < 0.93
-    elif not made.foreign.any():
-        assert near == pytest.approx(1, abs=0.05)
+    assert made.bands.shape == window.sources[0].shape
+    if made.foreign[window.middle].any():
+        assert np.isnan(made.truth)
+    elif operation.lost_in_strip:
+        assert made.truth < 0.93
+    else:
+        assert made.truth == pytest.approx(1, abs=0.05)
+
+
+def test_a_hard_cut_keeps_all_of_images_that_have_nothing_in_common() -> None:
+    planes = [128 + 30 * texture((256, 256), 0, seed) for seed in (1, 2)]
+    bands = [np.repeat(plane[np.newaxis], 3, axis=0) for plane in planes]
+    labels = (np.arange(256) >= 128)[np.newaxis].repeat(256, axis=0).astype(np.uint8)
+    distance, whole = seam_distance(labels), (slice(0, 256),) * 2
+    assert truth_of(cut_or_feathered(bands, labels), distance, whole).near == pytest.approx(1, abs=1e-6)
+    wide = cut_or_feathered(bands, labels, 200)
+    assert truth_of(wide, distance, whole).near == pytest.approx(0.5, abs=0.05)
 
 
 @pytest.mark.parametrize("operation", [one for one in OPERATIONS if "missing" in one.name], ids=lambda one: one.name)
@@ -103,7 +115,7 @@ def test_detail_lies_where_it_comes_from(wavelet: str, level: int) -> None:
 def test_the_plugin_reads_what_was_made() -> None:
     side = 192
     window = next(one for one in made_up(side).windows(side, 6, held_back=False) if len(one.sources) == 3)
-    plain = next(one for one in OPERATIONS if one.making is PLAIN[0] and one.aftermath is NOTHING)
+    plain = next(one for one in OPERATIONS if one.making is HARD and one.aftermath is NOTHING)
     reading = read(plain.make(window), window)
     assert reading.has_verdict
     assert reading.verdict == "preserved"
@@ -116,7 +128,7 @@ def test_the_plugin_reads_what_was_made() -> None:
 
 
 def test_without_ground_beside_the_seam_the_plugin_reads_no_verdict(window: KnownWindow) -> None:
-    plain = next(one for one in OPERATIONS if one.making is PLAIN[0] and one.aftermath is NOTHING)
+    plain = next(one for one in OPERATIONS if one.making is HARD and one.aftermath is NOTHING)
     reading = read(plain.make(window), window)
     assert not reading.has_verdict
     assert np.isnan(reading.kept)

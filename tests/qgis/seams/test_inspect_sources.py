@@ -73,6 +73,18 @@ def test_the_mosaic_among_the_sources_is_dropped_with_a_warning(scene: Scene, ex
     assert_sentence(warning, "mosaic.tif is the mosaic itself and is left out")
 
 
+def test_a_copy_of_the_mosaic_is_dropped_with_a_warning(
+    scene: Scene, tmp_path: Path, expected: list[dict[str, Any]]
+) -> None:
+    """Under another name; it would explain all of the mosaic, and hide every loss."""
+    copy = str(tmp_path / "east_2.tif")
+    gdal.Translate(copy, str(scene.mosaic), creationOptions=["COMPRESS=LZW"])
+    outcome = inspect(scene, SOURCES=[copy, *scene.sources])
+    (warning,) = outcome.log.warnings
+    assert_sentence(warning, "east_2.tif is like the mosaic everywhere, so it is a copy of it")
+    assert outcome.rows("PAIRS") == expected
+
+
 def test_a_reference_system_set_in_the_layer_stands_in_for_the_files(
     scene: Scene, tmp_path: Path, project: QgsProject, expected: list[dict[str, Any]]
 ) -> None:
@@ -105,14 +117,16 @@ def test_sources_in_other_systems_and_pixel_sizes_are_resampled(scene: Scene, tm
     finer = np.repeat(np.repeat(same, 2, axis=1), 2, axis=2)
     paths = [
         write_raster(tmp_path / "finer.tif", finer, gsd=0.05),
-        write_raster(tmp_path / "coarser.tif", same[:, 1::2, 1::2], gsd=0.2),
+        # What covers all of the mosaic in larger pixels would be taken for an overview of it.
+        write_raster(tmp_path / "coarser.tif", same[:, 1::2, 1:400:2], gsd=0.2),
         write_raster(tmp_path / "turned.tif", same, geotransform=turned(0.3)),
         write_raster(tmp_path / "south_up.tif", same[:, ::-1], geotransform=SOUTH_UP),
     ]
     for name, system in (("utm34.tif", "EPSG:32634"), ("degrees.tif", "EPSG:4326")):
         gdal.Warp(str(tmp_path / name), str(scene.west), dstSRS=system, dstNodata=0, resampleAlg="cubic")
         paths.append(str(tmp_path / name))
-    outcome = inspect(scene, WINDOWS=windows(MIDDLE), SOURCES=[*paths, str(scene.west)])
+    west = write_raster(tmp_path / "west.tif", same[..., :400])
+    outcome = inspect(scene, WINDOWS=windows(MIDDLE), SOURCES=[*paths, west])
     assert not outcome.log.warnings
     pairs = {row["source"]: row for row in outcome.rows("PAIRS") if row["band"] == "luminance"}
     resampled = {source: row["resampled"] for source, row in pairs.items()}

@@ -5,7 +5,7 @@ linear filter. What the mosaic lacks beside it was lost at the seams.
 """
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -73,7 +73,6 @@ def expected_mosaic(
     following: FollowedSource,
     valid: Mapping[int, np.ndarray],
     known: np.ndarray | None = None,
-    moved: Collection[int] = (),
     filters: Filters | None = None,
     sampling: Sampling = FINE,
     patch_px: int = 0,
@@ -83,7 +82,7 @@ def expected_mosaic(
     ``fine``: the fine detail of the mosaic, then of the sources (``high_pass``).
 
     ``valid``: pixels that a source has, of those that don't have all. ``known``: labels that are known, else
-    ``UNKNOWN``; they go before the estimate. ``moved``: planes of sources that were moved to where they fit.
+    ``UNKNOWN``; they go before the estimate.
     ``filters``: what came over the mosaic, where that is known from more ground than there is here. ``sampling``: how
     closely sources are told from each other. ``patch_px``: as for ``mosaic_of``, whose ground this is compared with.
     """
@@ -94,7 +93,7 @@ def expected_mosaic(
         }
     else:
         shown_fine = {i: filters.applied(i, one) for i, one in sources.items()}
-    likely = likely_source(own, shown_fine, following.labels, following.clear, valid, moved, sampling)
+    likely = likely_source(own, shown_fine, following.labels, following.clear, valid, sampling)
     labels = likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
     if known is not None:
         labels = np.where(known == UNKNOWN, labels, known)

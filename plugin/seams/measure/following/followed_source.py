@@ -9,19 +9,16 @@ Sums of products are taken over cells of 4 x 4 px, and everything else is comput
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from itertools import combinations
+from dataclasses import dataclass, replace
 from typing import Callable
 
 import numpy as np
+from scipy import ndimage
 
-from .boxes import box_means, enlarged
+from ..seam_cells import UNKNOWN
+from .boxes import box_means, enlarged, near_border
+from .following_rule import LEAST_ENERGY, MIN_WINNER_LEAD, highest, is_sure, local_correlation, mixtures
 
-MIN_WINNER_LEAD = 0.1  # of the correlation over the next source's: below it a wider neighbourhood decides
-MIN_LEFT_FACTOR = 2.0  # or that the next leaves this many times as much unexplained: images of one scene are alike
-MIN_MIXTURE_FIT = 0.9  # share of the mosaic's fine detail that a mixture of two explains; a hard cut stays below
-MIN_MIXTURE_GAIN = 0.05  # by which the mixture has to explain more than the better source alone
-MIN_MIXTURE_WEIGHT = 0.1  # of each of the two sources
 MIN_FOLLOWED_SHARE = 0.005  # of a window's pixels: sources that win fewer do not count
 MIN_EXPLAINED = 0.5  # of the mosaic's fine detail within 36 px; a source 2 px off explains 0.1, a blur of 1.2 px 0.6
 MIN_UNMIXED_SHARE = 0.05  # of the pixels: fine contrast of less is not taken for that of the window
@@ -33,7 +30,6 @@ _NEAR, _WIDE = 3, 9  # cells a side that are correlated: 12 px, and 36 px where 
 _MIXED = 2  # cells a side in which the weights of a mixture are taken as constant: 8 px, less than a feather's width
 _STRIP, _MARGIN = 1024, 32  # rows worked on at a time, and how far their neighbours matter
 _PIECE_PX = 128  # rows filtered or multiplied at a time, so that what lies between two passes stays in the cache
-_LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values leaves
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +65,22 @@ class FollowedSource:
         return tuple(int(i) for i in order if self.shares[i] >= MIN_FOLLOWED_SHARE)
 
 
+    def with_known(self, known: np.ndarray) -> FollowedSource:
+        """The same where labels are known, (rows, columns) uint8, else ``UNKNOWN``: they decide what is followed, and
+        that sources are mixed along the borders between them alone."""
+        is_known = known != UNKNOWN
+        parts, _ = ndimage.label(self.mixed[::CELL_PX, ::CELL_PX])
+        meeting = np.unique(parts[near_border(known, CELL_PX)[::CELL_PX, ::CELL_PX]])
+        along_borders = _to_pixels(np.isin(parts, meeting[meeting > 0]), *known.shape)
+        mixed = self.mixed & (along_borders | ~is_known)
+        labels = np.where(is_known, known, self.labels)
+        counts = np.bincount(labels.ravel(), minlength=len(self.shares))[: len(self.shares)]
+        return replace(
+            self, labels=labels, clear=np.where(is_known, ~mixed, self.clear), mixed=mixed,
+            mixed_share=float(mixed.mean()), shares=tuple((counts / labels.size).tolist()),
+        )
+
+
 def high_pass(band: np.ndarray) -> np.ndarray:
     """A band (rows, columns) less its smoothed self, in float32: what is finer than a Gaussian of about 2 px."""
     fine = np.empty(band.shape, np.float32)
@@ -95,7 +107,7 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
         cells = slice(inner.start // CELL_PX, -(-inner.stop // CELL_PX))
         strips.append([part[cells] for part in _follow_cells(mosaic, sources)])
     winner, clear, mixed, fit, own, of_winner = (np.concatenate(parts) for parts in zip(*strips))
-    textured = own > _LEAST_ENERGY * CELL_PX**2
+    textured = own > LEAST_ENERGY * CELL_PX**2
     outside = ~mixed & textured
     total = of_winner[outside].sum() if outside.mean() >= MIN_UNMIXED_SHARE else 0.0
     return FollowedSource(
@@ -116,15 +128,14 @@ def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np
     energies = [sums_over_cells(source, source) for source in sources]
     shared = [sums_over_cells(mosaic, source) for source in sources]
     near, wide = _correlations(own, energies, shared)
-    winner, lead = _highest(near)
+    winner, lead = highest(near)
     if len(sources) > 1:
-        winner = np.where(lead < MIN_WINNER_LEAD, _highest(wide)[0], winner)
+        winner = np.where(lead < MIN_WINNER_LEAD, highest(wide)[0], winner)  # else a wider neighbourhood decides
         winner = _without_specks(winner, len(sources))
     mixed, explained = _mixtures(sources, own, energies, shared, winner)
     best = _of_winner(near, winner)
-    textured = own > _LEAST_ENERGY * CELL_PX**2
-    left, next_left = 1 - np.maximum(best, 0) ** 2, 1 - np.maximum(best - lead, 0) ** 2
-    clear = ~mixed & ((lead >= MIN_WINNER_LEAD) | (next_left >= MIN_LEFT_FACTOR * left) | ~textured)
+    textured = own > LEAST_ENERGY * CELL_PX**2
+    clear = ~mixed & (is_sure(best, lead) | ~textured)
     fit = np.maximum(explained, np.maximum(best, 0) ** 2)
     return winner.astype(np.uint8), clear, mixed, fit, own, _of_winner(energies, winner)
 
@@ -167,32 +178,18 @@ def _correlations(
     own: np.ndarray, energies: Sequence[np.ndarray], shared: Sequence[np.ndarray]
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
     """Local correlation of the mosaic with each source, (cell rows, cell columns), near and wide."""
-    least = np.float32(_LEAST_ENERGY * CELL_PX**2)
+    least = np.float32(LEAST_ENERGY * CELL_PX**2)
     of_mosaic = [one + least for one in _around(own)]
     found = []
     for energy, product in zip(energies, shared):
         for mosaic, of_source, both in zip(of_mosaic, _around(energy), _around(product)):
-            of_source += least
-            of_source *= mosaic
-            both /= np.sqrt(of_source, out=of_source)
-            found.append(both)
+            found.append(local_correlation(mosaic, of_source + least, both))
     return found[0::2], found[1::2]
 
 
 def _around(products: np.ndarray) -> list[np.ndarray]:
     """Means over the near and the wide squares of cells."""
     return box_means(products, (_NEAR, _WIDE), mirrored=True)
-
-
-def _highest(values: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Index of the highest of several arrays, and its lead over the next; of one alone the value itself."""
-    first, *others = values
-    found, second = np.zeros(first.shape, np.intp), np.zeros_like(first) if not others else np.full_like(first, -np.inf)
-    for number, other in enumerate(others, 1):
-        np.copyto(found, number, where=other > first)
-        second = np.maximum(second, np.minimum(first, other))
-        first = np.maximum(first, other)
-    return found, first - second
 
 
 def _of_winner(values: Sequence[np.ndarray], winner: np.ndarray) -> np.ndarray:
@@ -204,7 +201,7 @@ def _of_winner(values: Sequence[np.ndarray], winner: np.ndarray) -> np.ndarray:
 
 def _without_specks(winner: np.ndarray, count: int) -> np.ndarray:
     """Each cell follows the majority of its 3 x 3 neighbours."""
-    return _highest([box_means(winner == i, (3,), mirrored=True)[0] for i in range(count)])[0]
+    return highest([box_means(winner == i, (3,), mirrored=True)[0] for i in range(count)])[0]
 
 
 def _mixtures(
@@ -214,28 +211,16 @@ def _mixtures(
     shared: Sequence[np.ndarray],
     winner: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Cells in which two sources together explain the mosaic and neither does alone, and how much they explain.
-
-    Least squares for the weights a and b of two sources, cell by cell; only sources that win somewhere are mixed.
-    """
-    mosaic = _together(own) + _LEAST_ENERGY
+    """Cells in which two sources together explain the mosaic and neither does alone, and how much they explain; only
+    sources that win somewhere are mixed."""
     wins = np.bincount(winner.ravel(), minlength=len(sources))
     followed = [i for i, count in enumerate(wins) if count >= MIN_FOLLOWED_SHARE * winner.size]
-    sums = {i: (_together(energies[i]) + _LEAST_ENERGY, _together(shared[i])) for i in followed}
-    alone = np.zeros_like(mosaic)
-    for energy, product in sums.values():
-        np.maximum(alone, np.maximum(product, 0) ** 2 / (mosaic * energy), out=alone)
-    explained = np.zeros_like(mosaic)
-    for i, j in combinations(followed, 2):
-        (energy_i, product_i), (energy_j, product_j) = sums[i], sums[j]
-        common = _together(sums_over_cells(sources[i], sources[j]))
-        determinant = 1.001 * energy_i * energy_j - common**2
-        a = (product_i * energy_j - product_j * common) / determinant
-        b = (product_j * energy_i - product_i * common) / determinant
-        both = np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)
-        both &= a + b > 0
-        np.maximum(explained, np.where(both, (a * product_i + b * product_j) / mosaic, 0), out=explained)
-    return (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN), explained
+    return mixtures(
+        _together(own) + LEAST_ENERGY,
+        {i: _together(energies[i]) + LEAST_ENERGY for i in followed},
+        {i: _together(shared[i]) for i in followed},
+        lambda i, j: _together(sums_over_cells(sources[i], sources[j])),
+    )
 
 
 def _together(products: np.ndarray) -> np.ndarray:

@@ -6,24 +6,23 @@ weigh the same. What compression made of weak detail is expected of every source
 """
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from scipy import ndimage
 
-from ..profile.energy_response import EnergyResponse, fit_response, log_energies, sampled
+from ..profile.energy_response import EnergyResponse, fit_response, sampled
+from .best_ground import MIN_STRANGE, learn_best_ground
 from .boxes import box_means, enlarged, near_border, opened
 from .followed_source import CELL_PX, sums_over_cells
+from .following_rule import LEAST_ENERGY, weights_of_two
 
-MIN_UNEXPLAINED = 0.4  # of the way from what a source leaves over elsewhere to what a stranger would
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
-MIN_UNEXPLAINED_BY_ONE = 0.15  # where one source alone is followed there is no mixture that it could be half of
-MIN_ALIKE_FIT = 0.75  # another image of the same flight, moved to where it fits best, explains 0.55 to 0.7
-MIN_ALIKE_FACTOR = 20.0  # by which one that stands in for another leaves more than those that are truly followed
 MIN_TEXTURE = 0.3  # of the energy that a source would have
 MAX_EXPECTED = 0.7  # of what a stranger leaves over
-MAX_LEARNED = 0.25  # of the way to a stranger: squares that a source explains better tell what it leaves over
+MAX_LEARNED = 0.25  # of the way to a stranger: squares that a source explains better tell its gain
 SMALLEST_PART_PX = 600  # pixels of one source on their own that are believed; a square of 24 px
 
 _WIDE_WEIGHT = 0.1  # of the wider neighbourhood: it decides only where the near one doesn't
@@ -32,7 +31,10 @@ _FEWEST_PX = 1600  # that follow a source for sure, for the others to be left ou
 _FEWEST_LEARNED_PX = 800
 _BEST = 0.6  # quantile of the squares' fit that is begun with
 _ROUNDS = 5
-_LEAST_ENERGY = 1e-2  # DN squared a pixel
+_MIN_TEXTURED = 8  # times the least energy
+_NEAR_CELLS, _WIDE_CELLS = 3, 9  # a side: 12 px, in which the weights of a mixture are even, and 36 px
+_STRIP_CELLS = 4  # a side of the least part that no source explains: a seam leaves something over along itself
+_ALIKE_CELLS = 12  # the same where a source does resemble it
 _PIECE_PX = 128  # rows multiplied at a time, so that what lies between two passes stays in the cache
 
 
@@ -46,8 +48,6 @@ class Sampling:
     """Squares a side that are looked at together, odd."""
     wide: int
     """The same where those don't decide, odd."""
-    strip: int
-    """Squares: what a seam leaves unexplained along itself is no part of a source."""
 
     def sums(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """Of the products over the squares, (rows, columns)."""
@@ -58,9 +58,9 @@ class Sampling:
         return pixels // self.grid_px**2
 
 
-FINE = Sampling(2, 7, 17, 7)
+FINE = Sampling(2, 7, 17)
 """14 and 34 px."""
-QUICK = Sampling(CELL_PX, 3, 9, 4)
+QUICK = Sampling(CELL_PX, 3, 9)
 """12 and 36 px, a third of the time: for labels whose borders are then moved to the pixel."""
 
 
@@ -80,76 +80,130 @@ def likely_source(
     labels: np.ndarray,
     clear: np.ndarray,
     valid: Mapping[int, np.ndarray],
-    moved: Collection[int] = (),
     sampling: Sampling = FINE,
 ) -> LikelySource:
     """Of ``sources``, high-passed planes as ``mosaic``, (rows, columns), those that it follows by a first estimate.
 
     ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure. ``valid``: pixels that a source has, of
-    those that don't have all. ``moved``: sources that lie elsewhere than where they were given.
+    those that don't have all.
     """
     near_side, wide_side, step = sampling.near, sampling.wide, sampling.grid_px
     grid = np.s_[::step, ::step]
-    least_energy = _LEAST_ENERGY * step**2
     first = np.ascontiguousarray(labels[grid])
     sure = clear[grid] & ~near_border(first, _INSIDE_PX // step)
     own = sampling.sums(mosaic, mosaic)
     near, wide = box_means(own, (near_side, wide_side))
-    costs, rests, fits = [], [], []
+    costs, energies, products = [], {}, {}
     for i, plane in sources.items():
         energy, shared = sampling.sums(plane, plane), sampling.sums(mosaic, plane)
+        energies[i], products[i] = energy, shared
         energy_near, energy_wide = box_means(energy, (near_side, wide_side))
         shared_near, shared_wide = box_means(shared, (near_side, wide_side))
         own_part = first == i if i not in valid else (first == i) & valid[i][grid]
         where = np.flatnonzero(own_part & sure)
         if len(where) < sampling.squares(_FEWEST_PX):
             where = np.flatnonzero(own_part if own_part.any() else first == i)
-        gain, response, fit = _learned(
-            sampled(where), wide, energy_wide, shared_wide, sampling.squares(_FEWEST_LEARNED_PX)
-        )
-        logs_wide = log_energies(energy_wide)
-        gain_wide = gain.at(logs_wide)
-        cost, _ = _left_over(near, energy_near, shared_near, gain(energy_near))
-        left_wide, _ = _left_over(wide, energy_wide, shared_wide, gain_wide)
+        gain = _learned(sampled(where), wide, energy_wide, shared_wide, sampling.squares(_FEWEST_LEARNED_PX))
+        cost = _left_over(near, energy_near, shared_near, gain(energy_near))[0]
+        left_wide = _left_over(wide, energy_wide, shared_wide, gain(energy_wide))[0]
         left_wide *= _WIDE_WEIGHT
         cost += left_wide
-        left, stranger = _left_over(own, energy, shared, gain_wide)
-        rest = np.stack([left, stranger, np.minimum(response.at(logs_wide) * energy, MAX_EXPECTED * stranger)])
-        fits.append(fit)
         if i in valid:
-            missing = ~valid[i][grid]
-            cost[missing] = np.inf
-            rest[:2, missing], rest[2, missing] = own[missing] + 1, 0
+            cost[~valid[i][grid]] = np.inf
         costs.append(cost)
-        rests.append(rest)
-    for i, fit, rest in zip(sources, fits, rests):
-        stands_in = fit < MIN_ALIKE_FIT and 1 - fit > MIN_ALIKE_FACTOR * (1 - max(fits))
-        if fit < MIN_FIT or stands_in or (i in moved and fit < MIN_ALIKE_FIT):
-            rest[0], rest[2] = rest[1], 0.0
-    numbers, rest = _least(list(sources), costs, rests)
-    found = without_islands(numbers, sampling.squares(SMALLEST_PART_PX))
-    limit = MIN_UNEXPLAINED if len(sources) > 1 else MIN_UNEXPLAINED_BY_ONE
-    unexplained = opened(_strange(rest, wide, wide_side, least_energy) > limit, sampling.strip)
-    unexplained = without_islands(unexplained.view(np.uint8), sampling.squares(SMALLEST_PART_PX)) > 0
+    found = without_islands(_least(list(sources), costs), sampling.squares(SMALLEST_PART_PX))
+    cells = _unexplained(own, energies, products, found, sources, sampling)
+    unexplained = _as_large(enlarged(cells, CELL_PX // step), found.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
     return LikelySource(enlarged(found, step), enlarged(unexplained, step))
 
 
-def _strange(rest: np.ndarray, wide: np.ndarray, side: int, least: float) -> np.ndarray:
-    """How far what the sources leave over is on the way to what strangers would; ``rest`` (3, rows, columns): left
-    over, left over by a stranger, expected to be left over, of the source of every square."""
-    (left,), (stranger,), (expected,) = (box_means(sums, (side,)) for sums in rest)
+def _unexplained(
+    own: np.ndarray, energies: Mapping[int, np.ndarray], products: Mapping[int, np.ndarray], labels: np.ndarray,
+    sources: Mapping[int, np.ndarray], sampling: Sampling,
+) -> np.ndarray:
+    """Cells that the sources explain worse than the best ground of all, (cell rows, cell columns) bool.
+
+    Sums over the squares of a sampling: of the mosaic with itself, by source with itself and with the mosaic.
+    """
+    times = CELL_PX // sampling.grid_px
+    own = _in_cells(own, times)
+    labels = labels[::times, ::times][: own.shape[0], : own.shape[1]]
+    energies, products = ({i: _in_cells(one, times) for i, one in of.items()} for of in (energies, products))
+    energy, product = np.zeros_like(own), np.zeros_like(own)
+    for i in sources:
+        of = labels == i
+        gain = np.float32(max(float(products[i][of].sum()), 0.0) / max(float(energies[i][of].sum()), 1e-9))
+        np.copyto(energy, gain**2 * energies[i], where=of)
+        np.copyto(product, gain * products[i], where=of)
+    least = np.float32(LEAST_ENERGY * CELL_PX**2)
+    wide, energy, product = (box_means(one, (_WIDE_CELLS,))[0] for one in (own, energy, product))
+    wide += least
+    energy += least
     # Where the mosaic shows nothing of a source's texture it was clipped, or blurred away.
-    textured = (wide > least) & ((1 + MIN_TEXTURE) * wide >= MIN_TEXTURE * stranger)
-    return np.where(textured, (left - expected) / np.maximum(stranger - expected, least), 0)
+    textured = (wide > _MIN_TEXTURED * least) & (wide >= MIN_TEXTURE * energy)
+    left = np.maximum(wide - np.maximum(product, 0) ** 2 / energy, 0)
+    for i, j in combinations(sources, 2):
+        common = sums_over_cells(sources[i], sources[j])
+        np.minimum(left, _left_by_two(own, energies[i], energies[j], products[i], products[j], common), out=left)
+    ground = learn_best_ground(wide[textured], left[textured])
+    if ground is None:
+        return np.zeros_like(textured)
+    if ground.is_of_none and sampling is FINE:  # a part of a block has too little ground to say that
+        return textured
+    strange, alike = ground.strangeness(wide, left)
+    found = opened(textured & (strange > MIN_STRANGE), _STRIP_CELLS) | opened(textured & alike, _ALIKE_CELLS)
+    found = _to_borders(found, strange)
+    return without_islands(found.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
+
+
+def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:
+    """Parts without the blur of their borders: up to where half of a wide square is within them."""
+    for _ in range(3):  # the blur is in what is found first
+        parts, count = ndimage.label(found)
+        if not count:
+            break
+        inside = np.clip(ndimage.median(strange, parts, np.arange(1, count + 1)), 0, 1)
+        # A share is the square of a correlation, and that is what is halfway.
+        halfway = np.concatenate([[np.inf], 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2])
+        found = strange > halfway[parts]
+    return found
+
+
+def _left_by_two(
+    own: np.ndarray, energy_i: np.ndarray, energy_j: np.ndarray, product_i: np.ndarray, product_j: np.ndarray,
+    common: np.ndarray,
+) -> np.ndarray:
+    """What a mixture of two sources leaves over of the mosaic's energy, over the wide squares; its weights are even
+    within the near ones."""
+    least = np.float32(LEAST_ENERGY * CELL_PX**2)
+    sums = (own, energy_i, energy_j, product_i, product_j, common)
+    own, energy_i, energy_j, product_i, product_j, common = (box_means(one, (_NEAR_CELLS,))[0] for one in sums)
+    a, b = weights_of_two(energy_i + least, energy_j + least, product_i, product_j, common)
+    left = np.where(np.minimum(a, b) > 0, np.maximum(own - (a * product_i + b * product_j), 0), own)
+    return box_means(left, (_WIDE_CELLS - _NEAR_CELLS + 1,))[0]
+
+
+def _in_cells(sums: np.ndarray, times: int) -> np.ndarray:
+    """Sums over whole cells from those over squares of which ``times`` make a side."""
+    if times == 1:
+        return sums
+    rows, columns = (length // times * times for length in sums.shape)
+    down = sums[0:rows:2, :columns] + sums[1:rows:2, :columns]
+    return np.asarray(down[:, 0::2] + down[:, 1::2])
+
+
+def _as_large(mask: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """Squares that stick out of whole cells as those beside them."""
+    missing = [(0, length - have) for length, have in zip(shape, mask.shape)]
+    return mask if mask.shape == shape else np.pad(mask, missing, mode="edge")
 
 
 def _learned(
     sample: np.ndarray, own: np.ndarray, energy: np.ndarray, shared: np.ndarray, fewest: int
-) -> tuple[EnergyResponse, EnergyResponse, float]:
-    """The gain of a source by its energy, what it leaves over, and the share that it explains, from squares that follow
-    it, ``sample`` by number.
+) -> EnergyResponse:
+    """The gain of a source by its energy, from squares that follow it, ``sample`` by number.
 
     What it can't explain is no part of it: learned from the squares that it explains best, then from all that are like
     those, round by round.
@@ -166,7 +220,7 @@ def _learned(
         if np.count_nonzero(explained) < min(fewest, len(own)) or (explained == chosen).all():
             break
         chosen = explained
-    return gain, response, _fit(own[chosen], energy[chosen], shared[chosen])
+    return gain
 
 
 def _left_over(
@@ -182,24 +236,13 @@ def _left_over(
     return rest, stranger
 
 
-def _least(
-    numbers: list[int], costs: list[np.ndarray], rests: list[np.ndarray]
-) -> tuple[np.ndarray, np.ndarray]:
-    """The source of least cost, (rows, columns) uint8, and its rest, (3, rows, columns)."""
-    found, cost, rest = np.full(costs[0].shape, numbers[0], np.uint8), costs[0], rests[0]
-    for number, other, own in zip(numbers[1:], costs[1:], rests[1:]):
-        less = other < cost
-        np.copyto(found, np.uint8(number), where=less)
-        np.copyto(rest, own, where=less)
-        np.minimum(cost, other, out=cost)
-    return found, rest
-
-
-def _fit(own: np.ndarray, energy: np.ndarray, shared: np.ndarray) -> float:
-    """Share of the mosaic's detail that a source explains where it is followed best."""
-    product = float(shared.sum())
-    energies = float(own.sum()) * float(energy.sum())
-    return product**2 / energies if product > 0 and energies > 0 else 0.0
+def _least(numbers: list[int], costs: list[np.ndarray]) -> np.ndarray:
+    """The source of least cost, (rows, columns) uint8."""
+    found, cost = np.full(costs[0].shape, numbers[0], np.uint8), costs[0]
+    for number, other in zip(numbers[1:], costs[1:]):
+        np.copyto(found, np.uint8(number), where=other < cost)
+        cost = np.minimum(cost, other)
+    return found
 
 
 def without_islands(labels: np.ndarray, least: int) -> np.ndarray:

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
@@ -33,6 +34,9 @@ LEAST_COARSER, MEDIAN_COARSER = 0.7, 0.93
 LEAST_LIKE, MEDIAN_LIKE = 0.3, 0.6
 LEAST_BESIDE_EQUAL = 0.8  # where other places are equal, which no compression with loss leaves
 MOST_SIZE_DIFFERENCE = 0.001  # of the pixels of a copy
+PLAINLY, NEARLY_ALL = 2.0, 0.02  # times as much of the detail is lacking; and a share that rounding leaves
+FEWEST_TURNS = 2  # places; one may be by chance
+LEAST_DROP = 2.5  # where it is beaten an orthoimage lacks as many times what it lacks elsewhere, copies at most twice
 LEAST_CONTENT = 2.0  # variance of differences between neighbours, DN squared: below it rounding counts
 
 
@@ -48,13 +52,16 @@ class Likeness(Enum):
     """Its pixels are larger, and made from the mosaic's or from what those were made of."""
 
 
-def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
+def leave_out_copies(
+    mosaic: Raster, sources: Sequence[Source], only_one_is_told: bool = True
+) -> tuple[list[Source], list[Message]]:
     """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those.
 
     Only sources that cover the mosaic, all of it or nearly, are opened, and compared in 256 places. One that differs
-    anywhere is none. One that is like it everywhere would explain all of the mosaic and hide every loss, if it was
-    made from it; where the other sources do not explain the mosaic it is what that was cut from, and stays. So does
-    the first one if there is no other source, and the notice says what that means.
+    anywhere is none, nor is one that others beat where the mosaic turns to them: orthoimages of one flight or triplet
+    are alike. One that is like it everywhere would explain all of the mosaic and hide every loss, if it was made from
+    it; where the other sources do not explain the mosaic it is what that was cut from, and stays. So does
+    the first one if there is no other source, and a notice says what that means where ``only_one_is_told``.
     """
     kept: list[Source] = []
     copies: list[Source] = []
@@ -71,14 +78,19 @@ def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[So
                 copies.append(source)
             elif likeness is Likeness.COARSER:
                 notices.append(messages.OVERVIEW_AMONG_SOURCES(name=source.ref.name))
-        if alike and kept and not _explain(kept, mosaic, pool):
-            kept = [one for one in sources if one in kept or one in alike]
+        turning = [one for one in alike if _takes_turns(one, [*kept, *alike], mosaic, pool)]
+        alike = [one for one in alike if one not in turning]
+        true = [one for one in sources if one in kept or one in turning]
+        if alike and (not true or not _explain(true, mosaic, pool)):
+            # Which of them the mosaic was cut from can't be told.
+            true = [one for one in sources if one in true or one in alike]
         else:
             copies += alike
-    if copies and not kept:
-        kept.append(copies.pop(0))
-        notices.append(messages.ONLY_SOURCE_IS_EQUAL(name=kept[0].ref.name))
-    return kept, [*(messages.COPY_AMONG_SOURCES(name=copy.ref.name) for copy in copies), *notices]
+    if copies and not true:
+        true.append(copies.pop(0))
+        if only_one_is_told:
+            notices.append(messages.ONLY_SOURCE_IS_EQUAL(name=true[0].ref.name))
+    return true, [*(messages.COPY_AMONG_SOURCES(name=copy.ref.name) for copy in copies), *notices]
 
 
 def _likeness(mosaic: Raster, source: Source, pool: RasterPool) -> Likeness:
@@ -186,35 +198,71 @@ def _same_place(first: Extent, second: Extent, tolerance: float) -> bool:
     return max(abs(a - b) for a, b in zip(first, second)) < tolerance
 
 
+def _takes_turns(source: Source, sources: Sequence[Source], mosaic: Raster, pool: RasterPool) -> bool:
+    """Whether one that is like the mosaic everywhere explains it best here, and there another one does and it lacks
+    much more: it is an orthoimage, as no copy turns away from its mosaic."""
+    others = [one for one in sources if one is not source]
+    found = [
+        [_least_lacking(given, mosaic, place, pool) for given in ([source], others)]
+        for place in _places_with_content(mosaic, pool)
+    ]
+    own, best = np.array(found).reshape(-1, 2).T
+    wins, is_beaten = best > PLAINLY * own + NEARLY_ALL, own > PLAINLY * best + NEARLY_ALL
+    if min(np.count_nonzero(wins), np.count_nonzero(is_beaten)) < FEWEST_TURNS:
+        return False
+    lacking, others_lacking = float(np.median(own[wins])) + NEARLY_ALL, float(np.median(best[is_beaten])) + NEARLY_ALL
+    # A copy with loss beats the others along the seams only, where they are mixed and it lacks what the loss took.
+    return lacking <= PLAINLY * others_lacking and float(np.median(own[is_beaten])) >= LEAST_DROP * lacking
+
+
 def _explain(sources: Sequence[Source], mosaic: Raster, pool: RasterPool) -> bool:
     """Whether in most places one of the sources is like the mosaic."""
-    grid, opened, explained, places = mosaic.grid, pool.open(mosaic.ref), 0, 0
+    lacking = [_least_lacking(sources, mosaic, place, pool) for place in _places_with_content(mosaic, pool)]
+    return sum(one <= 1 - MEDIAN_LIKE**2 for one in lacking) >= 0.5 * len(lacking)
+
+
+@dataclass(frozen=True, eq=False)
+class _MosaicPlace:
+    """A place of the mosaic."""
+
+    window: PixelWindow
+    values: np.ndarray
+    """(1, rows, columns): its first band."""
+    valid: np.ndarray
+
+
+def _places_with_content(mosaic: Raster, pool: RasterPool) -> Iterator[_MosaicPlace]:
+    """Spread over the mosaic, those with content."""
+    grid, opened = mosaic.grid, pool.open(mosaic.ref)
     side = min(SIDE_PX, grid.columns, grid.rows)
     for row in np.linspace(0, grid.rows - side, EXPLAINED_PLACES).astype(int).tolist():
         for column in np.linspace(0, grid.columns - side, EXPLAINED_PLACES).astype(int).tolist():
             window = PixelWindow(column, row, side, side)
             ours = opened.read(window)
-            first = ours.bands[:1].astype(np.float64)
-            if ours.valid.mean() < 0.5 or content_of(first, ours.valid) < LEAST_CONTENT:
-                continue
-            places += 1
-            explained += any(
-                _is_like(first, ours.valid, one, mosaic, window, pool)
-                for one in sources_in(sources, grid.window_extent(window))
-            )
-    return explained >= 0.5 * places
+            values = ours.bands[:1].astype(np.float64)
+            if ours.valid.mean() >= 0.5 and content_of(values, ours.valid) >= LEAST_CONTENT:
+                yield _MosaicPlace(window, values, ours.valid)
 
 
-def _is_like(
-    first: np.ndarray, valid: np.ndarray, source: Source, mosaic: Raster, window: PixelWindow, pool: RasterPool,
-) -> bool:
+def _least_lacking(sources: Sequence[Source], mosaic: Raster, place: _MosaicPlace, pool: RasterPool) -> float:
+    """Share of the mosaic's detail at a place that the best of some sources does not explain; nan where none has pixels
+    there."""
+    clips = (_clip(one, mosaic, place, pool) for one in sources_in(sources, mosaic.grid.window_extent(place.window)))
+    best = max((correlation_of(place.values, *clip) for clip in clips if clip is not None), default=np.nan)
+    return float(1 - np.maximum(best, 0.0) ** 2)
+
+
+def _clip(
+    source: Source, mosaic: Raster, place: _MosaicPlace, pool: RasterPool
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """First band of a source, (1, rows, columns), and where both have pixels; None where they hardly have any."""
     try:
-        clip = read_clip(pool.open(source.ref), mosaic, window, partly=True)
+        clip = read_clip(pool.open(source.ref), mosaic, place.window, partly=True)
     except RasterError:
-        return False
-    both = valid if clip.valid is None else valid & clip.valid
-    second = clip.bands[:1].astype(np.float64)
-    return both.mean() > 0.2 and content_of(second, both) > 0 and correlation_of(first, second, both) >= MEDIAN_LIKE
+        return None
+    both = place.valid if clip.valid is None else place.valid & clip.valid
+    values = clip.bands[:1].astype(np.float64)
+    return (values, both) if both.mean() > 0.2 and content_of(values, both) > 0 else None
 
 
 def is_made_of(ref: RasterRef, mosaic: RasterRef) -> bool:

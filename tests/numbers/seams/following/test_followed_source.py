@@ -1,6 +1,7 @@
 """Which source a mosaic follows and where it mixes two, by a first estimate, on mosaics made from known cuts."""
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 
 import numpy as np
@@ -9,6 +10,7 @@ from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following import followed_source
 from seam_inspector.plugin.seams.measure.following.followed_source import FollowedSource, follow, high_pass
 from seam_inspector.plugin.seams.measure.following.hard_cut import MIN_CAUSE_FIT
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.scenes import cut, feather
 from tests.numbers.seams.following.cuts import SHAPE, made_sources, three_cells
@@ -153,3 +155,39 @@ def test_sources_that_show_the_same_are_not_mixed() -> None:
     assert found.fit > 0.9
     assert found.mixed_share == 0
     assert 0.3 < found.shares[0] < 0.7
+
+
+# --- labels that are known ---------------------------------------------------------------------------------------
+
+
+def test_known_labels_decide_what_is_followed_and_where_sources_are_mixed(
+    sources: list[np.ndarray], labels: np.ndarray
+) -> None:
+    """Here what is no seam looks like a mixture, as resampled images may, and nothing of it is clear."""
+    found = followed(feather(labels, sources, 6.7), sources)
+    mixed, clear = found.mixed.copy(), found.clear.copy()
+    away = np.s_[200:260, 20:60]  # from all borders
+    mixed[away], clear[away] = True, False
+    found = dataclasses.replace(found, mixed=mixed, clear=clear, mixed_share=float(mixed.mean()))
+    known = labels.copy()
+    known[:, :10] = UNKNOWN
+    with_known = found.with_known(known)
+    np.testing.assert_array_equal(with_known.labels[:, 10:], labels[:, 10:])
+    np.testing.assert_array_equal(with_known.labels[:, :10], found.labels[:, :10])
+    assert not with_known.mixed[away].any()
+    assert with_known.clear[away].all()
+    inner = ndimage.gaussian_filter((labels == 0).astype(np.float32), 6.7)
+    along_seam = (inner > 0.35) & (inner < 0.65)
+    assert with_known.mixed[along_seam].mean() > 0.5
+    assert not (with_known.mixed & with_known.clear)[:, 10:].any()
+    assert with_known.mixed_share == pytest.approx(with_known.mixed.mean())
+    assert with_known.unclear_share < found.unclear_share
+    assert sum(with_known.shares) == pytest.approx(1)
+
+
+def test_where_nothing_is_known_all_stays(sources: list[np.ndarray], labels: np.ndarray) -> None:
+    found = followed(cut(labels, sources), sources)
+    same = found.with_known(np.full(SHAPE, UNKNOWN, np.uint8))
+    for name in ("labels", "clear", "mixed"):
+        np.testing.assert_array_equal(getattr(same, name), getattr(found, name))
+    assert same.shares == pytest.approx(found.shares)

@@ -9,11 +9,19 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery import raster_pool
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.inputs import messages
 from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import covered_share, leave_out_copies
+from seam_inspector.plugin.seams.measure.inspection import (
+    InspectionSettings,
+    inspect_window,
+    make_block,
+    window_request,
+)
 from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources
+from seam_inspector.plugin.seams.measure.verdicts import Verdict
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import orthoimage
@@ -73,6 +81,49 @@ def test_a_copy_with_loss_is_left_out(paths: list[str], tmp_path: Path) -> None:
     kept, notices = told(paths[2], [path, *paths[:2]])
     assert kept == ["a.tif", "b.tif"]
     assert notices == {"lossy.tif": messages.COPY_AMONG_SOURCES.template}
+
+
+@pytest.fixture
+def triplet(make_raster: MakeRaster) -> dict[str, str]:
+    """Three images of one satellite's pass, alike everywhere, and the mosaic of the first two."""
+    rng = np.random.default_rng(3)
+    scene = orthoimage((SIDE, SIDE), seed=4).astype(float)
+    images = [np.clip(scene + rng.normal(0, 9, scene.shape), 1, 255).astype(np.uint8) for _ in range(3)]
+    mosaic = np.where(np.arange(SIDE) < 600, images[0], images[1])
+    return {name: make_raster(f"{name}.tif", one) for name, one in zip(("a", "b", "c", "mosaic"), [*images, mosaic])}
+
+
+def test_images_that_are_alike_everywhere_are_no_copies_where_the_mosaic_turns_from_one_to_the_other(
+    triplet: dict[str, str], tmp_path: Path
+) -> None:
+    copy = str(tmp_path / "lossy.tif")
+    gdal.Translate(copy, triplet["mosaic"], creationOptions=["COMPRESS=JPEG", "JPEG_QUALITY=90"])
+    kept, notices = told(triplet["mosaic"], [triplet["a"], copy, triplet["b"]])
+    assert kept == ["a.tif", "b.tif"]
+    assert notices == {"lossy.tif": messages.COPY_AMONG_SOURCES.template}
+
+
+@pytest.mark.parametrize("kind", ["jpeg", "png", "equal"])
+def test_windows_are_inspected_without_a_copy_of_the_mosaic(
+    paths: list[str], images: list[np.ndarray], make_raster: MakeRaster, tmp_path: Path, kind: str
+) -> None:
+    """It would say that nothing was lost: it lost the same."""
+    weight = np.clip((np.arange(SIDE) - 512) / 60 + 0.5, 0, 1)
+    feathered = make_raster("feathered.tif", np.rint((1 - weight) * images[0] + weight * images[1]).astype(np.uint8))
+    copy = str(tmp_path / f"other_name.{kind}.tif")
+    options = {"jpeg": ["COMPRESS=JPEG", "JPEG_QUALITY=85"], "png": [], "equal": ["COMPRESS=LZW"]}[kind]
+    gdal.Translate(copy, feathered, format="PNG" if kind == "png" else "GTiff", creationOptions=options)
+    mosaic = describe_mosaic(RasterRef(feathered))
+    block, notices = make_block(mosaic, [RasterRef(path) for path in (paths[0], copy, paths[1])])
+    assert [source.ref.name for source in block.sources] == ["a.tif", "b.tif"]
+    assert [one.template for one in notices] == [messages.COPY_AMONG_SOURCES.template]
+    extent = mosaic.grid.window_extent(PixelWindow(384, 384, 256, 256))
+    result = inspect_window(window_request(block, 1, extent, InspectionSettings()))
+    assert result.judgement.verdict is Verdict.SIGNIFICANT
+
+
+def test_the_one_orthoimage_of_a_window_s_mosaic_stays_without_a_word(paths: list[str]) -> None:
+    assert make_block(describe_mosaic(RasterRef(paths[2])), [RasterRef(paths[0])])[1] == []
 
 
 def test_the_mosaic_that_a_sheet_was_cut_from_is_left_out(

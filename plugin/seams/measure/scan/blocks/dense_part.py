@@ -84,7 +84,7 @@ def measure_part(
     following = replace(followed.following, clear=followed.following.clear & known)
     moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
     expected = expected_mosaic(
-        image.plane, followed.planes, followed.fine, following, valid, None, moved, None if moved else known_filters,
+        image.plane, followed.planes, followed.fine, following, valid, None, None if moved else known_filters,
         QUICK, PATCH_PX,
     )
     expected = expected.of_sources([present[of] for of in followed.source_of])

@@ -5,21 +5,22 @@ Where a patch is unsure of it, or its neighbours follow another source, the squa
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from itertools import combinations
 
 import numpy as np
 from scipy import ndimage
 
 from .....imagery.wavelets import detail_components
-from ...following.boxes import enlarged
+from ...following.best_ground import MIN_STRANGE, learn_best_ground
+from ...following.boxes import enlarged, opened
 from ...following.expected_mosaic import Filters, mosaic_of
-from ...following.followed_source import (
-    MIN_LEFT_FACTOR,
-    MIN_MIXTURE_FIT,
-    MIN_MIXTURE_GAIN,
-    MIN_MIXTURE_WEIGHT,
+from ...following.followed_source import high_pass
+from ...following.following_rule import (
+    LEAST_ENERGY,
     MIN_WINNER_LEAD,
-    high_pass,
+    highest,
+    is_sure,
+    local_correlation,
+    mixtures,
 )
 from ...profile.cell_table import CELL_PX, CellTable
 from ...seam_cells import UNKNOWN
@@ -33,7 +34,8 @@ PATCH_START_PX = 36
 
 MIN_QUARTER_FIT = 0.15  # of a quarter's: strangers reach 0.1 there by chance
 MIN_STRANGER_FIT = 0.05  # of a patch's fine detail: strangers explain 0.01 to 0.03
-_LEAST_ENERGY = 1e-2  # DN squared a pixel, below what rounding to whole values leaves
+MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR = 0.1, 2.5  # as in windows, of ground that fewer places tell of
+_ALIKE_SQUARES = 2  # a side of the least part of an image that others resemble
 _INNER = slice(4, 36)  # of a patch: what its high-pass knows
 _CELL = slice(12, 12 + CELL_PX)
 _MIN_VALID = 0.98  # of a patch
@@ -76,13 +78,19 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int =
     told = _told(fine, fines, planes, with_patch, empty)
     if not told.sampled.any():
         return SquareLook(told.source, told.doubtful, empty, CellTable.empty(levels))
-    cells, filters, learned_of = _cells(planes, fine, fines, told.sampled_source, (rows, columns), wavelet, levels)
+
+    def cells_of(found: _Told) -> tuple[CellTable, Filters, frozenset[int]]:
+        return _cells(planes, fine, fines, found.sampled_source, (rows, columns), wavelet, levels)
+
+    cells, filters, learned_of = cells_of(told)
     if filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
         shown = {i: filters.applied(i, one) if i in learned_of else one for i, one in fines.items()}
         told = _told(fine, shown, planes, with_patch, empty)
-        cells, filters, learned_of = _cells(
-            planes, fine, fines, told.sampled_source, (rows, columns), wavelet, levels
-        )
+        cells, filters, learned_of = cells_of(told)
+    strangers = told.strangers
+    if strangers.any():
+        told = told.without(strangers)
+        cells, filters, learned_of = cells_of(told)
     return SquareLook(told.source, told.doubtful, empty, cells, filters, learned_of)
 
 
@@ -96,23 +104,45 @@ class _Told:
     """bool"""
     sampled: np.ndarray
     """bool: those that follow one source. Not those alone that tell it best: smooth ground comes over otherwise."""
+    own: np.ndarray
+    """Energy of the mosaic, DN squared, 0 where it shows nothing to tell a source by."""
+    left: np.ndarray
+    """What the sources leave over of it, alone or mixed."""
 
     @property
     def sampled_source(self) -> np.ndarray:
         """uint8: of those, else ``UNKNOWN``."""
         return np.where(self.sampled, self.source, np.uint8(UNKNOWN))
 
+    @property
+    def strangers(self) -> np.ndarray:
+        """bool: of an image that isn't given, though one that is may resemble it; by the best ground of all."""
+        textured = self.own > 0
+        ground = learn_best_ground(self.own[textured], self.left[textured])
+        if ground is None or ground.is_of_none:  # there are too few patches to condemn a whole block
+            return np.zeros_like(textured)
+        strange, alike = ground.strangeness(
+            np.where(textured, self.own, 1), self.left, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR
+        )
+        return textured & (((strange > MIN_STRANGE) & ~self.doubtful) | opened(textured & alike, _ALIKE_SQUARES))
+
+    def without(self, strangers: np.ndarray) -> _Told:
+        """Where those follow none."""
+        source = np.where(strangers, np.uint8(UNKNOWN), self.source)
+        return replace(self, source=source, doubtful=self.doubtful & ~strangers, sampled=self.sampled & ~strangers)
+
 
 def _told(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, with_patch: np.ndarray, empty: np.ndarray
 ) -> _Told:
     shape = with_patch.shape[0], with_patch.shape[1]
-    winner, sure, doubtful = _followed(fine, fines, planes, shape)
+    winner, sure, doubtful, own, left = _followed(fine, fines, planes, shape)
     winner[~with_patch], doubtful[~with_patch], sure[~with_patch] = UNKNOWN, False, False
     silent = ~empty & (~with_patch | (_is_plain(fine, shape) & (winner == UNKNOWN) & ~doubtful))
     filled, alone = _filled(winner, silent)
     doubtful |= alone & ~with_patch
-    return _Told(filled, doubtful, with_patch & ~doubtful & (filled != UNKNOWN) & sure.any())
+    sampled = with_patch & ~doubtful & (filled != UNKNOWN) & sure.any()
+    return _Told(filled, doubtful, sampled, np.where(with_patch, own, 0), left)
 
 
 def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarray:
@@ -139,7 +169,7 @@ def middle_sources(pixels: BlockPixels, look: SquareLook, axis: int) -> np.ndarr
     fines = {i: high_pass(plane) for i, plane in planes.sources.items()}
     if look.filters is not None and look.filters.taps:
         fines = {i: look.filters.applied(i, one) if i in look.learned_of else one for i, one in fines.items()}
-    winner, sure, _ = _followed(high_pass(planes.mosaic), fines, planes, shape)
+    winner, sure, *_ = _followed(high_pass(planes.mosaic), fines, planes, shape)
     found[tuple(squares.T)] = np.where(sure & valid, winner, UNKNOWN)[:, 0]
     return found
 
@@ -181,11 +211,11 @@ def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarr
 
 def _followed(
     fine: np.ndarray, fines: dict[int, np.ndarray], planes: Planes, shape: tuple[int, int]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """By patch: the source of highest correlation, whether it is that for sure, and whether a dense look is called
-    for."""
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """By patch: the source of highest correlation, whether it is that for sure, whether a dense look is called for,
+    the mosaic's energy, 0 without texture, and what sources leave over of it."""
     numbers = np.array(list(fines), np.uint8)
-    least = _LEAST_ENERGY * (CELL_PX**2)
+    least = LEAST_ENERGY * (CELL_PX**2)
     own = _quadrants(fine, fine, shape) + least
     energies = np.stack([_quadrants(one, one, shape) for one in fines.values()]) + least
     shared = np.stack([_quadrants(fine, one, shape) for one in fines.values()])
@@ -193,56 +223,35 @@ def _followed(
         if i in planes.valid:
             shared[k][:, _share(planes.valid[i], shape) < _MIN_VALID] = 0
     whole_own, whole_energies, whole_shared = own.sum(axis=0), energies.sum(axis=1), shared.sum(axis=1)
-    correlation = whole_shared / np.sqrt(whole_own * whole_energies)
-    best, lead = _best(correlation)
+    correlation = local_correlation(whole_own, whole_energies, whole_shared)
+    best, lead = highest(correlation)
     winner = numbers[best]
-    top = np.take_along_axis(correlation, best[np.newaxis], 0)[0]
+    top = correlation.max(axis=0)
     textured = whole_own > 8 * least
-    left, next_left = 1 - np.maximum(top, 0) ** 2, 1 - np.maximum(top - lead, 0) ** 2
-    sure = textured & ((lead >= MIN_WINNER_LEAD) | (next_left >= MIN_LEFT_FACTOR * left)) & (
-        np.maximum(top, 0) ** 2 >= MIN_STRANGER_FIT
-    )
-    quarter, quarter_lead = _best(shared / np.sqrt(own * energies))
-    quarter_top = np.maximum((shared / np.sqrt(own * energies)).max(axis=0), 0) ** 2
+    explained = np.maximum(top, 0) ** 2
+    sure = textured & is_sure(top, lead) & (explained >= MIN_STRANGER_FIT)
+    quarters = local_correlation(own, energies, shared)
+    quarter, quarter_lead = highest(quarters)
+    quarter_fit = np.maximum(quarters.max(axis=0), 0) ** 2
     differs = (
-        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_top >= MIN_QUARTER_FIT) & (own > 8 * least)
+        (quarter != best) & (quarter_lead >= MIN_WINNER_LEAD) & (quarter_fit >= MIN_QUARTER_FIT) & (own > 8 * least)
     ).any(axis=0)
-    mixed = _mixed(fines, own, energies, shared, shape).any(axis=0)
-    strange = textured & (np.maximum(top, 0) ** 2 < MIN_STRANGER_FIT) & ~differs & ~mixed
-    doubtful = (textured & ~sure & ~strange) | differs | mixed
-    return np.where(sure | doubtful, winner, np.uint8(UNKNOWN)), sure & ~doubtful, doubtful
-
-
-def _best(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Index of the highest along the first axis and its lead over the next; of one alone the value itself."""
-    best = values.argmax(axis=0)
-    if len(values) == 1:
-        return best, values[0]
-    ordered = np.partition(values, -2, axis=0)
-    return best, ordered[-1] - ordered[-2]
-
-
-def _mixed(
-    fines: dict[int, np.ndarray], own: np.ndarray, energies: np.ndarray, shared: np.ndarray, shape: tuple[int, int]
-) -> np.ndarray:
-    """Quarters in which two sources together explain the mosaic and neither does alone, (4, rows, columns)."""
-    alone = (np.maximum(shared, 0) ** 2 / (own * energies)).max(axis=0)
-    mixed = np.zeros(own.shape, bool)
     images = list(fines.values())
-    for i, j in combinations(range(len(images)), 2):
-        common = _quadrants(images[i], images[j], shape)
-        determinant = 1.001 * energies[i] * energies[j] - common**2
-        a = (shared[i] * energies[j] - shared[j] * common) / determinant
-        b = (shared[j] * energies[i] - shared[i] * common) / determinant
-        both = (np.minimum(a, b) > MIN_MIXTURE_WEIGHT * (a + b)) & (a + b > 0)
-        explained = np.where(both, (a * shared[i] + b * shared[j]) / own, 0)
-        mixed |= (explained > MIN_MIXTURE_FIT) & (explained > alone + MIN_MIXTURE_GAIN)
-    return mixed
+    mixed_quarters, explained_by_two = mixtures(
+        own, dict(enumerate(energies)), dict(enumerate(shared)),
+        lambda i, j: _quadrants(images[i], images[j], shape),
+    )
+    mixed = mixed_quarters.any(axis=0)
+    strange = textured & (explained < MIN_STRANGER_FIT) & ~differs & ~mixed
+    doubtful = (textured & ~sure & ~strange) | differs | mixed
+    left = (own * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
+    winner = np.where(sure | doubtful, winner, np.uint8(UNKNOWN))
+    return winner, sure & ~doubtful, doubtful, np.where(textured, whole_own, 0), left
 
 
 def _is_plain(fine: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """Patches without texture to tell a source by."""
-    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * _LEAST_ENERGY)
+    return np.asarray(_quadrants(fine, fine, shape).sum(axis=0) <= 4 * CELL_PX**2 * 8 * LEAST_ENERGY)
 
 
 def _every(starts: np.ndarray, every: int) -> np.ndarray:

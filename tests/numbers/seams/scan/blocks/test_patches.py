@@ -253,3 +253,18 @@ def test_a_patch_midway_that_lies_on_the_seam_tells_nothing(tmp_path: Path) -> N
     given = images()
     one = scene(tmp_path, blended(*given, beside(2 * SQUARE_PX + 64 + PATCH_START_PX + PATCH_PX / 2)), given)
     assert (middle_sources(one.pixels(), look_at(one), 1) == UNKNOWN).all()
+
+
+@pytest.mark.parametrize("width", [0.0, 66.0])
+def test_images_of_a_triplet_are_not_taken_for_one_that_is_missing(tmp_path: Path, width: float) -> None:
+    """They have most of their fine detail in common; what the missing one leaves over is told by the best ground."""
+    first, second, missing = images(count=3, own=4.0)
+    common = 8 * texture(SHAPE, 0.8, 60)
+    first, second, missing = (as_bytes(one + common) for one in (first, second, missing))
+    made = blended(blended(first, second, beside(SIDE / 4)), missing, beside(5 * SIDE / 8, width))
+    found = look_at(scene(tmp_path, made, [first, second]))
+    west, east = found.source[:, :4], found.source[:, 6:]
+    assert (west == np.repeat([[0, 1]], 2, axis=1)).mean() > 0.95
+    assert (east == UNKNOWN).mean() > 0.95
+    assert not found.doubtful[:, 6:].any()
+    assert set(np.unique(look_at(scene(tmp_path, made, [first, second, missing])).source)) == {0, 1, 2}

@@ -1,0 +1,45 @@
+"""Finest detail as PyWavelets has it, pixel by pixel: apart from the code under test."""
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+import pywt
+
+LUMINANCE = np.array((0.299, 0.587, 0.114), np.float32)
+
+
+def luminance_of(bands: np.ndarray) -> np.ndarray:
+    """(rows, columns) float32 of three bands."""
+    return np.asarray(np.tensordot(LUMINANCE, bands.astype(np.float32), 1))
+
+
+def detail_energy(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
+    """Squares of the three details of a level, (rows, columns), each at the pixel that it stands for."""
+    return np.asarray(np.square(details(plane, level, wavelet)).sum(axis=0))
+
+
+def details(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
+    """The three details of a level by the undecimated transform, (3, rows, columns), each at its own pixel.
+
+    Rows and columns that are no multiple of 2^level are filled up by mirroring. All squares together are the energy
+    that leaves at that level.
+    """
+    rows, columns = plane.shape
+    padded = np.pad(plane, [(0, -size % 2**level) for size in plane.shape], mode="symmetric")
+    delay = _delay(level, wavelet)
+    return np.roll(_details(padded, level, wavelet), (-delay, -delay), (1, 2))[:, :rows, :columns]
+
+
+def _details(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
+    return np.array(pywt.swt2(plane, wavelet, level, norm=True, trim_approx=True)[1])
+
+
+@lru_cache
+def _delay(level: int, wavelet: str) -> int:
+    """By how many pixels the coefficients lag behind what they come from: where the energy of a point lies."""
+    side = 2 ** (level + 6)
+    point = np.zeros((side, side))
+    point[side // 2, side // 2] = 1
+    across = np.square(_details(point, level, wavelet)).sum(axis=(0, 2))
+    return round(float(across @ np.arange(side) / across.sum())) - side // 2
