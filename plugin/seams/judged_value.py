@@ -31,7 +31,7 @@ def judged_kept(row: WindowRecord) -> float | None:
         return None
     sharpness_squared = 1.0 if row.sharpness is None else row.sharpness**2
     by_sharpness = {
-        "significant": sharpness_squared <= MAX_SIGNIFICANT_SHARPNESS_SQUARED,
+        "significant": row.kept_high >= 1 or sharpness_squared <= MAX_SIGNIFICANT_SHARPNESS_SQUARED,
         "reduced": row.kept_high >= 1,
         "preserved": False,
     }

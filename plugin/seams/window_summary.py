@@ -112,7 +112,7 @@ def _by_the_seam(row: WindowRecord, happened: Happening, found: Explanation | No
         said = [] if is_blurred else [row.reason or tr("There is no seam in the window to be judged.")]
         said += [*_sharpness(row.sharpness), *as_sentence(happened.along_the_seam)]
     else:
-        said = [*_along_the_seam(row, happened), *by_mixture(found)]
+        said = _along_the_seam(row, happened, by_mixture(found))
     said += [happened.in_the_whole] if happened.in_the_whole else []
     if row.reason and row.reason not in said:
         said.append(row.reason)
@@ -124,7 +124,7 @@ def _by_the_seam(row: WindowRecord, happened: Happening, found: Explanation | No
     return [*said, happened.besides] if happened.besides else said
 
 
-def _along_the_seam(row: WindowRecord, happened: Happening) -> list[str]:
+def _along_the_seam(row: WindowRecord, happened: Happening, by_what: list[str]) -> list[str]:
     """What is kept there, where that is known, and how sharp the rest is unless what took of it is told."""
     kept, low, high, clause = row.kept_1 or 0.0, row.kept_low or 0.0, row.kept_high or 0.0, happened.along_the_seam
     rest = [] if happened.in_the_whole else _rest(row.sharpness)
@@ -137,7 +137,7 @@ def _along_the_seam(row: WindowRecord, happened: Happening) -> list[str]:
                 "In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)"
             )
         lost = filled(text, **values) + _to_an_eye(row.visibility)
-        return [f"{lost}: {clause}." if clause else f"{lost}.", *rest]
+        return [f"{lost}: {clause}." if clause else f"{lost}.", *by_what, *rest]
     text = tr("Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)")
     if kept < _ALL_KEPT:
         text = tr("Along the seam no loss can be told from chance: {kept} % of the finest detail is left "
@@ -146,8 +146,8 @@ def _along_the_seam(row: WindowRecord, happened: Happening) -> list[str]:
     along = f"{text}; {clause}." if clause else f"{text}."
     if row.verdict == "reduced" and row.sharpness is not None:  # the seam is sound, so the whole is the reason
         whole = tr("The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.")
-        return [filled(whole, percent=percent(row.sharpness)), along]
-    return [along, *rest]
+        return [filled(whole, percent=percent(row.sharpness)), along, *by_what]
+    return [along, *by_what, *rest]
 
 
 def by_the_paper(row: WindowRecord) -> list[str]:
