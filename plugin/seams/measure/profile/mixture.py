@@ -81,7 +81,8 @@ def mixed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 def feather_width_px(other: np.ndarray) -> float:
     """Over which either source goes from a share of 5 to one of 95 %, from shares of the other one (SLOTS,); 0 for a
-    cut. As wide as can be seen where it does not end."""
+    cut. As wide as can be seen where it does not end; on one side alone it ends on the other as well, since all that
+    tells of a mixture there is too weak."""
     middles = [(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])]
     reached = []
     for side in other.reshape(2, MIXED_BINS):
@@ -94,7 +95,8 @@ def feather_width_px(other: np.ndarray) -> float:
         else:
             share = (side[last] - UNMIXED_SHARE) / max(side[last] - side[last + 1], 1e-9)
             reached.append(middles[last] + float(share) * (middles[last + 1] - middles[last]))
-    return sum(reached)
+    least, most = sorted(reached)
+    return 2 * least if 0 < least < most == EDGES_PX[MIXED_BINS] else least + most
 
 
 def _weights(products: np.ndarray, with_edge: bool) -> np.ndarray:
