@@ -15,7 +15,7 @@ from .border import BORDER_PX, smooth_border, to_the_pixel
 from .boxes import near_border
 from .followed_source import FollowedSource
 from .levelling import SQUARE_PX, Levelled, levelled, square_means
-from .likely_source import FINE, Sampling, likely_source
+from .likely_source import FINE, LikelySource, Sampling, likely_source
 from .mosaic_filter import filtered, fit_filter
 
 MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain more to be applied
@@ -23,6 +23,9 @@ MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, label
 MIN_SINGLE_GAIN = 0.02  # that filters of their own have to explain more than one for all sources
 
 _FEWEST_SAMPLES = 300
+_ROUNDS = 3
+_SETTLED = 0.005  # of the pixels: what changes less is settled
+_UNSURE_PX = 12  # from a border that is not settled
 _EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
 _SAMPLE = np.s_[::_EVERY, ::_EVERY]
 
@@ -87,13 +90,7 @@ def expected_mosaic(
     closely sources are told from each other. ``patch_px``: as for ``mosaic_of``, whose ground this is compared with.
     """
     own, sources = fine[0], {i: fine[1 + i] for i in sorted(following.followed)}
-    if filters is None:
-        shown_fine = {
-            i: _through_filter(own, one, (following.labels == i) & following.clear) for i, one in sources.items()
-        }
-    else:
-        shown_fine = {i: filters.applied(i, one) for i, one in sources.items()}
-    likely = likely_source(own, shown_fine, following.labels, following.clear, valid, sampling)
+    likely = _likely(own, sources, following, valid, filters, sampling)
     labels = likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
     if known is not None:
         labels = np.where(known == UNKNOWN, labels, known)
@@ -112,6 +109,31 @@ def expected_mosaic(
         return ExpectedMosaic(_cut(mosaic, shown, labels), unfiltered, labels, shown)
     plane = filtered(unfiltered, next(iter(found.taps.values())))
     return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown)
+
+
+def _likely(
+    own: np.ndarray, sources: Mapping[int, np.ndarray], following: FollowedSource, valid: Mapping[int, np.ndarray],
+    filters: Filters | None, sampling: Sampling,
+) -> LikelySource:
+    """The most likely source of every pixel. What came over each is learned where it is followed, and as that is told
+    better with it, learned anew as long as less and less changes."""
+    if filters is not None:
+        shown = {i: filters.applied(i, one) for i, one in sources.items()}
+        return likely_source(own, shown, following.labels, following.clear, valid, sampling)
+    labels, clear, before, found = following.labels, following.clear, 1.0, None
+    for _ in range(_ROUNDS):
+        present = {i: one for i, one in sources.items() if (labels == i).any()}
+        shown = {i: _through_filter(own, one, (labels == i) & clear) for i, one in present.items()}
+        likely = likely_source(own, shown, labels, clear, valid, sampling)
+        changed = np.count_nonzero(likely.labels != labels) / labels.size
+        if found is not None and changed > before:
+            break
+        found, before, labels = likely, changed, likely.labels
+        if changed < _SETTLED or len(present) < 2 or all(shown[i] is present[i] for i in present):
+            break
+        clear = ~(likely.unexplained | near_border(labels, _UNSURE_PX))
+    assert found is not None
+    return found
 
 
 def mosaic_of(

@@ -144,9 +144,17 @@ def _unexplained(
     # Where the mosaic shows nothing of a source's texture it was clipped, or blurred away.
     textured = (wide > _MIN_TEXTURED * least) & (wide >= MIN_TEXTURE * energy)
     left = np.maximum(wide - np.maximum(product, 0) ** 2 / energy, 0)
-    for i, j in combinations(sources, 2):
+    found = _strange_parts(wide, left, textured, sampling)
+    if not found.any():
+        return found
+    for i, j in combinations(sources, 2):  # a mixture of two that are given is nothing strange
         common = sums_over_cells(sources[i], sources[j])
         np.minimum(left, _left_by_two(own, energies[i], energies[j], products[i], products[j], common), out=left)
+    return _strange_parts(wide, left, textured, sampling) if len(sources) > 1 else found
+
+
+def _strange_parts(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, sampling: Sampling) -> np.ndarray:
+    """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool."""
     ground = learn_best_ground(wide[textured], left[textured])
     if ground is None:
         return np.zeros_like(textured)
@@ -154,6 +162,8 @@ def _unexplained(
         return textured
     strange, alike = ground.strangeness(wide, left)
     found = opened(textured & (strange > MIN_STRANGE), _STRIP_CELLS) | opened(textured & alike, _ALIKE_CELLS)
+    if not found.any():
+        return found
     found = _to_borders(found, strange)
     return without_islands(found.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
 

@@ -12,6 +12,7 @@ import numpy as np
 from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
 from ..compared_image import ComparedImage
 from .followed_source import FollowedSource, follow, high_pass
+from .mosaic_filter import filtered, fit_filter
 
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
 MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own
@@ -42,7 +43,7 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
     count = len(images)
     planes = tuple(one.plane for one in images)
     fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
-    plain = _following(fine, shape)
+    plain = _clearer(_following(fine, shape), fine, images, shape)
     first = PlacedSources(plain, planes, fine, tuple(range(count)))
     unexplained, unclear = int(np.count_nonzero(plain.unexplained)) / plain.unexplained.size, plain.unclear_share
     if plain.fit >= MIN_SOURCE_FIT and unexplained < MIN_UNEXPLAINED_SHARE:
@@ -63,6 +64,23 @@ def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> Pla
     explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.following.unexplained.mean() <= unexplained / 2
     is_clearer = unclear >= MIN_UNCLEAR_SHARE and found.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
     return found if explains_part or is_clearer or found.following.fit >= plain.fit + MIN_FIT_GAIN else first
+
+
+def _clearer(
+    plain: FollowedSource, fine: Sequence[np.ndarray], images: Sequence[ComparedImage], shape: tuple[int, int]
+) -> FollowedSource:
+    """The same, or what is followed through filters if that is clearer: images of one scene that lie on other pixels
+    than the mosaic are more like each other than like it. A filter is learned of the whole window, of which a part
+    follows its source."""
+    if plain.unclear_share < MIN_UNCLEAR_SHARE or len(images) < 2:
+        return plain
+    everywhere = np.ones(shape, bool)
+    shown = [fine[0]]
+    for one, image in zip(fine[1:], images):
+        taps = fit_filter(fine[0], one, everywhere if image.valid is None else image.valid)
+        shown.append(one if taps is None else filtered(one, taps))
+    found = _following(shown, shape)
+    return found if found.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share else plain
 
 
 def _is_of_all(shifts: Sequence[Shift | None]) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 from scipy import ndimage
 
 from .....imagery.wavelets import detail_components
-from ...following.best_ground import MIN_STRANGE, learn_best_ground
+from ...following.best_ground import learn_best_ground
 from ...following.boxes import enlarged, opened
 from ...following.expected_mosaic import Filters, mosaic_of
 from ...following.followed_source import high_pass
@@ -34,7 +34,8 @@ PATCH_START_PX = 36
 
 MIN_QUARTER_FIT = 0.15  # of a quarter's: strangers reach 0.1 there by chance
 MIN_STRANGER_FIT = 0.05  # of a patch's fine detail: strangers explain 0.01 to 0.03
-MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR = 0.1, 2.5  # as in windows, of ground that fewer places tell of
+MIN_STRANGE = 0.6  # of the way from what true sources leave over to all: surely another image
+MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR = 0.15, 3.0  # as in windows, of ground that fewer places tell of
 _ALIKE_SQUARES = 2  # a side of the least part of an image that others resemble
 _INNER = slice(4, 36)  # of a patch: what its high-pass knows
 _CELL = slice(12, 12 + CELL_PX)
@@ -121,9 +122,8 @@ class _Told:
         ground = learn_best_ground(self.own[textured], self.left[textured])
         if ground is None or ground.is_of_none:  # there are too few patches to condemn a whole block
             return np.zeros_like(textured)
-        strange, alike = ground.strangeness(
-            np.where(textured, self.own, 1), self.left, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR
-        )
+        own = np.where(textured, self.own, 1)
+        strange, alike = ground.strangeness(own, self.left, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR)
         return textured & (((strange > MIN_STRANGE) & ~self.doubtful) | opened(textured & alike, _ALIKE_SQUARES))
 
     def without(self, strangers: np.ndarray) -> _Told:

@@ -258,7 +258,7 @@ def test_a_patch_midway_that_lies_on_the_seam_tells_nothing(tmp_path: Path) -> N
 @pytest.mark.parametrize("width", [0.0, 66.0])
 def test_images_of_a_triplet_are_not_taken_for_one_that_is_missing(tmp_path: Path, width: float) -> None:
     """They have most of their fine detail in common; what the missing one leaves over is told by the best ground."""
-    first, second, missing = images(count=3, own=4.0)
+    first, second, missing = images(count=3, own=6.0)
     common = 8 * texture(SHAPE, 0.8, 60)
     first, second, missing = (as_bytes(one + common) for one in (first, second, missing))
     made = blended(blended(first, second, beside(SIDE / 4)), missing, beside(5 * SIDE / 8, width))
