@@ -355,9 +355,9 @@ def test_whatever_was_measured_there_is_a_cause_or_none_alone(
     quantised: float, shift: float, uneven: float,
 ) -> None:
     found = find_causes(evidence(
-        missing=missing, kept=kept, kept_high=1.2 * kept, lost=max(1 - kept, 0), mixed=mixed, clipped=clipped, gain=gain, gamma=gamma,
-        transfer=transfer, least_transfer=transfer, most_transfer=transfer, noise_dn=noise, quantised=quantised,
-        misfit=Misfit(shift, missing), unevenness=uneven,
+        missing=missing, kept=kept, kept_high=1.2 * kept, lost=max(1 - kept, 0), mixed=mixed, clipped=clipped,
+        gain=gain, gamma=gamma, transfer=transfer, least_transfer=transfer, most_transfer=transfer, noise_dn=noise,
+        quantised=quantised, misfit=Misfit(shift, missing), unevenness=uneven,
     ))
     assert len(set(found)) == len(found) > 0
     assert Cause.UNCLEAR not in found
