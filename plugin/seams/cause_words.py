@@ -208,7 +208,7 @@ def cause_word(cause: str) -> str:
 
 
 def causes_words(causes: str) -> str:
-    """All causes of a window for the user, strongest first, as tables hold them: joined by ``; ``."""
+    """All causes of a window for the user, in their order, as tables hold them: joined by ``; ``."""
     return ", ".join(cause_word(cause) for cause in causes.split("; ") if cause)
 
 

@@ -215,10 +215,9 @@ def _missing(found: CauseEvidence) -> float | None:
 
 
 def _misregistration(found: CauseEvidence) -> float | None:
-    share = found.misfit_lost
-    if not share:
-        return None
-    return share * found.lost if found.has_seam_loss and not found.is_smoothed_seam else 0.0
+    if not found.misfit_lost or not found.has_seam_loss or found.is_smoothed_seam:
+        return None  # a cut of images that do not fit loses nothing
+    return found.misfit_lost * found.lost
 
 
 def _feathering(found: CauseEvidence) -> float | None:

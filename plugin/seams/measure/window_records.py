@@ -55,7 +55,7 @@ class WindowRecord(NumberedWindow):
     cause: str = ""
     """Word of what explains the loss."""
     causes: str = ""
-    """Words of all that were found, strongest first, joined by ``; ``."""
+    """Words of all that were found, what took most first, joined by ``; ``."""
     reference: str = ""
     """What the verdict was taken by, one of ``REFERENCES``; empty in tables of earlier versions."""
     paper_verdict: str = ""

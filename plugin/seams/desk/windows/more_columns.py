@@ -119,7 +119,7 @@ CHOSEN_COLUMNS = (
     ),
     _words(
         "causes", QT_TRANSLATE_NOOP("@default", "all causes"),
-        QT_TRANSLATE_NOOP("@default", "All that happened to the contrast, strongest first."), _causes,
+        QT_TRANSLATE_NOOP("@default", "All that happened to the contrast, what took most first."), _causes,
     ),
     _number(
         "seam_id", QT_TRANSLATE_NOOP("@default", "seam"),

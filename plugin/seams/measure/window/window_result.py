@@ -129,7 +129,7 @@ class WindowResult:
 
     @property
     def causes(self) -> tuple[Cause, ...]:
-        """All that were found, strongest first."""
+        """All that were found, what took most first."""
         return self.explanation.causes if self.explanation else ()
 
     @property
