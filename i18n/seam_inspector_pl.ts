@@ -11330,211 +11330,201 @@
     <message>
         <location filename="../plugin/seams/cause_words.py" line="64"/>
         <source>blur took {value} %</source>
-        <translation type="unfinished"></translation>
+        <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="81"/>
         <source>other mixture</source>
-        <translation type="unfinished"></translation>
+        <translation>inna mieszanina</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="83"/>
         <source>Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="110"/>
         <source>clipping took {value} %</source>
-        <translation type="unfinished"></translation>
+        <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="121"/>
         <source>Images that meet in the mosaic do not lie on each other there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="150"/>
         <source>resampling took {value} %</source>
-        <translation type="unfinished"></translation>
+        <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="167"/>
         <source>compression took {value} %</source>
-        <translation type="unfinished"></translation>
+        <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="85"/>
         <source>images are mixed by another rule than weights</source>
-        <translation type="unfinished"></translation>
+        <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="122"/>
         <source>images do not fit where they meet</source>
-        <translation type="unfinished"></translation>
+        <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="123"/>
         <source>images lie {value} px apart where they meet</source>
-        <translation type="unfinished"></translation>
+        <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
         <location filename="../plugin/seams/cause_words.py" line="199"/>
         <source>the cause is unclear</source>
-        <translation type="unfinished"></translation>
+        <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="41"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
-        <translation type="unfinished"></translation>
+        <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="173"/>
         <source>share of the other image</source>
-        <translation type="unfinished"></translation>
+        <translation>udział drugiego obrazu</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="175"/>
         <source>other image</source>
-        <translation type="unfinished"></translation>
+        <translation>drugi obraz</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/profile/profile_painter.py" line="60"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m</source>
-        <translation type="unfinished"></translation>
+        <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="88"/>
         <source>feather width</source>
-        <translation type="unfinished"></translation>
+        <translation>szerokość wtapiania</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="90"/>
         <source>Width over which the mixture of the two images goes from 5 to 95 %; 0 for a hard cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Szerokość, na której mieszanina obu obrazów przechodzi od 5 do 95 %; 0 przy ostrym cięciu.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="104"/>
         <source>misfit</source>
-        <translation type="unfinished"></translation>
+        <translation>niedopasowanie</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="105"/>
         <source>How far apart the two images lie where they meet, as the mosaic has them.</source>
-        <translation type="unfinished"></translation>
+        <translation>O ile oba obrazy są od siebie odsunięte tam, gdzie się stykają, tak jak leżą w ortofotomapie.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="122"/>
         <source>All that happened to the contrast, what took most first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="106"/>
         <source>{length} px</source>
-        <translation type="unfinished"></translation>
+        <translation>{length} px</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="102"/>
         <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="62"/>
         <source>This is told by the mixture of the images, as the ground around is mixed too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="75"/>
         <source>it is softened along the seam</source>
-        <translation type="unfinished"></translation>
+        <translation>jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="102"/>
         <source>, where mixing alone would leave {percent} %</source>
-        <translation type="unfinished"></translation>
+        <translation>, a samo zmieszanie zostawiłoby {percent} %</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="43"/>
         <source>In the whole window {took}.</source>
-        <translation type="unfinished"></translation>
+        <translation>W całym oknie {took}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="59"/>
         <source>This is told by the mixture of the images, as there is too little unmixed ground around.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="61"/>
         <source>This is told by the mixture of the images, as other detail was added along the seam.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="110"/>
         <source>Besides: {others}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poza tym: {others}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="79"/>
         <source>images are mixed over {width} m by another rule than weights</source>
-        <translation type="unfinished"></translation>
+        <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="81"/>
         <source>images {apart} px apart are mixed by another rule than weights</source>
-        <translation type="unfinished"></translation>
+        <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="83"/>
         <source>images {apart} px apart are feathered over {width} m</source>
-        <translation type="unfinished"></translation>
+        <translation>na szerokości {width} m wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="84"/>
         <source>images {apart} px apart are feathered</source>
-        <translation type="unfinished"></translation>
+        <translation>wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="87"/>
         <source>, and most of that is their misfit</source>
-        <translation type="unfinished"></translation>
+        <translation>, a większość tego zabrało ich niedopasowanie</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="89"/>
         <source>images are feathered over {width} m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/what_happened.py" line="92"/>
-        <source>images lie {apart} px apart where they meet</source>
-        <translation type="unfinished"></translation>
+        <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="210"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
-        <translation type="unfinished"></translation>
+        <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="205"/>
         <source>The rest is as sharp as its sources.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="76"/>
-        <source>images lie {length} px apart where they meet</source>
-        <translation type="unfinished"></translation>
+        <translation>Reszta jest tak ostra jak jej ortoobrazy źródłowe.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/field_titles.py" line="30"/>
         <source>width of the feather (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/field_titles.py" line="32"/>
         <source>images apart in the mosaic (px)</source>
-        <translation type="unfinished"></translation>
+        <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
     <message>
         <source>feathered over</source>
-        <translation type="unfinished"></translation>
+        <translation>wtopione na szerokości</translation>
     </message>
 </context>
 </TS>

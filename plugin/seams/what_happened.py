@@ -89,7 +89,7 @@ def _along_the_seam(causes: list[str], row: WindowRecord) -> str:
         text = tr("images are feathered over {width} m") if width else tr("images are feathered")
     else:
         return cause_clause(Cause.MISREGISTRATION, None, False) if not apart else filled(
-            tr("images lie {apart} px apart where they meet"), apart=apart
+            tr("images lie {value} px apart where they meet"), value=apart
         )
     return filled(text, width=width, apart=apart)
 

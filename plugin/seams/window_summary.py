@@ -73,7 +73,7 @@ def cause_numbers(found: Explanation) -> list[str]:
     if change.shift is not None:
         lines.append(filled(tr("shift: {length} px"), length=shown_number(change.shift.length)))
     if found.misfit is not None:
-        lines.append(filled(tr("images lie {length} px apart where they meet"), length=shown_number(found.misfit)))
+        lines.append(filled(tr("images lie {value} px apart where they meet"), value=shown_number(found.misfit)))
     if found.expected and found.expected[0] is not None:
         left = percent(found.expected[0])
         lines.append(filled(tr("half of each source would leave {percent} % at level 1"), percent=left))
