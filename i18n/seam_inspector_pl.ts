@@ -594,7 +594,7 @@
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="45"/>
+        <location filename="../plugin/seams/window_summary.py" line="46"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -3923,87 +3923,82 @@
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="51"/>
+        <location filename="../plugin/seams/cause_words.py" line="53"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="64"/>
+        <location filename="../plugin/seams/cause_words.py" line="67"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="78"/>
+        <location filename="../plugin/seams/cause_words.py" line="88"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="85"/>
+        <location filename="../plugin/seams/cause_words.py" line="95"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="94"/>
+        <location filename="../plugin/seams/cause_words.py" line="104"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="102"/>
+        <location filename="../plugin/seams/cause_words.py" line="113"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="109"/>
+        <location filename="../plugin/seams/cause_words.py" line="120"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="184"/>
+        <location filename="../plugin/seams/cause_words.py" line="197"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="53"/>
+        <location filename="../plugin/seams/cause_words.py" line="55"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="65"/>
+        <location filename="../plugin/seams/cause_words.py" line="68"/>
         <source>Images that do not fit were blended along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, które do siebie nie pasują.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="79"/>
+        <location filename="../plugin/seams/cause_words.py" line="89"/>
         <source>Grey values were pressed together by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="86"/>
+        <location filename="../plugin/seams/cause_words.py" line="96"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="95"/>
+        <location filename="../plugin/seams/cause_words.py" line="105"/>
         <source>Highlights or shadows were driven into the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="103"/>
+        <location filename="../plugin/seams/cause_words.py" line="114"/>
         <source>The channels were corrected one by one, so that colours turned.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="110"/>
-        <source>The mosaic does not lie where its sources do.</source>
-        <translation>Ortofotomapa nie leży tam, gdzie jej ortoobrazy źródłowe.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/cause_words.py" line="180"/>
+        <location filename="../plugin/seams/cause_words.py" line="193"/>
         <source>No step of production is found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="185"/>
+        <location filename="../plugin/seams/cause_words.py" line="198"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -4490,52 +4485,47 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="59"/>
+        <location filename="../plugin/seams/window_summary.py" line="60"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="61"/>
+        <location filename="../plugin/seams/window_summary.py" line="62"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="65"/>
+        <location filename="../plugin/seams/window_summary.py" line="66"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="67"/>
+        <location filename="../plugin/seams/window_summary.py" line="68"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="68"/>
+        <location filename="../plugin/seams/window_summary.py" line="69"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="71"/>
+        <location filename="../plugin/seams/window_summary.py" line="72"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="73"/>
+        <location filename="../plugin/seams/window_summary.py" line="74"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="75"/>
-        <source>the sources lie {length} px apart</source>
-        <translation>ortoobrazy są od siebie odsunięte o {length} px</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="78"/>
+        <location filename="../plugin/seams/window_summary.py" line="79"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="80"/>
+        <location filename="../plugin/seams/window_summary.py" line="81"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
@@ -4545,119 +4535,104 @@
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="95"/>
+        <location filename="../plugin/seams/window_summary.py" line="96"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="97"/>
+        <location filename="../plugin/seams/window_summary.py" line="98"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="99"/>
+        <location filename="../plugin/seams/window_summary.py" line="100"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="101"/>
+        <location filename="../plugin/seams/window_summary.py" line="102"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="57"/>
+        <location filename="../plugin/seams/cause_words.py" line="59"/>
         <source>blur to {value} % of their sharpness explains it</source>
         <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="58"/>
+        <location filename="../plugin/seams/cause_words.py" line="60"/>
         <source>it is blurred to {value} % of their sharpness</source>
         <translation>jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="71"/>
+        <location filename="../plugin/seams/cause_words.py" line="74"/>
         <source>feathering of images {value} px apart explains it</source>
         <translation>wyjaśnia to wtapianie obrazów odsuniętych o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="72"/>
+        <location filename="../plugin/seams/cause_words.py" line="75"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="81"/>
+        <location filename="../plugin/seams/cause_words.py" line="91"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="88"/>
+        <location filename="../plugin/seams/cause_words.py" line="98"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="97"/>
+        <location filename="../plugin/seams/cause_words.py" line="107"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="105"/>
+        <location filename="../plugin/seams/cause_words.py" line="116"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="112"/>
-        <source>the mosaic lies {value} px off its sources</source>
-        <translation>ortofotomapa leży {value} px obok swoich ortoobrazów</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/cause_words.py" line="55"/>
+        <location filename="../plugin/seams/cause_words.py" line="57"/>
         <source>blur explains it</source>
         <translation>wyjaśnia to rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="55"/>
+        <location filename="../plugin/seams/cause_words.py" line="57"/>
         <source>it is blurred</source>
         <translation>jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="67"/>
+        <location filename="../plugin/seams/cause_words.py" line="70"/>
         <source>feathering explains it</source>
         <translation>wyjaśnia to wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="68"/>
+        <location filename="../plugin/seams/cause_words.py" line="71"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="80"/>
+        <location filename="../plugin/seams/cause_words.py" line="90"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="87"/>
+        <location filename="../plugin/seams/cause_words.py" line="97"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="96"/>
+        <location filename="../plugin/seams/cause_words.py" line="106"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="104"/>
+        <location filename="../plugin/seams/cause_words.py" line="115"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/cause_words.py" line="111"/>
-        <source>the mosaic does not lie where its sources do</source>
-        <translation>ortofotomapa nie leży tam, gdzie jej ortoobrazy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/cause_words.py" line="186"/>
-        <source>the cause is unclear: its detail is not that of the sources</source>
-        <translation>przyczyna jest niejasna: jej detale nie są detalami ortoobrazów</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/curve_pictures.py" line="88"/>
@@ -4949,42 +4924,27 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="128"/>
+        <location filename="../plugin/seams/window_summary.py" line="112"/>
         <source>There is no seam in the window to be judged.</source>
         <translation>W oknie nie ma linii mozaikowania, którą można by ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="110"/>
-        <source>The window has {percent} % of the sharpness of its sources.</source>
-        <translation>Okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="134"/>
+        <location filename="../plugin/seams/window_summary.py" line="137"/>
         <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="138"/>
+        <location filename="../plugin/seams/window_summary.py" line="133"/>
         <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="142"/>
+        <location filename="../plugin/seams/window_summary.py" line="141"/>
         <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="215"/>
-        <source>; the rest is as sharp as its sources.</source>
-        <translation>; reszta jest tak ostra jak ortoobrazy źródłowe.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="216"/>
-        <source>; the whole window has {percent} % of the sharpness of its sources.</source>
-        <translation>; całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="227"/>
+        <location filename="../plugin/seams/what_happened.py" line="113"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -5069,162 +5029,162 @@
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="47"/>
+        <location filename="../plugin/seams/judged_value.py" line="44"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="48"/>
+        <location filename="../plugin/seams/judged_value.py" line="45"/>
         <source>composite: {value:.2f}</source>
         <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="49"/>
+        <location filename="../plugin/seams/judged_value.py" line="46"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="56"/>
+        <location filename="../plugin/seams/judged_value.py" line="53"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="57"/>
+        <location filename="../plugin/seams/judged_value.py" line="54"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="117"/>
+        <location filename="../plugin/seams/cause_words.py" line="128"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="128"/>
+        <location filename="../plugin/seams/cause_words.py" line="139"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="130"/>
+        <location filename="../plugin/seams/cause_words.py" line="141"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="132"/>
+        <location filename="../plugin/seams/cause_words.py" line="143"/>
         <source>resampling explains it</source>
         <translation>wyjaśnia to przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="132"/>
+        <location filename="../plugin/seams/cause_words.py" line="143"/>
         <source>it was resampled</source>
         <translation>została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="134"/>
+        <location filename="../plugin/seams/cause_words.py" line="145"/>
         <source>resampling, {value} px off the sources&apos; pixels, explains it</source>
         <translation>wyjaśnia to przepróbkowanie z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="135"/>
+        <location filename="../plugin/seams/cause_words.py" line="146"/>
         <source>it was resampled, {value} px off the sources&apos; pixels</source>
         <translation>została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="141"/>
+        <location filename="../plugin/seams/cause_words.py" line="153"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="142"/>
+        <location filename="../plugin/seams/cause_words.py" line="154"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="143"/>
+        <location filename="../plugin/seams/cause_words.py" line="155"/>
         <source>it was sharpened</source>
         <translation>została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="144"/>
+        <location filename="../plugin/seams/cause_words.py" line="156"/>
         <source>it was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="149"/>
+        <location filename="../plugin/seams/cause_words.py" line="161"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="150"/>
+        <location filename="../plugin/seams/cause_words.py" line="162"/>
         <source>Compression with loss, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="151"/>
+        <location filename="../plugin/seams/cause_words.py" line="163"/>
         <source>it was compressed with loss</source>
         <translation>została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="152"/>
+        <location filename="../plugin/seams/cause_words.py" line="164"/>
         <source>it was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="157"/>
+        <location filename="../plugin/seams/cause_words.py" line="170"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="158"/>
+        <location filename="../plugin/seams/cause_words.py" line="171"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="159"/>
+        <location filename="../plugin/seams/cause_words.py" line="172"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="160"/>
+        <location filename="../plugin/seams/cause_words.py" line="173"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="165"/>
+        <location filename="../plugin/seams/cause_words.py" line="178"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="166"/>
+        <location filename="../plugin/seams/cause_words.py" line="179"/>
         <source>Brightness was evened out by a tone that changes from place to place.</source>
         <translation>Jasność wyrównano tonacją, która zmienia się z miejsca na miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="167"/>
+        <location filename="../plugin/seams/cause_words.py" line="180"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="170"/>
+        <location filename="../plugin/seams/cause_words.py" line="183"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="172"/>
+        <location filename="../plugin/seams/cause_words.py" line="185"/>
         <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="174"/>
+        <location filename="../plugin/seams/cause_words.py" line="187"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="175"/>
+        <location filename="../plugin/seams/cause_words.py" line="188"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="181"/>
+        <location filename="../plugin/seams/cause_words.py" line="194"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -6010,22 +5970,22 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="176"/>
+        <location filename="../plugin/seams/window_summary.py" line="168"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="179"/>
+        <location filename="../plugin/seams/window_summary.py" line="171"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="187"/>
+        <location filename="../plugin/seams/window_summary.py" line="179"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="191"/>
+        <location filename="../plugin/seams/window_summary.py" line="183"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -6465,52 +6425,52 @@
         <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="33"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="35"/>
         <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="33"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="35"/>
         <source>&gt; {near} m: {kept} %</source>
         <translation>&gt; {near} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="35"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="37"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="36"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="38"/>
         <source>{near} to {far} m: {kept} %</source>
         <translation>od {near} do {far} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="49"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="55"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="49"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="55"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="51"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="57"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="120"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="131"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="136"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="147"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="138"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="149"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -6540,7 +6500,7 @@
         <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="115"/>
+        <location filename="../plugin/seams/desk/profile/profile_export.py" line="116"/>
         <source>the picture could not be written</source>
         <translation>nie udało się zapisać obrazu</translation>
     </message>
@@ -6810,62 +6770,57 @@
         <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="97"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="109"/>
         <source>sharpness</source>
         <translation>ostrość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="98"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="110"/>
         <source>Sharpness of the whole window against the composite of its sources.</source>
         <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="101"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="113"/>
         <source>added</source>
         <translation>dodane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="102"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="114"/>
         <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
         <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="105"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="117"/>
         <source>explained</source>
         <translation>wyjaśnione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="106"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="118"/>
         <source>Share of the pixels whose detail the given sources explain.</source>
         <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="109"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="121"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="110"/>
-        <source>All that happened to the contrast, strongest first.</source>
-        <translation>Wszystko, co stało się z kontrastem, od najsilniejszego.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="113"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="125"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="114"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="126"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="117"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="129"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="118"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="130"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
@@ -7222,17 +7177,17 @@
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="144"/>
+        <location filename="../plugin/seams/window_summary.py" line="143"/>
         <source>Along the seam no loss can be told from chance: {kept} % of the finest detail is left ({low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania straty nie da się odróżnić od przypadku: zostało {kept} % najdrobniejszych detali (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="182"/>
+        <location filename="../plugin/seams/window_summary.py" line="174"/>
         <source>it takes detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="184"/>
+        <location filename="../plugin/seams/window_summary.py" line="176"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
@@ -7242,7 +7197,7 @@
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="147"/>
+        <location filename="../plugin/seams/window_summary.py" line="148"/>
         <source>The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
     </message>
@@ -10279,7 +10234,7 @@
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="42"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="45"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
@@ -10891,11 +10846,6 @@
         <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="114"/>
-        <source>That leaves {left} % of its detail; as within a wide feather, no source wins clearly in much of the window, so it is held against the seams&apos; limit.</source>
-        <translation>Zostaje w nim {left} % detali; jak w szerokim wtapianiu, w znacznej części okna żaden ortoobraz nie przeważa, więc obowiązuje próg dla linii mozaikowania.</translation>
-    </message>
-    <message>
         <source>Residual x, µm</source>
         <translation>Odchyłka x, µm</translation>
     </message>
@@ -11105,72 +11055,72 @@
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="31"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="34"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="32"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="35"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="36"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="39"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="39"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="42"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="41"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="44"/>
         <source>failure</source>
         <translation>usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="43"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="46"/>
         <source>picture</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="46"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="49"/>
         <source>kept {level}</source>
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="48"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="51"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="49"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="52"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="50"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="53"/>
         <source>kept {level} in the window</source>
         <translation>zachowane {level} w oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="51"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="54"/>
         <source>kept {level} in the strip</source>
         <translation>zachowane {level} w pasie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="52"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="55"/>
         <source>contrast {level}</source>
         <translation>kontrast {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="53"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="56"/>
         <source>sharpness {level}</source>
         <translation>ostrość {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="54"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="57"/>
         <source>added detail {level}</source>
         <translation>dodane detale {level}</translation>
     </message>
@@ -11209,17 +11159,17 @@
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="120"/>
+        <location filename="../plugin/seams/cause_words.py" line="131"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="122"/>
+        <location filename="../plugin/seams/cause_words.py" line="133"/>
         <source>a part of it matches none of these sources</source>
         <translation>jej część nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="123"/>
+        <location filename="../plugin/seams/cause_words.py" line="134"/>
         <source>{value} % of it match none of these sources</source>
         <translation>{value} % jej pikseli nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
@@ -11234,7 +11184,7 @@
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="156"/>
+        <location filename="../plugin/seams/window_summary.py" line="122"/>
         <source>{percent} % of the pixels match none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -11338,12 +11288,12 @@
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="88"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="95"/>
         <source>visibility</source>
         <translation>widoczność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="91"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="98"/>
         <source>How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable differences, JND).</source>
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
@@ -11368,19 +11318,213 @@
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="206"/>
+        <location filename="../plugin/seams/window_summary.py" line="198"/>
         <source>, less than an eye just sees at 2x</source>
         <translation>, mniej niż oko ledwie dostrzega w powiększeniu 2×</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="207"/>
+        <location filename="../plugin/seams/window_summary.py" line="199"/>
         <source>, {times} times what an eye just sees at 2x</source>
         <translation>, {times} raza tyle, ile oko ledwie dostrzega w powiększeniu 2×</translation>
     </message>
     <message>
+        <location filename="../plugin/seams/cause_words.py" line="64"/>
+        <source>blur took {value} %</source>
+        <translation>rozmycie zabrało {value} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="81"/>
+        <source>other mixture</source>
+        <translation>inna mieszanina</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="83"/>
+        <source>Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand.</source>
+        <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="110"/>
+        <source>clipping took {value} %</source>
+        <translation>obcięcie zabrało {value} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="121"/>
+        <source>Images that meet in the mosaic do not lie on each other there.</source>
+        <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="150"/>
+        <source>resampling took {value} %</source>
+        <translation>przepróbkowanie zabrało {value} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="167"/>
+        <source>compression took {value} %</source>
+        <translation>kompresja zabrała {value} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="85"/>
+        <source>images are mixed by another rule than weights</source>
+        <translation>obrazy są zmieszane inaczej niż wagami</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="122"/>
+        <source>images do not fit where they meet</source>
+        <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="123"/>
+        <source>images lie {value} px apart where they meet</source>
+        <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="199"/>
+        <source>the cause is unclear</source>
+        <translation>przyczyna jest niejasna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="41"/>
+        <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
+        <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="173"/>
+        <source>share of the other image</source>
+        <translation>udział drugiego obrazu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="175"/>
+        <source>other image</source>
+        <translation>drugi obraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="60"/>
+        <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m</source>
+        <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="88"/>
+        <source>feather width</source>
+        <translation>szerokość wtapiania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="90"/>
+        <source>Width over which the mixture of the two images goes from 5 to 95 %; 0 for a hard cut.</source>
+        <translation>Szerokość, na której mieszanina obu obrazów przechodzi od 5 do 95 %; 0 przy ostrym cięciu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="104"/>
+        <source>misfit</source>
+        <translation>niedopasowanie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="105"/>
+        <source>How far apart the two images lie where they meet, as the mosaic has them.</source>
+        <translation>O ile oba obrazy są od siebie odsunięte tam, gdzie się stykają, tak jak leżą w ortofotomapie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="122"/>
+        <source>All that happened to the contrast, what took most first.</source>
+        <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="106"/>
+        <source>{length} px</source>
+        <translation>{length} px</translation>
+    </message>
+    <message>
         <location filename="../plugin/seams/measure/messages.py" line="102"/>
-        <source>The loss may be significant: what is kept lies between {low:.0f} and {high:.0f} %, too wide a range to say so; take a larger window.</source>
-        <translation type="unfinished"></translation>
+        <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or look.</source>
+        <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="62"/>
+        <source>This is told by the mixture of the images, as the ground around is mixed too.</source>
+        <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="75"/>
+        <source>it is softened along the seam</source>
+        <translation>jest zmiękczona wzdłuż linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="102"/>
+        <source>, where mixing alone would leave {percent} %</source>
+        <translation>, a samo zmieszanie zostawiłoby {percent} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="43"/>
+        <source>In the whole window {took}.</source>
+        <translation>W całym oknie {took}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="59"/>
+        <source>This is told by the mixture of the images, as there is too little unmixed ground around.</source>
+        <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="61"/>
+        <source>This is told by the mixture of the images, as other detail was added along the seam.</source>
+        <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="110"/>
+        <source>Besides: {others}.</source>
+        <translation>Poza tym: {others}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="79"/>
+        <source>images are mixed over {width} m by another rule than weights</source>
+        <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="81"/>
+        <source>images {apart} px apart are mixed by another rule than weights</source>
+        <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="83"/>
+        <source>images {apart} px apart are feathered over {width} m</source>
+        <translation>na szerokości {width} m wtopione są obrazy odsunięte o {apart} px</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="84"/>
+        <source>images {apart} px apart are feathered</source>
+        <translation>wtopione są obrazy odsunięte o {apart} px</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="87"/>
+        <source>, and most of that is their misfit</source>
+        <translation>, a większość tego zabrało ich niedopasowanie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="89"/>
+        <source>images are feathered over {width} m</source>
+        <translation>obrazy są wtopione na szerokości {width} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="210"/>
+        <source>The whole window has {percent} % of the sharpness of its sources.</source>
+        <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="205"/>
+        <source>The rest is as sharp as its sources.</source>
+        <translation>Reszta jest tak ostra jak jej ortoobrazy źródłowe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="30"/>
+        <source>width of the feather (m)</source>
+        <translation>szerokość wtapiania (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/field_titles.py" line="32"/>
+        <source>images apart in the mosaic (px)</source>
+        <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
+    </message>
+    <message>
+        <source>feathered over</source>
+        <translation>wtopione na szerokości</translation>
     </message>
 </context>
 </TS>

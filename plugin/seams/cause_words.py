@@ -44,6 +44,8 @@ class ShownCause(NamedTuple):
     number: Callable[[Explanation], float | None] = lambda found: None
     """That number; None where it is not known, and 0 says nothing."""
     shown: Callable[[float], str] = shown_number
+    took: str = ""
+    """What it took all over a window, ``{value}`` per cent of the finest detail."""
 
 
 CAUSES: dict[str, ShownCause] = {
@@ -59,6 +61,7 @@ CAUSES: dict[str, ShownCause] = {
         ),
         lambda found: found.sharpness,
         percent,
+        QT_TRANSLATE_NOOP("@default", "blur took {value} %"),
     ),
     Cause.FEATHERING.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "feathering"),
@@ -104,6 +107,7 @@ CAUSES: dict[str, ShownCause] = {
         (QT_TRANSLATE_NOOP("@default", "{value} % of the pixels are clipped"),),
         lambda found: judged_change(found).clipped,
         percent,
+        QT_TRANSLATE_NOOP("@default", "clipping took {value} %"),
     ),
     Cause.COLOUR_SHIFT.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "colour shift"),
@@ -143,6 +147,7 @@ CAUSES: dict[str, ShownCause] = {
         ),
         lambda found: found.evidence.off_pixel,
         _tenths,
+        QT_TRANSLATE_NOOP("@default", "resampling took {value} %"),
     ),
     Cause.SHARPENED.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "sharpened"),
@@ -159,6 +164,7 @@ CAUSES: dict[str, ShownCause] = {
         (QT_TRANSLATE_NOOP("@default", "it was compressed with loss, which changed fine detail by {value} DN"),),
         _noise,
         _tenths,
+        QT_TRANSLATE_NOOP("@default", "compression took {value} %"),
     ),
     Cause.NOISE_ADDED.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "noise added"),
@@ -190,7 +196,7 @@ CAUSES: dict[str, ShownCause] = {
     Cause.UNCLEAR.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "unclear"),
         QT_TRANSLATE_NOOP("@default", "What was measured does not point to one cause."),
-        (QT_TRANSLATE_NOOP("@default", "the cause is unclear: its detail is not that of the sources"),),
+        (QT_TRANSLATE_NOOP("@default", "the cause is unclear"),),
     ),
 }
 """By the word that tables hold; a table of a later version may hold others."""
@@ -202,13 +208,19 @@ def cause_word(cause: str) -> str:
 
 
 def causes_words(causes: str) -> str:
-    """All causes of a window for the user, strongest first, as tables hold them: joined by ``; ``."""
+    """All causes of a window for the user, in their order, as tables hold them: joined by ``; ``."""
     return ", ".join(cause_word(cause) for cause in causes.split("; ") if cause)
 
 
 def cause_sentence(cause: str) -> str:
     """What a cause means, in plain words; empty for an unknown one."""
     return tr(CAUSES[cause].meaning) if cause in CAUSES else ""
+
+
+def took_words(cause: str, share: float) -> str:
+    """What a cause took all over a window; empty for one that does not."""
+    text = CAUSES[cause].took if cause in CAUSES else ""
+    return filled(tr(text), value=percent(share)) if text else ""
 
 
 def cause_clause(cause: str, found: Explanation | None, is_loss: bool) -> str:

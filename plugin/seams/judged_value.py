@@ -26,15 +26,12 @@ def judged_value(row: WindowRecord) -> float | None:
 
 
 def judged_kept(row: WindowRecord) -> float | None:
-    """kept_1 where the verdict was taken by it; None where it was not, as inside a feather that is as wide as the
-    window, whose ground around is feathered too and where the sharpness tells the loss."""
+    """kept_1 where the verdict was taken by it; None where the sharpness of the whole told the loss."""
     if row.reference != SEAM or row.kept_1 is None or row.kept_high is None:
         return None
     sharpness_squared = 1.0 if row.sharpness is None else row.sharpness**2
     by_sharpness = {
-        "significant": row.kept_high >= 1
-        or sharpness_squared <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
-        or sharpness_squared < MAX_SIGNIFICANT_KEPT < row.kept_1,
+        "significant": row.kept_high >= 1 or sharpness_squared <= MAX_SIGNIFICANT_SHARPNESS_SQUARED,
         "reduced": row.kept_high >= 1,
         "preserved": False,
     }

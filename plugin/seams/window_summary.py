@@ -5,11 +5,11 @@ import math
 from typing import TYPE_CHECKING
 
 from ..toolkit.translation import filled, percent, shown_number, tr
-from .cause_words import cause_clause, causes_words, judged_change
+from .cause_words import cause_clause, judged_change
 from .judged_value import judged_kept
-from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED
 from .measure.window_records import SEAM
 from .verdict_words import verdict_sentence, verdict_word
+from .what_happened import Happening, as_sentence, by_mixture, what_happened
 
 if TYPE_CHECKING:
     from .measure.explanation import Explanation
@@ -23,7 +23,6 @@ _UNEXPLAINED = 0.005  # of the pixels
 _ALL_KEPT = 0.97  # less is said to be less, though the interval holds 1
 _TONES = ("dodging", "gamma", "balanced", "clipping", "narrowed histogram")
 """Causes that change what share of all variance the finest detail is."""
-_TOLD_BEFORE = ("", "none", "missing source")  # causes that have no sentence of their own beside the seam's
 _NOT_COMPARABLE = "not_comparable"
 LOSSES = ("significant", "reduced")
 _SEVERITY = (*LOSSES, "preserved")
@@ -41,7 +40,9 @@ def window_sentence(row: WindowRecord, result: WindowResult | None = None) -> st
     if row.verdict != _NOT_COMPARABLE:
         found = _verdict_and_cause(row, why)
     else:
-        found = " ".join([row.reason or verdict_sentence(row.verdict), *_what_happened(row, why)])
+        happened = what_happened(row, why)
+        said = [*as_sentence(happened.along_the_seam), happened.in_the_whole, happened.besides]
+        found = " ".join(filter(None, [row.reason or verdict_sentence(row.verdict), *said]))
     return filled(tr("{finding} Changed since: inspect it again."), finding=found) if row.stale else found
 
 
@@ -72,7 +73,7 @@ def cause_numbers(found: Explanation) -> list[str]:
     if change.shift is not None:
         lines.append(filled(tr("shift: {length} px"), length=shown_number(change.shift.length)))
     if found.misfit is not None:
-        lines.append(filled(tr("images lie {length} px apart where they meet"), length=shown_number(found.misfit)))
+        lines.append(filled(tr("images lie {value} px apart where they meet"), value=shown_number(found.misfit)))
     if found.expected and found.expected[0] is not None:
         left = percent(found.expected[0])
         lines.append(filled(tr("half of each source would leave {percent} % at level 1"), percent=left))
@@ -83,7 +84,7 @@ def cause_numbers(found: Explanation) -> list[str]:
 def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
     """The verdict, what it was taken by, and the causes."""
     if row.reference == SEAM:
-        said = [*_along_the_seam(row), *_what_happened(row, found), *by_the_paper(row)]
+        said = [*_by_the_seam(row, what_happened(row, found), found), *by_the_paper(row)]
         return " ".join([verdict_sentence(row.verdict), *said])
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
     because = cause_clause(row.cause, found, row.verdict in LOSSES)
@@ -103,51 +104,16 @@ def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
-def _as_a_whole(row: WindowRecord) -> list[str]:
-    """How sharp the window is, and by which limit that was judged."""
-    if row.sharpness is None:
-        return []
-    said = [filled(tr("The window has {percent} % of the sharpness of its sources."), percent=percent(row.sharpness))]
-    left = row.sharpness**2
-    if row.verdict == "significant" and left > MAX_SIGNIFICANT_SHARPNESS_SQUARED:
-        text = tr(
-            "That leaves {left} % of its detail; as within a wide feather, no source wins clearly in much of the "
-            "window, so it is held against the seams' limit."
-        )
-        said.append(filled(text, left=percent(left)))
-    return said
-
-
-def _along_the_seam(row: WindowRecord) -> list[str]:
-    """What is kept beside the seam and in the whole, and what could not be compared."""
-    said = []
-    kept, low, high = row.kept_1, row.kept_low, row.kept_high
-    is_whole = row.verdict == "significant" and judged_kept(row) is None  # a seam as wide as the window, or a blur
-    if kept is None or low is None or high is None or is_whole:
-        if not is_whole:
-            said.append(row.reason or tr("There is no seam in the window to be judged."))
-        said += _as_a_whole(row)
-    elif high < 1:
-        values = {"lost": percent(1 - kept), "least": percent(1 - high), "most": percent(1 - low)}
-        if row.band_width:
-            text = tr(
-                "In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)"
-            )
-            values["width"] = shown_number(row.band_width, 1)
-        else:
-            text = tr("Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)")
-        said.append(filled(text, **values) + _to_an_eye(row.visibility) + _whole(row.sharpness))
+def _by_the_seam(row: WindowRecord, happened: Happening, found: Explanation | None) -> list[str]:
+    """What is kept beside the seam and in the whole, what took the rest, and what could not be compared."""
+    is_blurred = row.verdict == "significant" and judged_kept(row) is None
+    has_kept = row.kept_1 is not None and row.kept_low is not None and row.kept_high is not None
+    if is_blurred or not has_kept:
+        said = [] if is_blurred else [row.reason or tr("There is no seam in the window to be judged.")]
+        said += [*_sharpness(row.sharpness), *as_sentence(happened.along_the_seam)]
     else:
-        values = {"kept": percent(kept), "low": percent(low), "high": percent(high)}
-        text = tr("Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)")
-        if kept < _ALL_KEPT:
-            text = tr("Along the seam no loss can be told from chance: {kept} % of the finest detail is left "
-                      "({low} to {high} %)")
-        if row.verdict == "reduced" and row.sharpness is not None:  # the seam is sound, so the whole is the reason
-            whole = tr("The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.")
-            said += [filled(whole, percent=percent(row.sharpness)), filled(text, **values) + "."]
-        else:
-            said.append(filled(text, **values) + _whole(row.sharpness))
+        said = _along_the_seam(row, happened, by_mixture(found))
+    said += [happened.in_the_whole] if happened.in_the_whole else []
     if row.reason and row.reason not in said:
         said.append(row.reason)
     missing = 0.0 if row.explained is None else 1 - row.explained
@@ -155,7 +121,33 @@ def _along_the_seam(row: WindowRecord) -> list[str]:
     if missing > _UNEXPLAINED and not is_told:
         text = tr("{percent} % of the pixels match none of the given sources and took no part.")
         said.append(filled(text, percent=percent(missing)))
-    return said
+    return [*said, happened.besides] if happened.besides else said
+
+
+def _along_the_seam(row: WindowRecord, happened: Happening, by_what: list[str]) -> list[str]:
+    """What is kept there, where that is known, and how sharp the rest is unless what took of it is told."""
+    kept, low, high, clause = row.kept_1 or 0.0, row.kept_low or 0.0, row.kept_high or 0.0, happened.along_the_seam
+    rest = [] if happened.in_the_whole else _rest(row.sharpness)
+    if high < 1:
+        values = {"lost": percent(1 - kept), "least": percent(1 - high), "most": percent(1 - low)}
+        text = tr("Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)")
+        if row.band_width:
+            values["width"] = shown_number(row.band_width, 1)
+            text = tr(
+                "In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)"
+            )
+        lost = filled(text, **values) + _to_an_eye(row.visibility)
+        return [f"{lost}: {clause}." if clause else f"{lost}.", *by_what, *rest]
+    text = tr("Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)")
+    if kept < _ALL_KEPT:
+        text = tr("Along the seam no loss can be told from chance: {kept} % of the finest detail is left "
+                  "({low} to {high} %)")
+    text = filled(text, kept=percent(kept), low=percent(low), high=percent(high))
+    along = f"{text}; {clause}." if clause else f"{text}."
+    if row.verdict == "reduced" and row.sharpness is not None:  # the seam is sound, so the whole is the reason
+        whole = tr("The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.")
+        return [filled(whole, percent=percent(row.sharpness)), along, *by_what]
+    return [along, *by_what, *rest]
 
 
 def by_the_paper(row: WindowRecord) -> list[str]:
@@ -207,24 +199,16 @@ def _to_an_eye(visibility: float | None) -> str:
     return filled(tr(", {times} times what an eye just sees at 2x"), times=shown_number(visibility, 1))
 
 
-def _whole(sharpness: float | None) -> str:
-    """How sharp the whole window is, to end a sentence with."""
-    if sharpness is None:
-        return "."
-    if abs(sharpness - 1) < _AS_SHARP:
-        return tr("; the rest is as sharp as its sources.")
-    text = tr("; the whole window has {percent} % of the sharpness of its sources.")
-    return filled(text, percent=percent(sharpness))
+def _rest(sharpness: float | None) -> list[str]:
+    """How sharp the window is beside its seam."""
+    if sharpness is not None and abs(sharpness - 1) < _AS_SHARP:
+        return [tr("The rest is as sharp as its sources.")]
+    return _sharpness(sharpness)
 
 
-def _what_happened(row: WindowRecord, found: Explanation | None) -> list[str]:
-    """All causes; the main one with its number where that is at hand. What took no part was told before."""
-    told = [cause for cause in (row.causes or row.cause).split("; ") if cause not in _TOLD_BEFORE]
-    if not told:
-        return []
-    main = cause_clause(told[0], found, is_loss=False)
-    text, others = f"{main[:1].upper()}{main[1:]}", causes_words("; ".join(told[1:]))
-    return [filled(tr("{cause}; besides: {others}."), cause=text, others=others) if others else f"{text}."]
+def _sharpness(sharpness: float | None) -> list[str]:
+    text = tr("The whole window has {percent} % of the sharpness of its sources.")
+    return [] if sharpness is None else [filled(text, percent=percent(sharpness))]
 
 
 def is_same(one: float | None, other: float | None) -> bool:

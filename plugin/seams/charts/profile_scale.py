@@ -15,6 +15,7 @@ FARTHEST_PX = 400.0
 """Where the last bin, which has no end, is drawn to."""
 _LOWEST_TOP, _HIGHEST_TOP = 1.2, 2.0  # of the axis of shares, between which the values choose
 _HIGHEST_END = 1.45  # of an interval that is shown whole
+_LEAST_MIXTURE = 0.05  # of any bin: a cut mixes nothing, but for a pixel on a border that was found
 _TICK_STEPS = (1.0, 2.0, 5.0)
 
 
@@ -38,6 +39,12 @@ class ShownProfile:
     def main_level(self) -> int:
         """The finest that is drawn."""
         return min(self.levels, default=1)
+
+    @property
+    def mixed(self) -> list[ProfileBin]:
+        """Where the images' mixture is drawn, from the seam outwards: beside level 1, where anything is mixed."""
+        known = [one for one in self.bins(1) if one.mixture is not None] if 1 in self.levels else []
+        return known if any((one.mixture or 0) >= _LEAST_MIXTURE for one in known) else []
 
     def bin_at(self, distance_m: float) -> ProfileBin | None:
         """The main level's bin at a distance from the seam; None where nothing was measured."""
@@ -77,6 +84,14 @@ class ProfileScale:
         """Left and right of a bin."""
         metres = self._shown.pixel_m
         return self.x_of(one.near_px * metres), self.x_of(min(one.far_px, FARTHEST_PX) * metres)
+
+    def mixture_line(self) -> list[tuple[float, float]]:
+        """The share of the image beyond the seam: through the middles of the bins, from end to end; empty for none."""
+        shown = self._shown.mixed
+        if not shown:
+            return []
+        points = [(self.x_of(one.middle_px * self._shown.pixel_m), self.y_of(one.mixture or 0)) for one in shown]
+        return [(self.ends(shown[0])[0], points[0][1]), *points, (self.ends(shown[-1])[1], points[-1][1])]
 
     def share_ticks(self, step: float) -> list[float]:
         """The shares that have a line."""

@@ -222,10 +222,10 @@ def _missing(found: CauseEvidence) -> float | None:
 
 
 def _misregistration(found: CauseEvidence) -> float | None:
-    share = found.misfit_lost
-    if not share:
+    if not found.misfit_lost:
         return None
-    return share * found.lost if found.has_seam_loss and not found.is_smoothed_seam else 0.0
+    # A cut of images that do not fit breaks lines and loses nothing.
+    return found.misfit_lost * found.lost if found.has_seam_loss and not found.is_smoothed_seam else 0.0
 
 
 def _feathering(found: CauseEvidence) -> float | None:

@@ -45,7 +45,7 @@ class Explanation:
     """What the sources say about one window of the mosaic."""
 
     causes: tuple[Cause, ...]
-    """All that took part, strongest first."""
+    """All that took part, what took most first."""
     evidence: CauseEvidence
     profile: SeamProfile | None
     """None without a seam, or with too little ground around it."""

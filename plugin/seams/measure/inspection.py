@@ -77,12 +77,14 @@ class WindowRequest:
     """Why there is no window."""
     cells: tuple[Cell, ...] = ()
     """Known seam cells that meet the window."""
+    is_alone: bool = False
+    """Whether the mosaic can't be read around it."""
 
     @property
     def around(self) -> PixelWindow:
         """All that is read: a small window with the ground around it."""
         assert self.window is not None
-        return surroundings(self.window, self.mosaic, self.settings.levels)
+        return self.window if self.is_alone else surroundings(self.window, self.mosaic, self.settings.levels)
 
 
 def make_block(

@@ -99,8 +99,8 @@ MORE_ALONG_THE_SEAM = Message(
     "more than any seam leaves; add the orthoimages that it was made from.", INFO
 )
 MAY_BE_SIGNIFICANT = Message(
-    "The loss may be significant: what is kept lies between {low:.0f} and {high:.0f} %, too wide a range to say so; "
-    "take a larger window.", INFO
+    "Whether the loss is significant can't be told, as {low:.0f} to {high:.0f} % may be left; measure more of the "
+    "seam, or look.", INFO
 )
 INTERVAL_TOO_WIDE = Message(
     "What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.",

@@ -55,7 +55,7 @@ class WindowRecord(NumberedWindow):
     cause: str = ""
     """Word of what explains the loss."""
     causes: str = ""
-    """Words of all that were found, strongest first, joined by ``; ``."""
+    """Words of all that were found, what took most first, joined by ``; ``."""
     reference: str = ""
     """What the verdict was taken by, one of ``REFERENCES``; empty in tables of earlier versions."""
     paper_verdict: str = ""
@@ -67,8 +67,12 @@ class WindowRecord(NumberedWindow):
     kept_high: float | None = None
     band_width: float | None = None
     """Full width of the band along the seam in which detail was lost, m."""
+    feather_width: float | None = None
+    """Over which the images' mixture goes from 5 to 95 %, m; 0 for a cut."""
     visibility: float | None = None
     """The loss beside the seam in just noticeable differences of contrast at 2x."""
+    misfit: float | None = None
+    """How far the two images that meet lie from each other as they are placed in the mosaic, px."""
     contrast: float | None = None
     """contrast_1: absolute, against the composite."""
     sharpness: float | None = None
@@ -152,6 +156,8 @@ class ProfileRecord:
     low: float
     high: float
     """95 % interval of ``kept``; NaN where the table does not say it."""
+    mixture: float | None = None
+    """Share of the source beyond the seam; None where it was not looked for."""
 
 
 def contrast_of(pairs: Iterable[PairRecord]) -> float | None:

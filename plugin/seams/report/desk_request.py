@@ -83,7 +83,9 @@ def _curves(found: WindowResult) -> list[CurveRecord]:
 
 def _profile(found: WindowResult) -> list[ProfileRecord]:
     pixel_m, bins = found.ground_sample_distance, found.profile.bins if found.profile is not None else ()
-    return [ProfileRecord(one.level, pixel_m * one.middle_px, one.kept, one.low, one.high) for one in bins]
+    return [
+        ProfileRecord(one.level, pixel_m * one.middle_px, one.kept, one.low, one.high, one.mixture) for one in bins
+    ]
 
 
 def _pairs(found: WindowResult) -> list[PairRecord]:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ...toolkit.charts.chart_style import PAPER
@@ -37,8 +37,10 @@ class ProfilePicture:
     """Left, top, width and height of the 95 % intervals of the finest level."""
     lines: Sequence[tuple[str, str, float]]
     """Points, colour and width of each level, the finest last."""
+    mixture: str
+    """Points of the share of the image beyond the seam; empty for none."""
     legend: Sequence[tuple[str, str]]
-    """Colours and names of the levels."""
+    """Colours and names of the levels, and of the mixture."""
 
 
 def profile_picture(
@@ -75,7 +77,7 @@ def _bin_of(row: ProfileRecord, pixel_m: float) -> ProfileBin | None:
     middle, near, far = min(_middles(), key=lambda one: abs(one[0] - away))
     if abs(middle - away) > _SAME_PLACE * middle:
         return None
-    return ProfileBin(row.level, near, far, row.kept, row.low, row.high, math.nan, math.nan)
+    return ProfileBin(row.level, near, far, row.kept, row.low, row.high, math.nan, math.nan, row.mixture)
 
 
 def _picture(shown: ShownProfile) -> ProfilePicture:
@@ -87,6 +89,8 @@ def _picture(shown: ShownProfile) -> ProfilePicture:
         (start, end), upper, lower = scale.ends(one), scale.y_of(one.high), scale.y_of(one.low)
         intervals.append((start, upper, end - start, lower - upper))
     levels = sorted(shown.levels, reverse=True)
+    mixture = _points(scale.mixture_line())
+    names = [(_colour(level), filled(tr("level {number}"), number=level)) for level in reversed(levels)]
     return ProfilePicture(
         axes,
         [(scale.y_of(share), f"{percent(share) if share else 0} %", share == 1) for share in scale.share_ticks(_STEP)],
@@ -94,13 +98,17 @@ def _picture(shown: ShownProfile) -> ProfilePicture:
         (scale.y_of(shown.min_kept), filled(tr("limit {percent} %"), percent=percent(shown.min_kept))),
         intervals,
         [(_steps(shown, scale, level), _colour(level), 2.2 if level == shown.main_level else 1.3) for level in levels],
-        [(_colour(level), filled(tr("level {number}"), number=level)) for level in reversed(levels)],
+        mixture,
+        [*names, (PAPER.quiet, tr("share of the other image"))] if mixture else names,
     )
 
 
 def _steps(shown: ShownProfile, scale: ProfileScale, level: int) -> str:
     """The line of a level as the points of an SVG polyline."""
-    points = ((x, scale.y_of(one.kept)) for one in shown.bins(level) for x in scale.ends(one))
+    return _points((x, scale.y_of(one.kept)) for one in shown.bins(level) for x in scale.ends(one))
+
+
+def _points(points: Iterable[tuple[float, float]]) -> str:
     return " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
 
 

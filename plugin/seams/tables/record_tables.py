@@ -87,7 +87,9 @@ def read_profiles(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int,
         distance, kept = number(row["distance"]), number(row["kept"])
         if window_id is not None and level is not None and distance is not None and kept is not None:
             low, high = (math.nan if end is None else end for end in (number(row["low"]), number(row["high"])))
-            found.setdefault(window_id, []).append(ProfileRecord(level, distance, kept, low, high))
+            found.setdefault(window_id, []).append(
+                ProfileRecord(level, distance, kept, low, high, number(row["mixture"]))
+            )
     return found
 
 

@@ -74,7 +74,9 @@ WINDOW_COLUMNS: tuple[Column[WindowResult], ...] = (
     Column("kept_low", "real", lambda result: result.profile and result.profile.low),
     Column("kept_high", "real", lambda result: result.profile and result.profile.high),
     Column("band_width", "real", lambda result: result.band_width_m),
+    Column("feather_width", "real", lambda result: result.feather_width_m),
     Column("visibility", "real", lambda result: result.visibility),
+    Column("misfit", "real", lambda result: result.misfit),
     Column("contrast_1", "real", lambda result: result.explanation and result.explanation.contrast),
     Column("sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness),
     Column("added_1", "real", lambda result: result.explanation and result.explanation.added),
@@ -102,6 +104,7 @@ PROFILE_COLUMNS: tuple[Column[_ProfileRow], ...] = (
     Column("low", "real", lambda row: row.bin.low),
     Column("high", "real", lambda row: row.bin.high),
     Column("area", "real", lambda row: row.pixel_m**2 * row.bin.area_px),
+    Column("mixture", "real", lambda row: row.bin.mixture),
 )
 """PROFILES: one row per window, level and distance from the seam."""
 

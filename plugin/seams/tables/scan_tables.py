@@ -17,6 +17,7 @@ SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
     Column("kept_low", "real", lambda one: one.low),
     Column("kept_high", "real", lambda one: one.high),
     Column("band_width", "real", lambda one: one.band_width_m),
+    Column("feather_width", "real", lambda one: one.feather_width_m),
     Column("visibility", "real", lambda one: one.visibility),
     Column("verdict", "text", lambda one: one.verdict.value),
     Column("reason", "text", lambda one: sentence(one.reason) if one.reason else None),

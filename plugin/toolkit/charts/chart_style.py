@@ -22,6 +22,8 @@ class ChartStyle:
     background: str
     grid: str
     limit: str
+    quiet: str
+    """Of what stands beside the curves."""
     sources: tuple[str, ...]
     scale: float = 1.0
     """Factor on the widths of lines and the sizes of points."""
@@ -32,6 +34,7 @@ PAPER = ChartStyle(
     background="#ffffff",
     grid="#dddddd",
     limit="#b00020",
+    quiet="#57606a",
     sources=("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"),  # Okabe and Ito, for all eyes
 )
 DARK = ChartStyle(
@@ -39,6 +42,7 @@ DARK = ChartStyle(
     background="#232629",
     grid="#454a4f",
     limit="#ff6b6b",
+    quiet="#a8b0b8",
     sources=("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00"),  # theirs that show on black
 )
 

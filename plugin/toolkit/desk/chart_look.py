@@ -17,4 +17,4 @@ def chart_style(widget: QWidget) -> ChartStyle:
     back, text = palette.color(QPalette.ColorRole.Base), palette.color(QPalette.ColorRole.Text)
     theme = DARK if back.lightness() < _DARKEST_LIGHT else PAPER
     grid = blended(text, back, 0.18)
-    return ChartStyle(text.name(), back.name(), grid.name(), theme.limit, theme.sources, scale)
+    return ChartStyle(text.name(), back.name(), grid.name(), theme.limit, theme.quiet, theme.sources, scale)

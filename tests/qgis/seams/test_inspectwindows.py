@@ -98,7 +98,9 @@ def test_fields(scene: Scene, levels: int) -> None:
         ("kept_low", REAL),
         ("kept_high", REAL),
         ("band_width", REAL),
+        ("feather_width", REAL),
         ("visibility", REAL),
+        ("misfit", REAL),
         ("contrast_1", REAL),
         ("sharpness_1", REAL),
         ("added_1", REAL),
@@ -141,6 +143,7 @@ def test_fields(scene: Scene, levels: int) -> None:
         ("low", REAL),
         ("high", REAL),
         ("area", REAL),
+        ("mixture", REAL),
     ]
     assert outcome.layer("OUTPUT").wkbType() == QgsWkbTypes.Type.Polygon
     assert not outcome.layer("CURVES").isSpatial()

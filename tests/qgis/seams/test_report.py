@@ -99,10 +99,10 @@ def test_the_clips_are_the_rasters_pixels(inspected: Run, scene: Scene, tmp_path
     pictures = page.pictures("jpeg")[1:]  # the first lies below the sketch
     places = PART.findall(page.words)
     assert len(places) == 2
-    assert len(pictures) == 6
+    assert len(pictures) == 8  # of either window where it lost detail, and three clips
     dataset = gdal.Open(str(scene.mosaic))
     left, width, _, top, _, height = dataset.GetGeoTransform()
-    for (side, x, y), jpeg in zip(places, pictures[::3]):
+    for (side, x, y), jpeg in zip(places, pictures[1::4]):
         column = round((float(x) - left) / width - int(side) / 2)
         row = round((float(y) - top) / height - int(side) / 2)
         own = np.moveaxis(dataset.ReadAsArray(column, row, int(side), int(side)), 0, 2).astype(float)
@@ -199,7 +199,8 @@ def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_p
     assert page.anchors == ["window-2", "window-1", "window-3"]  # the greatest loss first, each by its own limit
     assert "44 % of the finest detail is lost (38 to 49 %), 1.4 times what an eye just sees at 2x" in page.words
     assert "just noticeable differences of contrast" in page.words
-    assert "Images are feathered; besides: compressed." in page.words
+    assert "at 2x: images are feathered. The rest is as sharp as its sources. " in page.words
+    assert "Besides: compressed." in page.words
     assert "17 % of the pixels match none of the given sources" in page.words
     assert "By the paper's rule it is preserved, with 135 % of the detail" in page.words
     assert "By the paper's rule: preserved" not in page.words  # said once is enough

@@ -27,13 +27,15 @@ from tests.qgis.scenes import layer, windows
 
 PIXEL = 0.1
 MIDDLES = (1, 3, 5, 7, 10, 14, 20, 28, 40, 256)  # of the bins, px; the last one has no end
+MIXTURES = (0.5, 0.45, 0.4, 0.3, 0.2, 0.1, 0.05, 0.0, 0.0, None)
 FEATHERED = WindowRecord(1, (0, 0, 50, 50), "significant", kept=(0.5, 0.7), kept_low=0.4, kept_high=0.6, band_width=2.0)
 
 
 def rows(level: int = 1, pixel: float = PIXEL) -> list[ProfileRecord]:
     """A strip in which half is kept, then all."""
     return [
-        ProfileRecord(level, pixel * middle, 0.5 if middle < 8 else 1.0, 0.4, 1.1) for middle in MIDDLES
+        ProfileRecord(level, pixel * middle, 0.5 if middle < 8 else 1.0, 0.4, 1.1, mixture)
+        for middle, mixture in zip(MIDDLES, MIXTURES)
     ]
 
 
@@ -44,7 +46,7 @@ def rows(level: int = 1, pixel: float = PIXEL) -> list[ProfileRecord]:
 def test_the_chart_shows_what_the_table_says(qgis_app: object, known: float | None) -> None:
     chart = profile_picture(FEATHERED, [*rows(), *rows(2)], known, 0.7)
     assert chart is not None
-    assert [words for _, words in chart.legend] == ["level 1", "level 2"]
+    assert [words for _, words in chart.legend] == ["level 1", "level 2", "share of the other image"]
     shares = {words: y for y, words, _ in chart.shares}
     (points, colour, _) = chart.lines[-1]
     assert colour == chart.legend[0][0]
@@ -61,6 +63,27 @@ def test_the_chart_shows_what_the_table_says(qgis_app: object, known: float | No
     assert chart.limit == (pytest.approx(bottom - (bottom - shares["100 %"]) * 0.7), "limit 70 %")
     assert bottom < HEIGHT
     assert len(chart.intervals) == len(MIDDLES)
+
+
+def test_the_mixture_is_drawn_beside_the_finest_level_alone(qgis_app: object) -> None:
+    chart, coarse = (profile_picture(FEATHERED, rows(level), PIXEL, 0.7) for level in (1, 2))
+    assert chart is not None
+    assert coarse is not None
+    shares = {words: y for y, words, _ in chart.shares}
+    places = [tuple(map(float, point.split(","))) for point in chart.mixture.split()]
+    assert places[0] == pytest.approx((chart.axes[0], shares["50 %"]), abs=0.1)
+    assert [y for _, y in places] == sorted(y for _, y in places)  # it falls with the distance
+    assert places[-1][1] == pytest.approx(shares["0 %"], abs=0.1)
+    assert places[-1][0] < chart.axes[2]  # and ends where nothing was looked for
+    assert (coarse.mixture, len(coarse.legend)) == ("", 1)
+
+
+@pytest.mark.parametrize("share", [None, 0.02])
+def test_a_cut_shows_no_mixture(qgis_app: object, share: float | None) -> None:
+    table = [ProfileRecord(1, PIXEL * middle, 1.0, 0.9, 1.1, share) for middle in MIDDLES]
+    chart = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
+    assert chart is not None
+    assert (chart.mixture, len(chart.legend)) == ("", 1)
 
 
 def test_words_below_the_axis_never_run_into_each_other(qgis_app: object) -> None:
@@ -161,7 +184,7 @@ def test_the_table_of_profiles_is_drawn(provider: Any, tmp_path: Path) -> None:
         assert run("report", **given, **parameters).complaint is None
         page = path.read_text(encoding="utf-8")
         outline(page)
-        assert page.count("<polyline") == 3
+        assert page.count("<polyline") == 4  # three levels and the mixture
         assert f"limit {65 if parameters else 70} %" in page
     other = layer("None", [None], window_id=("integer", [1]))
     assert_refused("report", "no field 'level'", **{**given, "PROFILES": other})

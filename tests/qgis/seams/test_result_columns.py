@@ -67,7 +67,9 @@ def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
         kept_low=0.51,
         kept_high=0.62,
         band_width=2.0,
+        feather_width=1.5,
         visibility=1.4,
+        misfit=1.4,
         contrast=0.43,
         sharpness=0.69,
         added=0.04,
@@ -83,15 +85,16 @@ def test_a_window_that_cant_be_compared_has_nothing_but_its_verdict(project: obj
     assert (record.ratios, record.expected_ratios, record.cause) == ((None,) * 3, (None,) * 3, "")
     assert (record.ratio, record.is_compared, record.causes, record.explained) == (None, False, "", None)
     assert (record.kept, record.kept_1, record.band_width, record.visibility) == ((None,) * 3, None, None, None)
+    assert (record.feather_width, record.misfit) == (None, None)
 
 
 def test_the_profile_has_a_row_for_each_level_and_distance(project: object) -> None:
     rows = [row.attributes() for row in result_tables.profile_features(result("feathering"))]
     assert rows == [
-        [1, 1, pytest.approx(0.1), 0.56, 0.5, 0.63, pytest.approx(12.0)],
-        [1, 1, pytest.approx(25.6), 1.0, 0.9, 1.1, pytest.approx(500.0)],
+        [1, 1, pytest.approx(0.1), 0.56, 0.5, 0.63, pytest.approx(12.0), 0.48],
+        [1, 1, pytest.approx(25.6), 1.0, 0.9, 1.1, pytest.approx(500.0), None],
     ]  # fmt: skip
-    names = ["window_id", "level", "distance", "kept", "low", "high", "area"]
+    names = ["window_id", "level", "distance", "kept", "low", "high", "area", "mixture"]
     assert column_fields(result_tables.PROFILE_COLUMNS).names() == names
     unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,), None))
     assert not list(result_tables.profile_features(WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE)))

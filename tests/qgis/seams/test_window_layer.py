@@ -38,7 +38,9 @@ FIELDS = [
     *("composite_ratio_1", "composite_ratio_2", "composite_ratio_3"),
     *("expected_ratio_1", "expected_ratio_2", "expected_ratio_3", "unclear_share", "cause"),
     *("causes", "reference", "paper_verdict", "kept_1", "kept_2", "kept_3", "kept_low", "kept_high", "band_width"),
+    "feather_width",
     "visibility",
+    "misfit",
     *("contrast_1", "sharpness_1", "added_1", "explained"),
 ]
 RATIOS = (0.123456789012, 0.9, None)

@@ -11,11 +11,11 @@ from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams import cause_words
 from seam_inspector.plugin.seams.cause_words import CAUSES, cause_sentence, cause_word
 from seam_inspector.plugin.seams.judged_value import judged_kept
-from seam_inspector.plugin.seams.measure.causes import Cause, CauseEvidence, SourceTone, Texture
+from seam_inspector.plugin.seams.measure.causes import Cause, CauseEvidence, Misfit, SourceTone, Texture
 from seam_inspector.plugin.seams.measure.changes import Change
 from seam_inspector.plugin.seams.measure.explanation import Explanation
-from seam_inspector.plugin.seams.measure.messages import VERDICT_OF_THE_REST
-from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
+from seam_inspector.plugin.seams.measure.messages import MAY_BE_SIGNIFICANT, VERDICT_OF_THE_REST
+from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure, ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
@@ -27,14 +27,18 @@ from tests.qgis.seams.desk.windows_session import window
 
 RATIOS = (0.38, 0.52, 0.88)
 EVIDENCE = CauseEvidence(
-    missing=0.17, kept=0.56, kept_high=0.62, mixed=0.1, sharpness=0.69, clipped=0.031,
+    missing=0.17, profile=None, lost=0.1, mixed=0.1, sharpness=0.69, clipped=0.031, clipped_lost=0.03,
     tones=(SourceTone(0.6, 0.62, 0.41, 0.6, 1.24), SourceTone(0.4, 0.50, 0.4, 1.0, 1.1)), unevenness=0.0,
-    misregistration=1.3, apart=0.0, off_pixel=0.31, texture=Texture(0.9, 0.69, 1.42, 2.34, 1.1, 0.0),
+    misfit=Misfit(1.4, 0.6), off_pixel=0.31, texture=Texture(0.9, 0.69, 1.42, 0.28, 0.11, 2.34, 1.1, 0.0),
     lossy_file=False,
 )  # fmt: skip
 PROFILE = SeamProfile(
     (0.56, 0.81, 0.97), 0.51, 0.62, 20.0, 0.05,
-    (ProfileBin(1, 0, 2, 0.56, 0.5, 0.63, 0.55, 1200.0), ProfileBin(1, 256, float("inf"), 1.0, 0.9, 1.1, 1.0, 5e4)),
+    (
+        ProfileBin(1, 0, 2, 0.56, 0.5, 0.63, 0.55, 1200.0, 0.48),
+        ProfileBin(1, 256, float("inf"), 1.0, 0.9, 1.1, 1.0, 5e4),
+    ),
+    feather_width_px=15.0, by_energy=0.57, by_mixture=0.55, lost=900.0, energy=(60.0, 90.0, 120.0),
 )  # fmt: skip
 
 
@@ -56,7 +60,7 @@ def seam_row(verdict: str = "significant", **values: Any) -> WindowRecord:
 
 
 def result(
-    cause: str, apart: float | None = 1.4, evidence: CauseEvidence = EVIDENCE, sharpness: float = 0.69, **values: Any
+    causes: str, evidence: CauseEvidence = EVIDENCE, profile: SeamProfile = PROFILE, **values: Any
 ) -> WindowResult:
     """Of a window whose mosaic was compared with one source and the composite."""
     ratios = Ratios(RATIOS, 1.2)
@@ -66,10 +70,10 @@ def result(
     })  # fmt: skip
     curve = Curve((0.1, 0.2, 0.3), 0.4, 100.0)
     found = Explanation(
-        causes=(Cause(cause),), evidence=evidence, profile=PROFILE, has_seam=True, explained=0.83,
-        contrast=0.43, sharpness=sharpness, added=0.04, curves={"luminance": curve}, ratios={"luminance": ratios},
+        causes=tuple(map(Cause, causes.split("; "))), evidence=evidence, profile=profile, has_seam=True, explained=0.83,
+        contrast=0.43, sharpness=0.69, added=0.04, curves={"luminance": curve}, ratios={"luminance": ratios},
         similarity={"luminance": 1.0}, changes=({"luminance": change},) * 2, expected=(0.41, 0.6, 0.9),
-        unclear_share=0.02, mixed_share=0.1, shares=(1.0,), apart=apart, visibility=1.4,
+        unclear_share=0.02, mixed_share=0.1, shares=(1.0,), visibility=1.4,
     )  # fmt: skip
     return WindowResult(
         1, None, Judgement(Verdict.SIGNIFICANT, ratios), Verdict.REDUCED, explanation=found,
@@ -86,7 +90,8 @@ def result(
         ("gamma", "grey values are bent, gamma 0.60", "grey values are bent by a gamma"),
         ("clipping", "3.1 % of the pixels are clipped", "highlights or shadows are clipped"),
         ("colour shift", "the colours are shifted, gains differ by a factor of 1.24", "the colours are shifted"),
-        ("misregistration", "the mosaic lies 1.3 px off its sources", "the mosaic does not lie where its sources do"),
+        ("misregistration", "images lie 1.4 px apart where they meet", "images do not fit where they meet"),
+        ("other mixture", "images are mixed by another rule than weights", None),
         (
             "missing source", "17 % of it match none of these sources", "a part of it matches none of these sources"
         ),
@@ -99,7 +104,7 @@ def result(
         ("balanced", "the sources' tones were balanced, gains a factor of 1.24 apart",
          "the sources' tones were balanced"),
         ("none", "no step of production took detail away, so the sources differ in content", None),
-        ("unclear", "the cause is unclear: its detail is not that of the sources", None),
+        ("unclear", "the cause is unclear", None),
     ],
 )
 def test_every_cause_has_its_words(qgis_app: QgsApplication, cause: str, words: str, alone: str | None) -> None:
@@ -139,48 +144,82 @@ def test_what_else_is_told(qgis_app: QgsApplication, values: dict[str, Any], sen
 
 
 def test_numbers_that_say_nothing_are_left_out(qgis_app: QgsApplication) -> None:
-    for apart in (None, 0.02):
-        assert window_sentence(row("feathering"), result("feathering", apart)).endswith("; feathering explains it.")
-    bare = replace(EVIDENCE, tones=(), texture=None, misregistration=0.0)
-    assert window_sentence(row("gamma"), result("gamma", evidence=bare)).endswith("; grey values are bent by a gamma.")
-    assert window_sentence(row("noise added"), result("noise added", evidence=bare)).endswith("; noise was added.")
-    found = result("misregistration", evidence=bare)
-    assert "where its sources do" in window_sentence(row("misregistration"), found)
+    bare = replace(EVIDENCE, tones=(), texture=None, misfit=None)
+    for evidence in (bare, replace(bare, misfit=Misfit(0.02, 0.0))):
+        found = result("feathering", evidence)
+        assert window_sentence(row("feathering"), found).endswith("; feathering explains it.")
+    assert window_sentence(row("gamma"), result("gamma", bare)).endswith("; grey values are bent by a gamma.")
+    assert window_sentence(row("noise added"), result("noise added", bare)).endswith("; noise was added.")
+    found = result("misregistration", bare)
+    assert "images do not fit where they meet" in window_sentence(row("misregistration"), found)
+
+
+STRIP = "In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %)"
+NO_SEAM = {"kept": (None,), "kept_low": None, "kept_high": None, "band_width": None}
+SOUND = {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 1.07, "band_width": 0.0}
+SHARP = "The rest is as sharp as its sources."
 
 
 @pytest.mark.parametrize(
     ("values", "sentence"),
     [
+        ({}, f"Significant loss. {STRIP}: images are feathered. {SHARP}"),
         (
-            {},
-            ("Significant loss. In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %); "
-            "the rest is as sharp as its sources. Images are feathered."),
-        ),
-        (
-            {"visibility": 1.42},
-            ("Significant loss. In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %), 1.4 "
-            "times what an eye just sees at 2x; the rest is as sharp as its sources. Images are feathered."),
+            {"visibility": 1.42, "feather_width": 1.53},
+            (f"Significant loss. {STRIP}, 1.4 times what an eye just sees at 2x: images are feathered over 1.5 m. "
+             f"{SHARP}"),
         ),
         (
             {"verdict": "reduced", "kept": (0.85,), "kept_low": 0.8, "kept_high": 0.88, "visibility": 0.97},
             ("Reduced. In a strip of 2.0 m along the seam 15 % of the finest detail is lost (12 to 20 %), less than an "
-            "eye just sees at 2x; the rest is as sharp as its sources. Images are feathered."),
+            f"eye just sees at 2x: images are feathered. {SHARP}"),
         ),
         (
             {"band_width": 0.0},
-            ("Significant loss. Beside the seam 44 % of the finest detail is lost (38 to 49 %); the rest is as "
-            "sharp as its sources. Images are feathered."),
+            ("Significant loss. Beside the seam 44 % of the finest detail is lost (38 to 49 %): images are feathered. "
+             f"{SHARP}"),
+        ),
+        (
+            {"causes": "feathering; misregistration", "misfit": 2.04, "feather_width": 1.5},
+            f"Significant loss. {STRIP}: images 2.0 px apart are feathered over 1.5 m. {SHARP}",
+        ),
+        (
+            {"causes": "misregistration; feathering", "misfit": 2.04, "feather_width": 1.5},
+            (f"Significant loss. {STRIP}: images 2.0 px apart are feathered over 1.5 m, and most of that is their "
+             f"misfit. {SHARP}"),
+        ),
+        (
+            {"causes": "misregistration", "misfit": 2.04},
+            f"Significant loss. {STRIP}: images lie 2.0 px apart where they meet. {SHARP}",
+        ),
+        ({"misfit": 2.04}, f"Significant loss. {STRIP}: images are feathered. {SHARP}"),  # it cost nothing
+        (
+            {"causes": "other mixture", "feather_width": 1.5},
+            f"Significant loss. {STRIP}: images are mixed over 1.5 m by another rule than weights. {SHARP}",
+        ),
+        (
+            {"causes": "other mixture; misregistration", "feather_width": 1.5, "misfit": 2.0},
+            f"Significant loss. {STRIP}: images 2.0 px apart are mixed by another rule than weights. {SHARP}",
+        ),
+        (
+            {"causes": "feathering; sharpened; balanced", "sharpness": 1.4},
+            (f"Significant loss. {STRIP}: images are feathered. The whole window has 140 % of the sharpness of its "
+             "sources. Besides: sharpened, balanced."),
         ),
         (
             {"verdict": "reduced", "sharpness": 0.8, "cause": "blur", "causes": "blur; feathering; compressed"},
-            ("Reduced. In a strip of 2.0 m along the seam 44 % of the finest detail is lost (38 to 49 %); the whole "
-            "window has 80 % of the sharpness of its sources. It is blurred; besides: feathering, compressed."),
+            (f"Reduced. {STRIP}: images are feathered. The whole window has 80 % of the sharpness of its sources. It "
+             "is blurred; besides: compressed."),
         ),
         (
-            {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 1.07, "band_width": 0.0,
-             "cause": "none", "causes": "none", "visibility": 0.1},
-            ("Preserved. Along the seam as much of the finest detail is left as around it (98 %, 90 to 107 %); the "
-            "rest is as sharp as its sources."),
+            {**SOUND, "cause": "none", "causes": "none", "visibility": 0.1, "feather_width": 0.0},
+            ("Preserved. Along the seam as much of the finest detail is left as around it (98 %, 90 to 107 %). "
+             f"{SHARP}"),
+        ),
+        (
+            {**SOUND, "causes": "balanced", "misfit": 3.47},
+            ("Preserved. Along the seam as much of the finest detail is left as around it (98 %, 90 to 107 %). "
+             f"{SHARP} The sources' tones were balanced."),
         ),
         (  # by the sharpness: what is left along the seam is no reason
             {"verdict": "reduced", "kept": (1.07,), "kept_low": 0.88, "kept_high": 1.22, "band_width": 0.0,
@@ -188,23 +227,27 @@ def test_numbers_that_say_nothing_are_left_out(qgis_app: QgsApplication) -> None
             ("Reduced. The whole window has 97 % of the sharpness of its sources, less than a hard cut leaves. Along "
             "the seam as much of the finest detail is left as around it (107 %, 88 to 122 %)."),
         ),
-        (
-            {"kept": (1.04,), "kept_low": 0.99, "kept_high": 1.1, "band_width": 0.0, "sharpness": 0.79},
-            ("Significant loss. The window has 79 % of the sharpness of its sources. That leaves 62 % of its detail; "
-             "as within a wide feather, no source wins clearly in much of the window, so it is held against the seams' "
-             "limit. Images are feathered."),
+        (  # by the sharpness, too: kept is not shown
+            {"kept": (1.37,), "kept_low": 1.1, "kept_high": 1.6, "band_width": 0.0, "sharpness": 0.36,
+             "causes": "blur"},
+            "Significant loss. The whole window has 36 % of the sharpness of its sources. It is blurred.",
+        ),
+        (  # it may be more: one range, one unit, no other verdict beside it
+            {"verdict": "reduced", "kept": (0.59,), "kept_low": 0.35, "kept_high": 0.94,
+             "reason": sentence(MAY_BE_SIGNIFICANT(low=35.0, high=94.0))},
+            ("Reduced. In a strip of 2.0 m along the seam 41 % of the finest detail is lost (6.0 to 65 %): images are "
+             f"feathered. {SHARP} Whether the loss is significant can't be told, as 35 to 94 % may be left; measure "
+             "more of the seam, or look."),
         ),
         (
-            {"verdict": "reduced", "kept": (None,), "kept_low": None, "kept_high": None, "band_width": None,
-             "sharpness": 0.8, "cause": "blur", "causes": "blur"},
-            ("Reduced. There is no seam in the window to be judged. The window has 80 % of the sharpness of its "
+            {**NO_SEAM, "verdict": "reduced", "sharpness": 0.8, "cause": "blur", "causes": "blur"},
+            ("Reduced. There is no seam in the window to be judged. The whole window has 80 % of the sharpness of its "
             "sources. It is blurred."),
         ),
         (
-            {"verdict": "preserved", "kept": (None,), "kept_low": None, "kept_high": None, "band_width": None,
-             "reason": "One source covers it.", "explained": 0.83, "cause": "missing source",
-             "causes": "missing source; balanced"},
-            ("Preserved. One source covers it. The window has 100 % of the sharpness of its sources. 17 % of the "
+            {**NO_SEAM, "verdict": "preserved", "reason": "One source covers it.", "explained": 0.83,
+             "cause": "missing source", "causes": "missing source; balanced"},
+            ("Preserved. One source covers it. The whole window has 100 % of the sharpness of its sources. 17 % of the "
             "pixels match none of the given sources and took no part. The sources' tones were balanced."),
         ),
     ],
@@ -254,9 +297,9 @@ def test_by_the_seam_the_sentence_says_what_one_sees(
             "as a share of all variance, and the tones were changed."),
         ),
         (  # two limits, no more
-            {"paper_verdict": "reduced", "ratios": (0.6,), "composite_ratios": (0.6,)}, "Images are feathered.",
+            {"paper_verdict": "reduced", "ratios": (0.6,), "composite_ratios": (0.6,)}, SHARP,
         ),
-        ({"ratios": (1.35,), "composite_ratios": (0.92,)}, "Images are feathered."),
+        ({"ratios": (1.35,), "composite_ratios": (0.92,)}, SHARP),
     ],
 )
 def test_where_the_papers_rule_differs_the_sentence_says_why(
@@ -270,9 +313,8 @@ def test_where_the_papers_rule_differs_the_sentence_says_why(
     ("values", "kept"),
     [
         ({}, 0.56),
-        ({"kept": (0.93,), "kept_high": 1.01, "sharpness": 0.3}, None),  # the window lies within a feather
-        ({"kept": (0.93,), "kept_high": 0.97, "sharpness": 0.38}, None),
-        ({"kept": (0.93,), "kept_high": 0.97, "sharpness": 0.8}, None),  # mixed: 0.64 of the variance
+        ({"kept": (0.93,), "kept_high": 1.01, "sharpness": 0.3}, None),  # the sharpness: 0.09 of the variance
+        ({"kept": (0.73,), "kept_high": 0.77, "sharpness": 0.8}, 0.73),  # by a limit of its user's
         ({"verdict": "reduced", "kept": (0.85,), "kept_high": 0.93, "sharpness": 0.9}, 0.85),
         ({"verdict": "reduced", "kept": (0.99,), "kept_high": 1.05, "sharpness": 0.9}, None),
         ({"verdict": "preserved", "kept": (0.99,), "kept_high": 1.05}, 0.99),
@@ -287,7 +329,7 @@ def test_kept_is_told_where_the_verdict_was_taken_by_it(values: dict[str, Any], 
 
 def test_what_is_known_is_told_where_it_is_too_little_for_a_verdict(qgis_app: QgsApplication) -> None:
     unsure = seam_row("not_comparable", reason="Take a larger window.", causes="feathering; balanced")
-    assert window_sentence(unsure) == "Take a larger window. Images are feathered; besides: balanced."
+    assert window_sentence(unsure) == "Take a larger window. Images are feathered. Besides: balanced."
     assert unsure.is_compared
     assert not replace(unsure, explained=None).is_compared
 
@@ -304,8 +346,55 @@ def test_pixels_that_took_no_part_are_told_once(qgis_app: QgsApplication) -> Non
     assert window_sentence(seam_row(explained=0.9002, reason=reason)).count("took no part") == 1
 
 
-def test_by_the_seam_the_main_cause_has_its_number(qgis_app: QgsApplication) -> None:
-    assert "Images 1.4 px apart are feathered." in window_sentence(seam_row(), result("feathering"))
+def told(causes: str, profile: SeamProfile = PROFILE, values: dict[str, Any] | None = None, **evidence: Any) -> str:
+    """The sentence of a window whose explanation is at hand."""
+    own = replace(EVIDENCE, **{"profile": profile, "texture": None, "off_pixel": 0.0, **evidence})
+    found = result(causes, own, profile)
+    row = seam_row(**{"causes": causes, "cause": causes.partition(";")[0], "composite_ratios": (), **(values or {})})
+    return window_sentence(row, found)
+
+
+def test_what_the_whole_window_lost_is_told_apart_with_its_share(qgis_app: QgsApplication) -> None:
+    """0.85 of the sharpness is 0.72 of the energy: 28 % less."""
+    texture = Texture(0.9, 0.85, 1.0, 0.28, 0.0, 0.3, 1.0, 0.0)
+    values = {"sharpness": 0.85, "misfit": 2.0, "feather_width": 1.5, "visibility": 1.4}
+    said = told("resampled; misregistration; feathering; clipping; balanced", values=values, texture=texture,
+                off_pixel=0.31)  # fmt: skip
+    assert said == (
+        f"Significant loss. {STRIP}, 1.4 times what an eye just sees at 2x: images 2.0 px apart are feathered over "
+        "1.5 m, and most of that is their misfit. In the whole window resampling took 28 %, clipping took 3.0 %. "
+        "Besides: balanced."
+    )
+
+
+def test_a_blur_along_the_seam_is_no_blur_of_the_window(qgis_app: QgsApplication) -> None:
+    softened = replace(
+        PROFILE, measure=Measure.ENERGY, by_energy=0.56, by_mixture=0.98, kept=(0.56, 0.81, 0.97), feather_width_px=1.0
+    )
+    said = told("blur", softened, sharpness=1.0)
+    assert said == (
+        f"Significant loss. {STRIP}: it is softened along the seam, where mixing alone would leave 98 %. {SHARP}"
+    )
+    whole = told("blur", texture=Texture(0.9, 0.9, 1.0, 0.19, 0.0, 0.3, 1.0, 0.0), values={"sharpness": 0.9})
+    assert whole == f"Significant loss. {STRIP}. In the whole window blur took 19 %."
+
+
+@pytest.mark.parametrize(
+    ("by_energy", "added", "reason"),
+    [
+        (None, 0.0, "as there is too little unmixed ground around"),
+        (0.9, 0.05, "as the ground around is mixed too"),
+        (1.3, 0.4, "as other detail was added along the seam"),
+    ],
+)
+def test_what_only_the_mixture_tells_is_said_to_be_that(
+    qgis_app: QgsApplication, by_energy: float | None, added: float, reason: str
+) -> None:
+    mixed = replace(PROFILE, measure=Measure.MIXTURE, by_energy=by_energy, by_mixture=0.56, added_beside=added)
+    assert told("feathering", mixed) == (
+        f"Significant loss. {STRIP}: images are feathered. This is told by the mixture of the images, {reason}. {SHARP}"
+    )
+    assert "mixture" not in told("feathering")
 
 
 def test_a_result_that_is_not_the_one_in_the_row_is_left_aside(qgis_app: QgsApplication) -> None:

@@ -18,7 +18,7 @@ STYLES = {"windows": "Polygon", "seams": "LineString", "source_cells": "Polygon"
 def tip(style: str, values: dict[str, str]) -> str:
     """What QGIS shows over a feature whose fields all hold text."""
     shape = box(SHARP) if STYLES[style] == "Polygon" else line((0, 0), (9, 9))
-    names = ("kept_1", "kept_low", "kept_high", "band_width", "visibility", "length")
+    names = ("kept_1", "kept_low", "kept_high", "band_width", "feather_width", "visibility", "misfit", "length")
     numbers = {name: ("double", [0.5]) for name in names}
     made: QgsVectorLayer = layer(STYLES[style], [shape], **{k: ("string", [v]) for k, v in values.items()}, **numbers)
     load_style(made, style)

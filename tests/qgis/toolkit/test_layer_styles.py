@@ -39,7 +39,8 @@ def shouted(qgis_app: QgsApplication) -> Iterator[None]:
 
 def windows() -> QgsVectorLayer:
     fields = ("window_id:integer", "verdict:string", "reason:string", "reference:string", "kept_1:double",
-              "kept_low:double", "kept_high:double", "visibility:double", "causes:string",
+              "kept_low:double", "kept_high:double", "feather_width:double", "visibility:double", "misfit:double",
+              "causes:string",
               "observer:string")  # fmt: skip
     return QgsVectorLayer("Polygon?crs=EPSG:2180&" + "&".join(f"field={field}" for field in fields), "w", "memory")
 
@@ -56,7 +57,7 @@ def tip(layer: QgsVectorLayer, **values: object) -> str:
 
 FOUND = {
     "window_id": 7, "verdict": "significant", "reference": "seam", "kept_1": 0.434, "kept_low": 0.3, "kept_high": 0.56,
-    "visibility": 1.36, "causes": "feathering; blur", "observer": "unsure",
+    "feather_width": 1.53, "visibility": 1.36, "misfit": 2.04, "causes": "feathering; blur", "observer": "unsure",
 }  # fmt: skip
 
 
@@ -80,8 +81,9 @@ def test_a_map_tip_says_all_that_was_found(qgis_app: QgsApplication) -> None:
     layer = windows()
     load_style(layer, "windows")
     assert tip(layer, **FOUND) == (
-        "<b>Window 7</b>: significant loss<br>kept along the seam: 43 % (30\u201356 %)"
-        "<br>visibility at 2x (JND): 1.4<br>feathering; blur<br>observer: not sure"
+        "<b>Window 7</b>: significant loss<br>kept along the seam: 43 % (30\u201356 %), feathered over 1.5 m"
+        "<br>visibility at 2x (JND): 1.4<br>images apart in the mosaic (px): 2.0"
+        "<br>feathering; blur<br>observer: not sure"
     )
     assert tip(layer, window_id=8) == "<b>Window 8</b>: not inspected"
     reason = "Pick another place."
@@ -92,8 +94,9 @@ def test_a_map_tip_is_in_the_users_language(shouted: None) -> None:
     layer = windows()
     load_style(layer, "windows")
     assert tip(layer, **FOUND) == (
-        "<b>WINDOW 7</b>: SIGNIFICANT LOSS<br>KEPT ALONG THE SEAM: 43 % (30\u201356 %)"
-        "<br>VISIBILITY AT 2X (JND): 1.4<br>FEATHERING; BLUR<br>OBSERVER: NOT SURE"
+        "<b>WINDOW 7</b>: SIGNIFICANT LOSS<br>KEPT ALONG THE SEAM: 43 % (30\u201356 %), FEATHERED OVER 1.5 m"
+        "<br>VISIBILITY AT 2X (JND): 1.4<br>IMAGES APART IN THE MOSAIC (PX): 2.0"
+        "<br>FEATHERING; BLUR<br>OBSERVER: NOT SURE"
     )
 
 
@@ -111,7 +114,8 @@ def test_the_table_is_in_the_users_language_and_its_fields_keep_their_names(shou
     assert layer.fields().names() == names
     assert [field.alias() for field in layer.fields()] == [
         "WINDOW", "VERDICT", "why", "VERDICT AGAINST", "KEPT 1", "KEPT 1, AT LEAST", "KEPT 1, AT MOST",
-        "VISIBILITY AT 2X (JND)", "ALL CAUSES", "OBSERVER",
+        "WIDTH OF THE FEATHER (M)", "VISIBILITY AT 2X (JND)", "IMAGES APART IN THE MOSAIC (PX)", "ALL CAUSES",
+        "OBSERVER",
     ]  # fmt: skip
     words = layer.editorWidgetSetup(names.index("verdict"))
     formatter = QgsApplication.fieldFormatterRegistry().fieldFormatter("ValueMap")

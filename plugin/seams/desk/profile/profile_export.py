@@ -22,8 +22,8 @@ from .profile_painter import ProfilePainter
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult
 
-COLUMNS = ("window_id", "level", "from", "to", "kept", "low", "high", "area")
-"""Distances in m, area in m2."""
+COLUMNS = ("window_id", "level", "from", "to", "kept", "low", "high", "area", "mixture")
+"""Distances in m, area in m2; the mixture is the share of the image beyond the seam."""
 _WIDTH, _HEIGHT, _SCALE = 560, 340, 3  # px of a picture, and how many dots each is
 
 
@@ -106,7 +106,8 @@ def _rows(result: WindowResult) -> Iterator[tuple[object, ...]]:
     for one in result.profile.bins if result.profile is not None else ():
         far = "" if isinf(one.far_px) else f"{one.far_px * metres:.6g}"
         numbers = (f"{value:.6g}" for value in (one.kept, one.low, one.high, one.area_px * metres**2))
-        yield (result.window_id, one.level, f"{one.near_px * metres:.6g}", far, *numbers)
+        mixture = "" if one.mixture is None else f"{one.mixture:.6g}"
+        yield (result.window_id, one.level, f"{one.near_px * metres:.6g}", far, *numbers, mixture)
 
 
 def _save_image(image: QImage, path: Path) -> None:

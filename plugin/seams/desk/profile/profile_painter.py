@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from ....toolkit.charts.chart_style import ChartStyle
     from ...measure.profile.seam_profile import ProfileBin
 
+_NARROW = 0.6  # of the axis: words of the mixture's line may take so much of it
 _ROOMY_LINES = 13  # of the font: a lower chart has no title below its axis
 
 
@@ -28,13 +29,17 @@ def bin_words(shown: ShownProfile, one: ProfileBin) -> list[str]:
     values = {
         "near": shown_number(one.near_px * shown.pixel_m), "far": shown_number(one.far_px * shown.pixel_m),
         "kept": percent(one.kept), "low": percent(one.low), "high": percent(one.high),
+        "other": percent(one.mixture or 0),
     }  # fmt: skip
     if isinf(one.far_px):
         long, short = tr("beyond {near} m from the seam: {kept} % kept ({low} to {high} %)"), tr("> {near} m: {kept} %")
     else:
         long = tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)")
         short = tr("{near} to {far} m: {kept} %")
-    return [filled(long, **values), filled(short, **values)]
+    words = [long, short]
+    if one in shown.mixed:
+        words.insert(0, tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image"))
+    return [filled(text, **values) for text in words]
 
 
 def summary_words(shown: ShownProfile) -> list[str]:
@@ -45,10 +50,15 @@ def summary_words(shown: ShownProfile) -> list[str]:
     values = {
         "kept": percent(profile.kept[0]), "low": percent(profile.low), "high": percent(profile.high),
         "width": shown_number(profile.band_width_px * shown.pixel_m, 1),
+        "feather": shown_number((profile.feather_width_px or 0) * shown.pixel_m, 1),
     }  # fmt: skip
     words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
     if profile.band_width_px:
         words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m"))
+        if profile.feather_width_px:
+            words.insert(
+                0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m")
+            )
     return [filled(text, **values) for text in words]
 
 
@@ -87,6 +97,7 @@ class ProfilePainter:
         painter.save()
         painter.setClipRect(self.axes.adjusted(0, -1, 0, 1))
         self._paint_interval(painter)
+        self._paint_mixture(painter)
         for level in sorted(self._shown.levels, reverse=True):
             self._paint_level(painter, level)
         if marked_m is not None:
@@ -150,6 +161,22 @@ class ProfilePainter:
             left, right = self._scale.ends(one)
             painter.drawRect(QRectF(QPointF(left, self.y_of(one.high)), QPointF(right, self.y_of(one.low))))
         painter.setBrush(Qt.BrushStyle.NoBrush)
+
+    def _paint_mixture(self, painter: QPainter) -> None:
+        """With its words at the right, where a feather has ended."""
+        points = self._scale.mixture_line()
+        if not points:
+            return
+        colour, line = QColor(self._style.quiet), self._metrics.height()
+        painter.setPen(QPen(colour, 1.3 * self._style.scale, Qt.PenStyle.DotLine))
+        painter.drawPolyline(QPolygonF([QPointF(*point) for point in points]))
+        words, room = tr("share of the other image"), _NARROW * self.axes.width() - 2 * line
+        if self._metrics.horizontalAdvance(words) > room:
+            words = tr("other image")
+        y, left = self.axes.bottom() - 0.45 * line, self.axes.right() - self._metrics.horizontalAdvance(words)
+        painter.drawLine(QLineF(left - 2 * line, y - 0.3 * line, left - 0.4 * line, y - 0.3 * line))
+        painter.setPen(colour)
+        painter.drawText(QPointF(left, y), words)
 
     def _paint_level(self, painter: QPainter, level: int) -> None:
         steps = QPolygonF()

@@ -85,6 +85,13 @@ CHOSEN_COLUMNS = (
         QT_TRANSLATE_NOOP("@default", "Width of the band along the seam in which detail was lost."), _metres,
     ),
     _number(
+        "feather_width", QT_TRANSLATE_NOOP("@default", "feather width"),
+        QT_TRANSLATE_NOOP(
+            "@default", "Width over which the mixture of the two images goes from 5 to 95 %; 0 for a hard cut."
+        ),
+        _metres,
+    ),
+    _number(
         "visibility", QT_TRANSLATE_NOOP("@default", "visibility"),
         QT_TRANSLATE_NOOP(
             "@default",
@@ -92,6 +99,11 @@ CHOSEN_COLUMNS = (
             "differences, JND)."
         ),
         partial(shown_number, decimals=1),
+    ),
+    _number(
+        "misfit", QT_TRANSLATE_NOOP("@default", "misfit"),
+        QT_TRANSLATE_NOOP("@default", "How far apart the two images lie where they meet, as the mosaic has them."),
+        lambda value: filled(tr("{length} px"), length=shown_number(value, 1)),
     ),
     _number(
         "sharpness", QT_TRANSLATE_NOOP("@default", "sharpness"),
@@ -107,7 +119,7 @@ CHOSEN_COLUMNS = (
     ),
     _words(
         "causes", QT_TRANSLATE_NOOP("@default", "all causes"),
-        QT_TRANSLATE_NOOP("@default", "All that happened to the contrast, strongest first."), _causes,
+        QT_TRANSLATE_NOOP("@default", "All that happened to the contrast, what took most first."), _causes,
     ),
     _number(
         "seam_id", QT_TRANSLATE_NOOP("@default", "seam"),

@@ -39,9 +39,12 @@ _BY_LEVEL = {
 _SINGLE = (
     "window_id", "verdict", "reason", "sources", "background_ratio", "observer", "confidence", "remark", "observer_2",
     "confidence_2", "remark_2", "cause", "causes", "reference", "paper_verdict", "kept_low", "kept_high", "band_width",
-    "visibility", "unclear_share", "explained", "seam_id", "station",
+    "feather_width", "visibility", "misfit", "unclear_share", "explained", "seam_id", "station",
 )  # fmt: skip
-_FRIENDLY = {"id": "window_id", "paper": "paper_verdict", "band": "band_width", "seam": "seam_id", "sure": "confidence"}
+_FRIENDLY = {
+    "id": "window_id", "paper": "paper_verdict", "band": "band_width", "feather": "feather_width", "seam": "seam_id",
+    "sure": "confidence",
+}  # fmt: skip
 _OTHER_NAMES = {"contrast": "contrast_1", "sharpness": "sharpness_1", "added": "added_1"}
 _TEXTS = ("verdict", "reason", "observer", "remark", "observer_2", "remark_2", "cause", "causes", "reference",
           "paper_verdict", "paper")  # fmt: skip

@@ -95,7 +95,8 @@ def followed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 def feather_width_px(other: np.ndarray) -> float:
     """Full width of a linear feather that takes as far as this from a share of 10 to one of 90 %, by shares of the
-    other source (SLOTS,); 0 for a cut. As wide as can be seen where it does not end."""
+    other source (SLOTS,); 0 for a cut. As wide as can be seen where it does not end; on one side alone it ends on the
+    other as well, since all that tells of a mixture there is too weak."""
     middles = [(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])]
     reached = []
     for side in other.reshape(2, MIXED_BINS):
@@ -110,7 +111,9 @@ def feather_width_px(other: np.ndarray) -> float:
         else:
             share = (side[last] - unmixed) / max(side[last] - side[last + 1], 1e-9)
             reached.append(middles[last] + float(share) * (middles[last + 1] - middles[last]))
-    return sum(reached) / (1 - 2 * UNMIXED_SHARE)
+    least, most = sorted(reached)
+    width = 2 * least if 0 < least < most == EDGES_PX[MIXED_BINS] else least + most
+    return width / (1 - 2 * UNMIXED_SHARE)
 
 
 def _weights(products: np.ndarray, with_edge: bool) -> np.ndarray:

@@ -78,7 +78,8 @@ def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> 
     readings += [(source.ref, partial(_measured, request=request, partly=True)) for source in request.sources]
     mosaic, *others = read_each(readings)
     if isinstance(mosaic, RasterError):
-        return mosaic.message
+        is_last = request.around == request.window
+        return mosaic.message if is_last else measure_window(replace(request, is_alone=True), read_each)
     band = mosaic.clip.raster.judged_band
     sources, notices, not_covering = _comparable(others, band)
     judged = [one for one in sources if not one.clip.resampled] or sources

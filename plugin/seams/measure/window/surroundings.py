@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from ....imagery.clips import Clip
-from ....imagery.errors import NotCoveredError
+from ....imagery.errors import NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster
 from ....imagery.rasters import Raster
@@ -51,12 +51,21 @@ def read_with_surroundings(
     """
     wide: Clip | None = None
     if around != window:
-        with suppress(NotCoveredError):  # the window itself may be covered
+        with suppress(RasterError if partly else NotCoveredError):  # the window itself may be covered, and readable
             wide, factor = read_grey_clip(raster, mosaic, around, partly=True)
     if wide is not None and wide.invalid_share == 0:
         place = place_in(window, around)
         return replace(wide, bands=np.ascontiguousarray(wide.bands[(slice(None), *place)])), wide, factor
     clip, factor = read_grey_clip(raster, mosaic, window, partly)
-    if around == window or wide is None:
-        return clip, clip, factor
-    return clip, wide, factor
+    return clip, wide or _padded(clip, window, around), factor
+
+
+def _padded(clip: Clip, window: PixelWindow, around: PixelWindow) -> Clip:
+    """A clip as one of all that is around it, where that has no pixels: mirrored, so that no edge is seen there."""
+    if around == window:
+        return clip
+    place, shape = place_in(window, around), (around.height, around.width)
+    margins = [(part.start, length - part.stop) for part, length in zip(place, shape)]
+    valid = np.zeros(shape, bool)
+    valid[place] = True if clip.valid is None else clip.valid
+    return replace(clip, bands=np.pad(clip.bands, [(0, 0), *margins], "symmetric"), valid=valid)

@@ -112,13 +112,24 @@ class WindowResult:
         return self.profile.band_width_px * self.ground_sample_distance if self.profile else None
 
     @property
+    def feather_width_m(self) -> float | None:
+        """Over which the images' mixture goes from 5 to 95 %; 0 for a cut, None where it was not looked for."""
+        width = self.profile.feather_width_px if self.profile else None
+        return None if width is None else width * self.ground_sample_distance
+
+    @property
+    def misfit(self) -> float | None:
+        """How far the two images that meet lie from each other as they are placed in the mosaic, px."""
+        return self.explanation.misfit if self.explanation else None
+
+    @property
     def visibility(self) -> float | None:
         """The loss beside the seam in just noticeable differences of contrast at the desk's magnification."""
         return self.explanation.visibility if self.explanation else None
 
     @property
     def causes(self) -> tuple[Cause, ...]:
-        """All that were found, strongest first."""
+        """All that were found, what took most first."""
         return self.explanation.causes if self.explanation else ()
 
     @property

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
@@ -12,26 +11,48 @@ from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.seams.measure import causes as rules
 from seam_inspector.plugin.seams.measure import limits
-from seam_inspector.plugin.seams.measure.causes import Cause, CauseEvidence, SourceTone, Texture, find_causes
+from seam_inspector.plugin.seams.measure.causes import (
+    ALONG_THE_SEAM,
+    Cause,
+    CauseEvidence,
+    Misfit,
+    SourceTone,
+    Texture,
+    causes_taken,
+    find_causes,
+)
+from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure, SeamProfile
 
 SOUND_TEXTURE = Texture(
-    transfer=1.0, least_transfer=1.0, most_transfer=1.0, noise_dn=0.4, noise_rise=1.0, quantised=0.0
-)
+    transfer=1.0, least_transfer=1.0, most_transfer=1.0, lost=0.0, left_out=0.0, noise_dn=0.4, noise_rise=1.0,
+    quantised=0.0,
+)  # fmt: skip
 SOUND_TONE = SourceTone(share=0.5, gain=1.0, offset=0.5, gamma=1.0, colour_shift=1.0)
+SOUND_PROFILE = SeamProfile((1.0, 1.0, 1.0), 0.9, 1.1, 0.0, 0.0, (), feather_width_px=0.0)
 SOUND = CauseEvidence(
-    missing=0.0, kept=1.0, kept_high=1.1, mixed=0.0, sharpness=1.0, clipped=0.0, tones=(SOUND_TONE, SOUND_TONE),
-    unevenness=0.0, misregistration=0.0, apart=0.0, off_pixel=0.0, texture=SOUND_TEXTURE, lossy_file=False,
-)
+    missing=0.0, profile=SOUND_PROFILE, lost=0.0, mixed=0.0, sharpness=1.0, clipped=0.0, clipped_lost=0.0,
+    tones=(SOUND_TONE, SOUND_TONE), unevenness=0.0, misfit=None, off_pixel=0.0, texture=SOUND_TEXTURE,
+    lossy_file=False,
+)  # fmt: skip
 LITTLE = 1e-6
+OF_PROFILE = {"kept": "kept", "kept_high": "high", **{
+    name: name for name in ("measure", "by_energy", "by_mixture", "left_by_mixture", "feather_width_px")
+}}  # fmt: skip
+"""Values by the names that tests give them, and those of the profile."""
 
 
 def evidence(**changes: Any) -> CauseEvidence:
-    """Sound but for some values: of the evidence, of its texture, or of the tones of both sources."""
+    """Sound but for some values: of the evidence, of its profile or texture, or of the tones of both sources."""
     own = {field.name for field in fields(CauseEvidence)}
-    of_texture = {field.name for field in fields(Texture)}
+    of_texture = {field.name for field in fields(Texture)} - own
     found = replace(SOUND, **{name: value for name, value in changes.items() if name in own})
     texture = {name: value for name, value in changes.items() if name in of_texture}
-    tone = {name: value for name, value in changes.items() if name not in own | of_texture}
+    profile = {OF_PROFILE[name]: value for name, value in changes.items() if name in OF_PROFILE}
+    tone = {name: value for name, value in changes.items() if name not in own | of_texture | set(OF_PROFILE)}
+    if "kept" in profile:
+        profile["kept"] = (profile["kept"], 1.0, 1.0)
+    if profile:
+        found = replace(found, profile=replace(SOUND_PROFILE, **profile))
     if texture:
         found = replace(found, texture=replace(SOUND_TEXTURE, **texture))
     return replace(found, tones=tuple(replace(one, **tone) for one in SOUND.tones)) if tone else found
@@ -44,11 +65,13 @@ def two_tones(**changes: Any) -> CauseEvidence:
 
 NOISY = {"noise_dn": 4.0}
 COMPRESSED = {"noise_dn": 4.0, "quantised": 2 * rules.MIN_QUANTISED}
+FEATHERED = {"kept": 0.5, "kept_high": 0.6, "feather_width_px": 20.0}
+OFF = Misfit(2.0, 0.6)
 
 
 def test_where_nothing_is_lost_or_changed_none_stands_alone() -> None:
     assert find_causes(SOUND) == (Cause.NONE,)
-    assert find_causes(replace(SOUND, kept=None, kept_high=None, texture=None, tones=(), sharpness=None)) == (
+    assert find_causes(replace(SOUND, profile=None, texture=None, tones=(), sharpness=None)) == (
         Cause.NONE,
     )
     assert find_causes(evidence(gain=None, colour_shift=None)) == (Cause.NONE,)
@@ -63,17 +86,34 @@ def test_the_documentation_lists_the_causes_in_their_order(repository: Path) -> 
 def test_less_than_a_mixture_leaves_is_blur_along_the_seam() -> None:
     assert find_causes(evidence(kept=0.1, kept_high=rules.MIN_BLENDED_KEPT - LITTLE)) == (Cause.BLUR,)
     assert find_causes(evidence(kept=0.1, kept_high=rules.MIN_BLENDED_KEPT)) == (Cause.FEATHERING,)
-    assert find_causes(evidence(kept=0.1, kept_high=0.15, mixed=rules.MIN_MIXED)) == (Cause.FEATHERING,)
+
+
+@pytest.mark.parametrize("by_mixture", [0.98, 0.8])
+def test_where_energy_says_much_less_than_the_mixture_it_was_softened(by_mixture: float) -> None:
+    least = rules.MOST_LIKE_BLUR * by_mixture
+    values = {"kept_high": 0.69, "by_mixture": by_mixture, "measure": Measure.ENERGY}
+    assert find_causes(evidence(**values, kept=0.5, by_energy=least - LITTLE)) == (Cause.BLUR,)
+    assert find_causes(evidence(**values, kept=0.5, by_energy=least + LITTLE)) == (Cause.FEATHERING,)
+    agreed = {**values, "measure": Measure.BOTH}
+    assert find_causes(evidence(**agreed, kept=0.5, by_energy=least - LITTLE)) == (Cause.FEATHERING,)
+
+
+def test_images_mixed_by_no_weights_are_another_mixture() -> None:
+    most, least = rules.MOST_LEFT_BY_MIXTURE, rules.MIN_MIXED_WIDTH_PX
+    other = evidence(**{**FEATHERED, "feather_width_px": least}, left_by_mixture=most + LITTLE)
+    assert find_causes(other) == (Cause.OTHER_MIXTURE,)
+    assert find_causes(evidence(**FEATHERED, left_by_mixture=most)) == (Cause.FEATHERING,)
+    cut = evidence(**{**FEATHERED, "feather_width_px": least - LITTLE}, left_by_mixture=1.0)
+    assert Cause.OTHER_MIXTURE not in find_causes(cut)  # of a border that is known no better
 
 
 # --- limits ----------------------------------------------------------------------------------------------------
 
 AT_LIMITS: list[tuple[str, float, int, dict[str, Any], Cause]] = [
     ("missing", rules.MIN_MISSING_SHARE, 1, {}, Cause.MISSING_SOURCE),
-    ("misregistration", limits.MIN_MISREGISTRATION_PX, 1, {}, Cause.MISREGISTRATION),
     ("kept", rules.MAX_FEATHERED_KEPT, -1, {"kept_high": 0.99}, Cause.FEATHERING),
     ("kept_high", 1.0, -1, {"kept": 0.9}, Cause.FEATHERING),
-    ("mixed", rules.MIN_MIXED, 1, {"kept": None, "kept_high": None}, Cause.FEATHERING),
+    ("mixed", rules.MIN_MIXED, 1, {"profile": None}, Cause.FEATHERING),
     ("least_transfer", rules.MAX_BLURRED_TRANSFER, -1, {}, Cause.BLUR),
     ("least_transfer", rules.MAX_BLURRED_COMPRESSED, -1, COMPRESSED, Cause.BLUR),
     ("sharpness", rules.MAX_BLURRED_TRANSFER, -1, {"texture": None}, Cause.BLUR),
@@ -107,6 +147,22 @@ def test_alone_it_is_the_only_one(name: str, limit: float, beyond: int, besides:
     """What had to be there besides is a cause of its own in one case: sources that were compressed can be blurred."""
     found = find_causes(evidence(**{**besides, name: limit + beyond * LITTLE}))
     assert set(found) == ({cause, Cause.COMPRESSED} if besides is COMPRESSED else {cause})
+
+
+@pytest.mark.parametrize(
+    ("px", "share", "is_named"),
+    [
+        (limits.MIN_MISREGISTRATION_PX, rules.MIN_MISFIT_SHARE, True),
+        (limits.MIN_MISREGISTRATION_PX - LITTLE, 1.0, False),  # they fit
+        (3.0, rules.MIN_MISFIT_SHARE - LITTLE, False),  # moved or not, they show other things
+    ],
+)
+def test_misregistration_is_what_images_differ_by_since_they_do_not_fit(
+    px: float, share: float, is_named: bool
+) -> None:
+    found = find_causes(evidence(**FEATHERED, lost=0.2, misfit=Misfit(px, share)))
+    assert (Cause.MISREGISTRATION in found) is is_named
+    assert Cause.FEATHERING in found
 
 
 @pytest.mark.parametrize(
@@ -146,9 +202,9 @@ def test_what_changes_from_place_to_place_is_dodging_and_no_tone(spoilt: dict[st
 @pytest.mark.parametrize("spoilt", [{"gamma": 1.5}, {"colour_shift": 1.5}])
 def test_where_most_is_mixed_tones_between_two_sources_say_nothing(spoilt: dict[str, Any]) -> None:
     most = rules.MIN_MOSTLY_MIXED
-    assert find_causes(evidence(**spoilt, mixed=most)) == (Cause.FEATHERING,)
-    assert len(find_causes(evidence(**spoilt, mixed=most - LITTLE))) == 2
-    assert find_causes(replace(two_tones(gain=1.5), mixed=most)) == (Cause.FEATHERING,)
+    assert find_causes(evidence(**spoilt, **FEATHERED, mixed=most)) == (Cause.FEATHERING,)
+    assert len(find_causes(evidence(**spoilt, **FEATHERED, mixed=most - LITTLE))) == 2
+    assert find_causes(replace(two_tones(gain=1.5), mixed=most)) == (Cause.NONE,)
 
 
 def test_a_gamma_is_not_called_a_narrowed_histogram_too() -> None:
@@ -168,10 +224,6 @@ def test_a_files_own_compression_alone_is_no_cause() -> None:
     assert find_causes(replace(SOUND, lossy_file=True)) == (Cause.NONE,)
 
 
-def test_what_lies_elsewhere_is_not_called_noise() -> None:
-    assert find_causes(evidence(**NOISY, misregistration=1.0)) == (Cause.MISREGISTRATION,)
-
-
 def test_noise_that_follows_strong_detail_is_no_noise() -> None:
     assert find_causes(evidence(**NOISY, noise_rise=3.0)) == (Cause.NONE,)
 
@@ -179,116 +231,117 @@ def test_noise_that_follows_strong_detail_is_no_noise() -> None:
 def test_blur_needs_unmixed_ground_or_hardly_any_mixture() -> None:
     blurred = replace(SOUND, texture=None, sharpness=0.6)
     assert find_causes(blurred) == (Cause.BLUR,)
-    assert find_causes(replace(blurred, mixed=rules.MIN_MIXED)) == (Cause.FEATHERING,)
+    assert find_causes(replace(blurred, mixed=rules.MIN_MIXED)) == (Cause.NONE,)
 
 
-def test_without_a_seam_there_is_no_feathering_however_little_is_known() -> None:
-    assert find_causes(replace(SOUND, kept=None, kept_high=None)) == (Cause.NONE,)
-    assert find_causes(replace(SOUND, kept=0.2, kept_high=None)) == (Cause.NONE,)
+def test_without_a_profile_much_that_is_mixed_is_a_feather() -> None:
+    assert find_causes(replace(SOUND, profile=None)) == (Cause.NONE,)
+    assert find_causes(replace(SOUND, profile=None, mixed=rules.MIN_MIXED, lost=0.3)) == (Cause.FEATHERING,)
 
 
 @pytest.mark.parametrize(("kept", "high"), [(0.5, 1.0), (0.5, 1.4), (0.98, 0.99)])
 def test_a_loss_that_may_be_none_is_no_feathering(kept: float, high: float) -> None:
-    assert find_causes(replace(SOUND, kept=kept, kept_high=high)) == (Cause.NONE,)
+    assert find_causes(evidence(kept=kept, kept_high=high)) == (Cause.NONE,)
 
 
 # --- several at once -------------------------------------------------------------------------------------------
 
 EVERYTHING: dict[str, Any] = {
-    "missing": 0.2, "misregistration": 1.0, "apart": 1.0, "kept": 0.5, "kept_high": 0.7, "most_transfer": 1.5,
-    "least_transfer": 0.4, "noise_dn": 6.0, "quantised": 1.0, "clipped": 0.02, "gamma": 1.4, "colour_shift": 1.2,
-}
+    "missing": 0.5, **FEATHERED, "lost": 0.4, "misfit": Misfit(1.0, 0.25), "least_transfer": 0.4, "most_transfer": 1.5,
+    "left_out": 0.12, "noise_dn": 6.0, "quantised": 1.0, "clipped": 0.02, "clipped_lost": 0.05, "gamma": 1.4,
+    "colour_shift": 1.2,
+}  # fmt: skip
 
 
-def test_all_that_took_part_are_named() -> None:
-    found = find_causes(evidence(**EVERYTHING))
-    assert set(found) == {
-        Cause.MISSING_SOURCE, Cause.MISREGISTRATION, Cause.FEATHERING, Cause.BLUR, Cause.SHARPENED, Cause.COMPRESSED,
-        Cause.CLIPPING, Cause.GAMMA, Cause.COLOUR_SHIFT,
-    }
+def everything(**mended: Any) -> CauseEvidence:
+    found = evidence(**{**EVERYTHING, **mended})
+    return replace(found, texture=replace(found.texture, lost=0.2)) if found.texture else found
 
 
-def test_what_is_missing_goes_first_then_what_happened_at_the_seam_then_the_whole_then_tones() -> None:
-    found = find_causes(evidence(**EVERYTHING))
-    assert found[:3] == (Cause.MISSING_SOURCE, Cause.MISREGISTRATION, Cause.FEATHERING)
-    of_detail = {Cause.BLUR, Cause.SHARPENED, Cause.COMPRESSED}
-    assert set(found[3:6]) == of_detail
-    assert set(found[6:]) == {Cause.CLIPPING, Cause.GAMMA, Cause.COLOUR_SHIFT}
+def test_all_that_took_part_are_ranked_by_what_each_took_in_one_unit() -> None:
+    assert causes_taken(everything()) == (
+        (Cause.MISSING_SOURCE, 0.5), (Cause.FEATHERING, pytest.approx(0.3)), (Cause.BLUR, 0.2),
+        (Cause.MISREGISTRATION, pytest.approx(0.1)), (Cause.CLIPPING, 0.05), (Cause.SHARPENED, 0.0),
+        (Cause.COMPRESSED, 0.0), (Cause.GAMMA, 0.0), (Cause.COLOUR_SHIFT, 0.0),
+    )  # fmt: skip
 
 
 def test_mended_one_by_one_the_next_comes_first() -> None:
     mended: list[tuple[Cause, dict[str, Any]]] = [
-        (Cause.MISSING_SOURCE, {"missing": 0.0}), (Cause.MISREGISTRATION, {"misregistration": 0.0, "apart": 0.0}),
-        (Cause.FEATHERING, {"kept": 1.0, "kept_high": 1.1}), (Cause.BLUR, {"least_transfer": 1.0}),
-        (Cause.SHARPENED, {"most_transfer": 1.0}), (Cause.COMPRESSED, {"quantised": 0.0, "noise_dn": 0.4}),
-        (Cause.CLIPPING, {"clipped": 0.0}), (Cause.GAMMA, {"gamma": 1.0}), (Cause.COLOUR_SHIFT, {"colour_shift": 1.0}),
-    ]
-    left = dict(EVERYTHING)
+        (Cause.MISSING_SOURCE, {"missing": 0.0}), (Cause.FEATHERING, {"kept": 1.0, "kept_high": 1.1, "lost": 0.0}),
+        (Cause.BLUR, {"least_transfer": 1.0}), (Cause.COMPRESSED, {"quantised": 0.0, "noise_dn": 0.4}),
+        (Cause.CLIPPING, {"clipped": 0.0}), (Cause.SHARPENED, {"most_transfer": 1.0}), (Cause.GAMMA, {"gamma": 1.0}),
+        (Cause.COLOUR_SHIFT, {"colour_shift": 1.0}),
+    ]  # fmt: skip
+    left: dict[str, Any] = {}
     for cause, mend in mended:
-        assert find_causes(evidence(**left))[0] is cause
+        assert find_causes(everything(**left))[0] is cause
         left.update(mend)
-    assert find_causes(evidence(**left)) == (Cause.NONE,)
-
-
-def test_a_seam_goes_before_what_came_over_the_whole_mosaic() -> None:
-    for spoilt in (
-        {"most_transfer": 3.0}, {"least_transfer": 0.3}, {"off_pixel": 0.5}, NOISY, COMPRESSED, {"clipped": 0.3},
-        {"gain": 0.4}, {"gamma": 2.5}, {"colour_shift": 2.0}, {"unevenness": 1.0},
-    ):
-        found = find_causes(evidence(**spoilt, kept=0.9, kept_high=0.95))
-        assert found[0] is Cause.FEATHERING
-        assert len(found) == 2
-
-
-def test_all_of_a_mosaic_off_its_place_lost_nothing_at_the_seam() -> None:
-    """Images that do not fit are what spoils a feather; a mosaic that lies elsewhere as a whole is another matter."""
-    whole = evidence(misregistration=1.0, apart=0.0, kept=0.8, kept_high=0.9)
-    apart = replace(whole, apart=1.0)
-    assert find_causes(whole) == (Cause.FEATHERING, Cause.MISREGISTRATION)
-    assert find_causes(apart) == (Cause.MISREGISTRATION, Cause.FEATHERING)
-    limit = limits.MIN_MISREGISTRATION_PX / 2
-    assert find_causes(replace(whole, apart=limit))[0] is Cause.MISREGISTRATION
-    assert find_causes(replace(whole, apart=limit - LITTLE))[0] is Cause.FEATHERING
+    assert find_causes(everything(**left)) == (Cause.NONE,)
 
 
 @pytest.mark.parametrize(
-    ("little", "much"),
-    [
-        ({"least_transfer": 0.9, "most_transfer": 1.4}, {"least_transfer": 0.3, "most_transfer": 1.1}),
-        ({**COMPRESSED, "noise_dn": 2.0, "most_transfer": 2.5}, {**COMPRESSED, "noise_dn": 20.0, "most_transfer": 1.1}),
-    ],
-    ids=["blur and sharpening", "compression and sharpening"],
-)
-def test_the_stronger_of_two_goes_first(little: dict[str, Any], much: dict[str, Any]) -> None:
-    assert find_causes(evidence(**little))[0] is Cause.SHARPENED
-    assert find_causes(evidence(**much))[0] is not Cause.SHARPENED
-    assert set(find_causes(evidence(**little))) == set(find_causes(evidence(**much)))
+    "spoilt",
+    [{"most_transfer": 3.0}, NOISY, {"gain": 0.4}, {"gamma": 2.5}, {"colour_shift": 2.0}, {"unevenness": 1.0},
+     {"unevenness": 1.0, "clipped": 0.3}],
+)  # fmt: skip
+def test_what_took_nothing_comes_after_all_that_did(spoilt: dict[str, Any]) -> None:
+    for least in ({"clipped": 0.01, "clipped_lost": LITTLE}, {**FEATHERED, "lost": LITTLE}):
+        found = causes_taken(evidence(**{**least, **spoilt}))
+        shares = [share for _, share in found]
+        assert len(found) > 1
+        assert shares == sorted(shares, reverse=True)
+        assert min(shares) == 0
 
 
-def strength_of(cause: Cause) -> Callable[..., float]:
-    return lambda **changes: cause.strength(evidence(**changes))
+def test_what_came_over_the_whole_goes_before_a_seam_that_took_less() -> None:
+    for lost, first in ((0.05, Cause.BLUR), (0.3, Cause.FEATHERING)):
+        own = evidence(**FEATHERED, lost=lost, least_transfer=0.8)
+        assert own.texture is not None
+        assert find_causes(replace(own, texture=replace(own.texture, lost=0.2)))[0] is first
 
 
 @pytest.mark.parametrize(
-    ("cause", "name", "values", "besides"),
+    ("share", "causes"),
     [
-        (Cause.MISSING_SOURCE, "missing", (0.03, 0.2, 0.9), {}),
-        (Cause.FEATHERING, "kept", (0.9, 0.6, 0.3), {"kept_high": 0.95}),
-        (Cause.BLUR, "least_transfer", (0.9, 0.7, 0.3), {}),
-        (Cause.SHARPENED, "most_transfer", (1.1, 1.5, 2.5), {}),
-        (Cause.COMPRESSED, "noise_dn", (2.0, 5.0, 20.0), {"quantised": 1.0}),
-        (Cause.NOISE_ADDED, "noise_dn", (2.0, 5.0, 20.0), {}),
-        (Cause.CLIPPING, "clipped", (0.01, 0.05, 0.5), {}),
-        (Cause.NARROWED_HISTOGRAM, "gain", (0.8, 0.6, 0.3), {}),
+        (0.6, (Cause.MISREGISTRATION, Cause.FEATHERING)),
+        (0.4, (Cause.FEATHERING, Cause.MISREGISTRATION)),
+        (0.1, (Cause.FEATHERING,)),
     ],
 )
-def test_the_more_it_did_the_stronger_it_is(
-    cause: Cause, name: str, values: tuple[float, ...], besides: dict[str, Any]
+def test_a_misfit_goes_first_where_it_is_more_than_half_of_what_a_feather_took(
+    share: float, causes: tuple[Cause, ...]
 ) -> None:
-    strengths = [strength_of(cause)(**besides, **{name: value}) for value in values]
-    assert strengths == sorted(strengths)
-    assert strengths[0] > 0
-    assert strengths[-1] > strengths[0]
+    assert find_causes(evidence(**FEATHERED, lost=0.2, misfit=Misfit(2.0, share))) == causes
+    assert sum(taken for _, taken in causes_taken(evidence(**FEATHERED, lost=0.2, misfit=Misfit(2.0, share)))) == (
+        pytest.approx(0.2)
+    )
+
+
+def test_at_a_cut_a_misfit_takes_nothing() -> None:
+    assert find_causes(evidence(misfit=Misfit(3.0, 0.8))) == (Cause.NONE,)
+
+
+def test_what_takes_detail_beside_a_seam_alone_is_known() -> None:
+    assert set(ALONG_THE_SEAM) == {Cause.FEATHERING, Cause.OTHER_MIXTURE, Cause.MISREGISTRATION}
+    for share in (0.1, 0.3):
+        taken = dict(causes_taken(evidence(**FEATHERED, lost=share, misfit=OFF, left_by_mixture=0.0)))
+        assert sum(taken[one] for one in taken if one in ALONG_THE_SEAM) == pytest.approx(share)
+
+
+@pytest.mark.parametrize(
+    ("cause", "name", "besides"),
+    [
+        (Cause.MISSING_SOURCE, "missing", {}),
+        (Cause.FEATHERING, "lost", FEATHERED),
+        (Cause.OTHER_MIXTURE, "lost", {**FEATHERED, "left_by_mixture": 0.5}),
+        (Cause.COMPRESSED, "left_out", COMPRESSED),
+        (Cause.CLIPPING, "clipped_lost", {"clipped": 0.3}),
+    ],
+)
+def test_the_more_it_took_the_farther_it_goes(cause: Cause, name: str, besides: dict[str, Any]) -> None:
+    shares = [dict(causes_taken(evidence(**besides, **{name: value})))[cause] for value in (0.1, 0.2, 0.9)]
+    assert shares == [0.1, 0.2, 0.9]
 
 
 @given(
@@ -301,9 +354,9 @@ def test_whatever_was_measured_there_is_a_cause_or_none_alone(
     quantised: float, shift: float, uneven: float,
 ) -> None:
     found = find_causes(evidence(
-        missing=missing, kept=kept, kept_high=1.2 * kept, mixed=mixed, clipped=clipped, gain=gain, gamma=gamma,
-        transfer=transfer, least_transfer=transfer, most_transfer=transfer, noise_dn=noise, quantised=quantised,
-        misregistration=shift, apart=shift, unevenness=uneven,
+        missing=missing, kept=kept, kept_high=1.2 * kept, lost=max(1 - kept, 0), mixed=mixed, clipped=clipped,
+        gain=gain, gamma=gamma, transfer=transfer, least_transfer=transfer, most_transfer=transfer, noise_dn=noise,
+        quantised=quantised, misfit=Misfit(shift, missing), unevenness=uneven,
     ))
     assert len(set(found)) == len(found) > 0
     assert Cause.UNCLEAR not in found

@@ -14,7 +14,7 @@ from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.measure.causes import Cause
+from seam_inspector.plugin.seams.measure.causes import Cause, causes_taken
 from seam_inspector.plugin.seams.measure.explanation import Explanation
 from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
 from seam_inspector.plugin.seams.measure.inspection import (
@@ -26,6 +26,7 @@ from seam_inspector.plugin.seams.measure.inspection import (
 from seam_inspector.plugin.seams.measure.verdicts import Verdict, judge_by_seam
 
 from benchmarks import aftermaths
+from benchmarks.detail import details
 from benchmarks.scenes import (
     Scene,
     Truth,
@@ -40,7 +41,6 @@ from benchmarks.scenes import (
     whole_values,
 )
 from benchmarks.seam_makings import seam_distance
-from benchmarks.true_profile import truth_kept
 from tests.numbers.synthetic import orthoimage
 
 MOST_MIXED = 0.005  # of the pixels of a hard cut
@@ -96,9 +96,44 @@ def spoilt(scenes: list[Scene]) -> Found:
     return found
 
 
+def smaller_share(scene: Scene) -> float:
+    """Of the window, of the second of its two main images."""
+    return float(min((scene.labels == number).mean() for number in scene.main))
+
+
+def besides_misfit(found: Explanation) -> tuple[Cause, ...]:
+    """Brighton's own orthoimages lie apart in relief, by up to 3 px."""
+    return tuple(cause for cause in found.causes if cause is not Cause.MISREGISTRATION) or (Cause.NONE,)
+
+
 def test_the_cause_is_found(spoilt: Found) -> None:
-    wrong = Counter((truth.name, found.cause.value) for truth, _, found in spoilt if found.cause is not truth.cause)
-    assert sum(wrong.values()) <= 0.05 * len(spoilt), wrong
+    judged = [(truth, besides_misfit(found)[0]) for truth, _, found in spoilt if not truth.shift]
+    wrong = Counter((truth.name, cause.value) for truth, cause in judged if cause is not truth.cause)
+    assert sum(wrong.values()) <= 0.05 * len(judged), wrong
+
+
+def test_what_took_nothing_comes_last(spoilt: Found) -> None:
+    for truth, _, found in spoilt:
+        taken = dict(causes_taken(found.evidence))
+        shares = [taken[cause] for cause in found.causes if cause in taken]
+        assert shares == sorted(shares, reverse=True), truth.name
+        if truth.cause in (Cause.NONE, Cause.NARROWED_HISTOGRAM, Cause.COLOUR_SHIFT):
+            assert max(shares, default=0) < 0.02, (truth.name, taken)
+
+
+def test_a_blur_took_what_it_left_out(spoilt: Found) -> None:
+    for truth, _, found in spoilt:
+        if truth.cause is Cause.BLUR:
+            assert found.sharpness is not None
+            assert causes_taken(found.evidence)[0] == (Cause.BLUR, pytest.approx(1 - found.sharpness**2, abs=0.1))
+
+
+def test_feathers_are_as_wide_as_they_were_made(spoilt: Found) -> None:
+    """A Gaussian goes from 5 to 95 % over 3.29 sigma."""
+    for truth, scene, found in spoilt:
+        if truth.cause is Cause.FEATHERING and smaller_share(scene) > 0.2:
+            assert found.profile is not None
+            assert found.profile.feather_width_px == pytest.approx(3.29 * sigma_of(truth), rel=0.25), truth.name
 
 
 def test_gain_and_bias_are_measured(spoilt: Found) -> None:
@@ -146,17 +181,33 @@ def test_shifts_are_measured(spoilt: Found) -> None:
 CHANGES_THE_WHOLE = (Cause.NONE, Cause.NARROWED_HISTOGRAM, Cause.GAMMA, Cause.CLIPPING, Cause.COLOUR_SHIFT, Cause.BLUR)
 
 
-def true_kept(scene: Scene, bands: np.ndarray, hard: np.ndarray) -> float:
-    """Of a hard cut's finest detail within 8 px of the seam, by PyWavelets."""
-    planes = [luminance(one).astype(np.float64) for one in (hard, bands)]
-    return truth_kept(*planes, seam_distance(scene.labels), 1, "coif3").near
+def true_kept(scene: Scene, sigma_px: float, change: aftermaths.Change | None = None) -> float:
+    """What a feather of that sigma leaves of the sources' finest detail within 8 px of the seam, by PyWavelets.
+
+    ``change``: what came over all of them, which is linear.
+    """
+    bands = [clip.bands if change is None else change(clip.bands, RNG) for clip in scene.sources]
+    fine = [details(luminance(one), 1, "coif3") for one in bands]
+    followed = [(scene.labels == number).astype(np.float32) for number in range(len(fine))]
+    weights = [ndimage.gaussian_filter(one, sigma_px) for one in followed]
+    near = seam_distance(scene.labels) <= 8
+    made, plain = (
+        float(np.square(sum(share * one for share, one in zip(shares, fine)))[:, near].sum())
+        for shares in (weights, followed)
+    )
+    return made / plain
+
+
+def sigma_of(truth: Truth) -> float:
+    """Of a feather, px."""
+    return float(truth.name.split()[1]) / 0.03
 
 
 def test_what_feathers_kept_is_told(spoilt: Found) -> None:
     errors, held = [], []
     for truth, scene, found in spoilt:
         if truth.cause is Cause.FEATHERING:
-            kept = true_kept(scene, truth.make(scene), scene.cut())
+            kept = true_kept(scene, sigma_of(truth))
             assert found.profile is not None
             assert found.profile.kept[0] is not None
             errors.append(found.profile.kept[0] - kept)
@@ -199,19 +250,18 @@ AFTERWARDS = {
 @pytest.mark.parametrize("name", AFTERWARDS)
 def test_what_came_afterwards_is_named_beside_the_feather_and_hides_it_not(scenes: list[Scene], name: str) -> None:
     change, cause = AFTERWARDS[name]
-    for scene in scenes[:2]:
+    for scene in [one for one in scenes if smaller_share(one) > 0.3 and len(np.unique(one.labels)) == 2][:2]:
         hard, feathered = scene.cut(), feather(scene.labels, [clip.bands for clip in scene.sources], 13)
         after_feather, after_cut = (explained(scene, change(bands, RNG))[0] for bands in (feathered, hard))
-        assert after_feather.causes[0] is Cause.FEATHERING
-        assert cause in after_feather.causes
-        assert after_cut.cause is cause
+        assert {Cause.FEATHERING, cause} <= set(after_feather.causes)
+        assert besides_misfit(after_cut)[0] is cause
+        if not dict(causes_taken(after_cut.evidence))[cause]:  # it took nothing
+            assert Cause.FEATHERING in after_feather.causes[:2]
         assert Cause.FEATHERING not in after_cut.causes
         assert after_feather.profile is not None
         assert after_cut.profile is not None
-        planes = (feathered, hard)
-        if cause in (Cause.BLUR, Cause.RESAMPLED):  # what is left of the detail is of lower frequencies
-            planes = change(feathered, RNG), change(hard, RNG)
-        assert after_feather.profile.kept[0] == pytest.approx(true_kept(scene, *planes), abs=0.12)
+        of_lower = change if cause in (Cause.BLUR, Cause.RESAMPLED) else None  # frequencies, which keep more
+        assert after_feather.profile.kept[0] == pytest.approx(true_kept(scene, 13, of_lower), abs=0.12)
         assert after_feather.profile.high < 1
         assert after_cut.profile.high >= 1
 
@@ -222,7 +272,7 @@ def test_sources_that_were_balanced_are_no_loss(scenes: list[Scene]) -> None:
         toned[scene.main[0]] = 0.85 * toned[scene.main[0]]
         toned[scene.main[1]] = 1.1 * toned[scene.main[1]]
         found = explained(scene, whole_values(cut(scene.labels, toned)))[0]
-        assert found.cause is Cause.BALANCED
+        assert besides_misfit(found)[0] is Cause.BALANCED
         assert judge_by_seam(found.profile, found.has_seam, found.sharpness)[0] is Verdict.PRESERVED
         gains = sorted(tone.gain for tone in found.evidence.tones if tone.gain)
         assert gains[0] == pytest.approx(0.85, rel=0.02)

@@ -39,6 +39,8 @@ class JudgedPiece:
     """Why there is no verdict."""
     visibility: float | None = None
     """The loss in just noticeable differences of contrast at 2x; None too where no source says what there was."""
+    feather_width_m: float | None = None
+    """Over which the images' mixture goes from 5 to 95 %; 0 for a cut, None where it was not looked for."""
     left_date: str | None = None
     """When the source on the left hand was taken, where the seams say so."""
     right_date: str | None = None
@@ -69,7 +71,8 @@ def judge_piece(
     if verdict is Verdict.NOT_COMPARABLE and profile.high > MAX_INTERVAL_FACTOR * profile.low:
         why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
     width = profile.band_width_px * ground_sample_distance
-    return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, visibility)
+    feather = None if profile.feather_width_px is None else profile.feather_width_px * ground_sample_distance
+    return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, visibility, feather)
 
 
 def dated(one: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:

@@ -1,0 +1,139 @@
+"""Misregistration is that of images as they are placed in the mosaic, not of the mosaic and an orthoimage as given."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from scipy import ndimage
+from seam_inspector.plugin.imagery.clips import Clip
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.rasters import Raster
+from seam_inspector.plugin.imagery.shifts import Shift
+from seam_inspector.plugin.seams.measure.causes import ALONG_THE_SEAM, Cause, causes_taken
+from seam_inspector.plugin.seams.measure.explanation import Explanation
+from seam_inspector.plugin.seams.measure.misfit import misfit_of, placed_misfit
+
+from benchmarks.scenes import Scene, explained, whole_values
+from tests.numbers.synthetic import orthoimage, texture
+
+SIDE, EDGE = 384, 16
+OWN = 1.0  # of the ground's fine detail: what either image alone shows, so that their finest details agree by half
+FEATHER_SIGMA_PX = 10.0  # from 5 to 95 % in 33 px
+Place = tuple[float, float]
+NOWHERE: Place = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Placing:
+    """How a second image lies, px to the right and down: as it is given, on its own grid, and in the mosaic; and how
+    the mosaic lies as a whole."""
+
+    given: Place = NOWHERE
+    grid: Place = NOWHERE
+    placed: Place = NOWHERE
+    whole: Place = NOWHERE
+
+
+PLACINGS = {
+    "fits": Placing(),
+    "1 px off": Placing(given=(1.0, 0.0), placed=(1.0, 0.0)),
+    "2 px off": Placing(given=(1.2, -1.6), placed=(1.2, -1.6)),
+    "3 px off": Placing(given=(0.0, 3.0), placed=(0.0, 3.0)),
+    "moved in the mosaic": Placing(placed=(1.2, -1.6)),
+    "corrected": Placing(given=(2.0, 0.5)),
+    "grids out of phase": Placing(grid=(0.4, -0.3)),
+    "the whole mosaic moved": Placing(whole=(0.5, 0.3)),
+    "the whole mosaic moved, 2 px off": Placing(given=(1.2, -1.6), placed=(1.2, -1.6), whole=(0.5, 0.3)),
+}
+FEATHERS = {"hard": 0.0, "33 px": FEATHER_SIGMA_PX}
+
+
+def seen(ground: np.ndarray, place: Place) -> np.ndarray:
+    """(bands, rows, columns) without the edges, when the ground lies so many px to the right and down."""
+    moved = ground if place == NOWHERE else ndimage.shift(ground, (0, place[1], place[0]), order=5, mode="mirror")
+    return moved[:, EDGE:-EDGE, EDGE:-EDGE]
+
+
+def generated() -> np.ndarray:
+    side = SIDE + 2 * EDGE
+    return ndimage.gaussian_filter(orthoimage((side, side)).astype(np.float32), (0, 0.6, 0.6))
+
+
+@pytest.fixture(scope="module", params=["generated", "real"])
+def ground(request: pytest.FixtureRequest) -> np.ndarray:
+    """(bands, rows, columns) float32 of one image, a margin on every side."""
+    if request.param == "generated":
+        return generated()
+    path: Path = request.getfixturevalue("data_folder") / "seams" / "brighton"
+    dataset = gdal.Open(str(sorted(path.glob("DJI_*.tif"))[2]))
+    side = SIDE + 2 * EDGE
+    left, top = (dataset.RasterXSize - side) // 2, (dataset.RasterYSize - side) // 2
+    return np.asarray(dataset.ReadAsArray(left, top, side, side)[:3], np.float32)
+
+
+def own_detail(ground: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """As strong as the ground's within some pixels, alike in all bands."""
+    noise = ndimage.gaussian_filter(rng.normal(0, 1, ground.shape[1:]), 0.6)
+    noise -= ndimage.gaussian_filter(noise, 2)
+    fine = ground - ndimage.gaussian_filter(ground, (0, 2, 2))
+    return np.asarray(OWN * fine.std() / noise.std() * noise, np.float32)
+
+
+def found_in(ground: np.ndarray, placing: Placing, sigma_px: float, raster: Raster) -> Explanation:
+    """A mosaic of two images of one ground that differ by their noise; the seam winds down its middle."""
+    rng = np.random.default_rng(3)
+    first, second = (ground + own_detail(ground, rng) for _ in range(2))
+    border = SIDE // 2 + 12 * np.sin(np.arange(SIDE) / 40)
+    labels = (np.arange(SIDE) >= border[:, np.newaxis]).astype(np.uint8)
+    share = labels.astype(np.float32) if not sigma_px else ndimage.gaussian_filter(labels.astype(np.float32), sigma_px)
+    in_mosaic = tuple(np.add(placing.placed, placing.whole).tolist())
+    bands = (1 - share) * seen(first, placing.whole) + share * seen(second, (in_mosaic[0], in_mosaic[1]))
+    on_grid = placing.given[0] + placing.grid[0], placing.given[1] + placing.grid[1]
+    clips = (
+        Clip(raster, whole_values(seen(first, NOWHERE)), 0.0),
+        Clip(raster, whole_values(seen(second, on_grid)), 0.0, *placing.grid),
+    )
+    return explained(Scene(PixelWindow(0, 0, SIDE, SIDE), labels, clips, raster), whole_values(bands))[0]
+
+
+@pytest.mark.parametrize("feather", FEATHERS)
+@pytest.mark.parametrize("name", PLACINGS)
+def test_what_counts_is_how_images_are_placed(ground: np.ndarray, mosaic: Raster, name: str, feather: str) -> None:
+    true = float(np.hypot(*PLACINGS[name].placed))
+    found = found_in(ground, PLACINGS[name], FEATHERS[feather], mosaic)
+    if found.misfit is not None or name != "corrected":  # there the second image may be found to be none of these
+        assert found.misfit == pytest.approx(true, abs=0.1)
+    assert (Cause.MISREGISTRATION in found.causes) is (true >= 1 and feather != "hard")
+    taken = dict(causes_taken(found.evidence))
+    if feather == "hard":
+        assert not any(taken.get(cause) for cause in ALONG_THE_SEAM)
+    elif name != "corrected":
+        assert Cause.FEATHERING in found.causes
+        misfit = found.evidence.misfit
+        assert misfit is not None
+        is_first = taken.get(Cause.MISREGISTRATION, 0.0) > taken[Cause.FEATHERING]
+        assert is_first is (misfit.share > 0.5)
+
+
+def test_a_common_offset_and_a_correction_drop_out() -> None:
+    between, first, second = Shift(1.5, -0.5, 0.5), Shift(0.25, 0.25, 0.5), Shift(1.75, -0.25, 0.5)
+    assert placed_misfit(between, first, second) == (0.0, 0.0)
+    assert placed_misfit(between, first, first) == (1.5, -0.5)
+    moved = (Shift(one.x + 0.5, one.y - 0.25, 0.5) for one in (first, second))
+    assert placed_misfit(between, *moved) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(("away", "share"), [((0.3, 0.2), 0.0), ((2.0, -1.0), 1.0)])
+def test_the_share_is_what_images_would_not_differ_by_if_they_fitted(away: Place, share: float) -> None:
+    """(aligned - placed) / (1 - placed), the agreement of the finest details: of one image with itself, all of it."""
+    plane = (100 + 20 * texture((256, 256), 1.5, 5)).astype(np.float32)
+    moved = np.asarray(ndimage.shift(plane, (away[1], away[0]), order=5, mode="mirror"), np.float32)
+    shown, seam = {0: moved, 4: plane}, np.zeros((256, 256), bool)
+    seam[:, 104:152] = True
+    found = misfit_of(away, shown, (0, 4), seam, "coif3")
+    assert found.px == pytest.approx(np.hypot(*away))
+    assert found.share == pytest.approx(share, abs=0.05)
+    assert misfit_of(away, shown, (0, 4), np.zeros_like(seam), "coif3").share == 0
