@@ -171,14 +171,16 @@ class CauseEvidence:
     @property
     def least_transfer(self) -> float:
         """Of fine detail, by the source of which least comes over; by the whole window where none is unmixed."""
-        if self.texture is not None:
+        if self.texture is not None and not self.is_mostly_mixed:
             return self.texture.least_transfer
         return 1.0 if self.sharpness is None or self.is_mixed_all_over else self.sharpness
 
     @property
     def off_seam_lost(self) -> float:
         """Share of the window's finest detail energy that did not come over away from the seams."""
-        return self.texture.lost if self.texture is not None else max(1 - self.least_transfer**2, 0.0)
+        if self.texture is not None and not self.is_mostly_mixed:
+            return self.texture.lost
+        return max(1 - self.least_transfer**2, 0.0)
 
     @property
     def is_uneven(self) -> bool:

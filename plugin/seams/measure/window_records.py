@@ -68,7 +68,7 @@ class WindowRecord(NumberedWindow):
     band_width: float | None = None
     """Full width of the band along the seam in which detail was lost, m."""
     feather_width: float | None = None
-    """Over which the images' mixture goes from 5 to 95 %, m; 0 for a cut."""
+    """Full width of the feather, m; 0 for a cut."""
     visibility: float | None = None
     """The loss beside the seam in just noticeable differences of contrast at 2x."""
     misfit: float | None = None

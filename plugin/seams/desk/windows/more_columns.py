@@ -87,7 +87,8 @@ CHOSEN_COLUMNS = (
     _number(
         "feather_width", QT_TRANSLATE_NOOP("@default", "feather width"),
         QT_TRANSLATE_NOOP(
-            "@default", "Width over which the mixture of the two images goes from 5 to 95 %; 0 for a hard cut."
+            "@default",
+            "Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut."
         ),
         _metres,
     ),

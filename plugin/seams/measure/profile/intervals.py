@@ -16,6 +16,8 @@ _WIDEST = 7.0  # of the logarithm, a factor of a thousand: nothing is known, and
 MOST_KEPT = 1.05
 """No seam adds detail of its sources: energies that surely tell of more are not of the ground that they are compared
 with."""
+WIDEST = float(np.log(2))
+"""Of the logarithm's interval, end to end: a measure that says less is left out where there is another."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +51,7 @@ def together(energy: Kept, mixture: Kept, left: np.ndarray) -> tuple[Kept, np.nd
     does, unless the mixture does not explain the mosaic. ``left``: what it leaves over, as ``MOST_LEFT`` has it.
     """
     has_energy, has_mixture = ~np.isnan(energy.value), ~np.isnan(mixture.value)
-    has_energy &= ~has_mixture | (energy.low <= MOST_KEPT)
+    has_energy &= ~has_mixture | (energy.low <= MOST_KEPT) & (energy.width <= WIDEST)
     both = has_energy & has_mixture
     agree = both & (energy.low <= mixture.high) & (mixture.low <= energy.high)
     by_mixture = has_mixture & ~has_energy | both & ~agree & (mixture.value < energy.value) & (left <= MOST_LEFT)

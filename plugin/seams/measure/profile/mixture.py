@@ -38,6 +38,7 @@ needed. A cosine feather of 13 px has 0.45, one of 33 px 0.2."""
 _NO_MIXTURE, _A_MIXTURE = 0.15, 0.25
 """Of the other source beside the border, where a feather mixes halves: what is no more there, and everywhere alike, is
 what one image resampled takes of another of the same ground."""
+_FOLLOWED = 0.6  # of a mixture: what has surely more of a source than halves follows that
 _MOST_EVERYWHERE = 0.25
 """The same far off, of which a width is taken above that."""
 _CUT, _FEATHERED = 1.0, 0.6
@@ -90,7 +91,7 @@ def mixed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
 def followed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
     """Of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the wrong place
     that is the other one."""
-    return np.asarray(np.where(other > 0.5, products[..., _OO], products[..., _SS]))
+    return np.asarray(np.where(other > _FOLLOWED, products[..., _OO], products[..., _SS]))
 
 
 def feather_width_px(other: np.ndarray) -> float:

@@ -113,7 +113,7 @@ class WindowResult:
 
     @property
     def feather_width_m(self) -> float | None:
-        """Over which the images' mixture goes from 5 to 95 %; 0 for a cut, None where it was not looked for."""
+        """Full width of the feather; 0 for a cut, None where it was not looked for."""
         width = self.profile.feather_width_px if self.profile else None
         return None if width is None else width * self.ground_sample_distance
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.following.levelling import left_over, levelled
+from seam_inspector.plugin.seams.measure.following.levelling import left_by_curve, left_over, levelled
 from seam_inspector.plugin.seams.measure.tone import coarse_means
 
 from tests.numbers.synthetic import texture
@@ -140,9 +140,9 @@ def test_too_few_squares_leave_nothing_over(source: np.ndarray) -> None:
     assert left_over(2 * means + means**2, means, where) == (0.0, 0.0)
 
 
-def test_where_a_curve_leaves_next_to_nothing_no_place_is_looked_at(source: np.ndarray) -> None:
+def test_what_a_curve_leaves_over_is_known_by_itself(source: np.ndarray) -> None:
     means = coarse_means(source, 3)
     dark = means + np.linspace(0, 6, means.shape[1], dtype=np.float32)
     curve, local = left_over(dark, means, np.ones(means.shape, bool))
     assert local < curve / 2
-    assert left_over(dark, means, np.ones(means.shape, bool), 1.01 * curve) == (curve, curve)
+    assert left_by_curve(dark, means, np.ones(means.shape, bool)) == curve

@@ -120,16 +120,16 @@ def test_a_mixture_has_the_energy_of_its_parts(share: float, rho: float) -> None
 
 
 @pytest.mark.parametrize("width", [20.0, 60.0, 150.0])
-def test_the_width_reaches_from_one_twentieth_to_the_other(width: float) -> None:
-    assert feather_width_px(linear(width)) == pytest.approx(0.9 * width, rel=0.12)
+def test_the_width_is_that_of_a_linear_feather(width: float) -> None:
+    assert feather_width_px(linear(width)) == pytest.approx(width, rel=0.12)
     one_sided = linear(width)
     one_sided[MIXED_BINS:] = 0
-    assert feather_width_px(one_sided) == pytest.approx(0.45 * width, rel=0.12)
+    assert feather_width_px(one_sided) == pytest.approx(0.5 * width, rel=0.12)
 
 
 def test_the_width_of_a_cut_is_nothing_and_that_without_end_as_wide_as_can_be_seen() -> None:
     assert feather_width_px(np.zeros(SLOTS)) == 0
-    assert feather_width_px(np.full(SLOTS, 0.5)) == 2 * EDGES_PX[MIXED_BINS]
+    assert feather_width_px(np.full(SLOTS, 0.5)) == 2.5 * EDGES_PX[MIXED_BINS]
 
 
 # --- mosaics ----------------------------------------------------------------------------------------------------
@@ -157,7 +157,7 @@ AFTERWARDS: dict[str, Change] = {
     "blur": lambda plane: ndimage.gaussian_filter(plane, 0.5),
     "8 bit": lambda plane: np.rint(plane),
 }
-WIDTHS = {"linear": 0.9, "cosine": 0.713}
+WIDTHS = {"linear": 1.0, "cosine": 0.738}
 
 
 @pytest.mark.parametrize("change", AFTERWARDS)
@@ -224,8 +224,9 @@ def test_a_feather_that_lies_on_one_side_of_the_border_is_found_there() -> None:
     inside = np.where(made.labels == 1, made.distance, 0)
     one_sided = made.with_mosaic_of(np.where(made.labels == 1, np.clip(inside / 40, 0, 1), 0))
     found = one_sided.profile()
-    assert found.feather_width_px == pytest.approx(0.95 * 40, rel=0.1)
-    assert found.by_mixture == pytest.approx(one_sided.truth(), abs=0.04)
+    assert found.feather_width_px == pytest.approx(0.9 * 40 / 0.8, rel=0.1)
+    # Beside the border the other source is followed more than half, and its detail is what can be kept.
+    assert found.by_mixture == pytest.approx(one_sided.truth(), abs=0.07)
 
 
 def test_three_sources_are_three_mixtures() -> None:

@@ -40,7 +40,7 @@ class JudgedPiece:
     visibility: float | None = None
     """The loss in just noticeable differences of contrast at 2x; None too where no source says what there was."""
     feather_width_m: float | None = None
-    """Over which the images' mixture goes from 5 to 95 %; 0 for a cut, None where it was not looked for."""
+    """Full width of the feather; 0 for a cut, None where it was not looked for."""
     left_date: str | None = None
     """When the source on the left hand was taken, where the seams say so."""
     right_date: str | None = None
