@@ -30,6 +30,7 @@ MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it 
 MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
 MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
 MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
+MOSTLY_MIXED_PX = 300.0  # of a feather: it does not end where it is looked for
 MOST_LEFT_BY_MIXTURE = 0.15  # of the sources' energy in the strip, beyond what the ground leaves over
 MIN_MIXED_WIDTH_PX = 4.0  # of what is mixed: borders are known no better
 MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
@@ -130,7 +131,8 @@ class CauseEvidence:
     @property
     def is_mostly_mixed(self) -> bool:
         """Whether its tones lie between those of two sources, so that small differences say nothing."""
-        return self.mixed >= MIN_MOSTLY_MIXED
+        width = self.profile.feather_width_px if self.profile else None
+        return self.mixed >= MIN_MOSTLY_MIXED or (width or 0.0) >= MOSTLY_MIXED_PX
 
     @property
     def has_seam_loss(self) -> bool:
@@ -162,11 +164,16 @@ class CauseEvidence:
         return found.left_by_mixture > MOST_LEFT_BY_MIXTURE
 
     @property
+    def is_mixed_all_over(self) -> bool:
+        """Whether hardly any ground lies beyond a mixture, so that nothing tells what else came over the mosaic."""
+        return self.mixed >= MIN_MIXED or bool(self.profile and self.profile.feather_width_px)
+
+    @property
     def least_transfer(self) -> float:
         """Of fine detail, by the source of which least comes over; by the whole window where none is unmixed."""
         if self.texture is not None:
             return self.texture.least_transfer
-        return 1.0 if self.sharpness is None or self.mixed >= MIN_MIXED else self.sharpness
+        return 1.0 if self.sharpness is None or self.is_mixed_all_over else self.sharpness
 
     @property
     def off_seam_lost(self) -> float:
@@ -215,9 +222,10 @@ def _missing(found: CauseEvidence) -> float | None:
 
 
 def _misregistration(found: CauseEvidence) -> float | None:
-    if not found.misfit_lost or not found.has_seam_loss or found.is_smoothed_seam:
-        return None  # a cut of images that do not fit loses nothing
-    return found.misfit_lost * found.lost
+    if not found.misfit_lost:
+        return None
+    # A cut of images that do not fit breaks lines and loses nothing.
+    return found.misfit_lost * found.lost if found.has_seam_loss and not found.is_smoothed_seam else 0.0
 
 
 def _feathering(found: CauseEvidence) -> float | None:
@@ -265,7 +273,7 @@ def _clipping(found: CauseEvidence) -> float | None:
 
 
 def _dodging(found: CauseEvidence) -> float | None:
-    return 0.0 if found.is_uneven else None
+    return 0.0 if found.is_uneven and not found.is_mostly_mixed else None
 
 
 def _gamma(found: CauseEvidence) -> float | None:

@@ -14,7 +14,7 @@ from ...imagery.band_curves import correlation, measure_bands
 from ...imagery.shifts import Shift, farthest_apart, find_shift
 from ...imagery.wavelets import Curve
 from .cause_evidence import grey_unit, measure_texture, measure_tones, range_factor
-from .causes import Cause, CauseEvidence, Misfit, find_causes
+from .causes import Cause, CauseEvidence, Misfit, Texture, find_causes
 from .changes import Change, gains_of_colours, measure_changes
 from .compared_image import ComparedImage, MeasuredClip
 from .feather_prediction import expected_ratios, feathers
@@ -22,9 +22,9 @@ from .following.boxes import enlarged, near_border
 from .following.composite import Composite, follows_at
 from .following.followed_source import FollowedSource
 from .following.hard_cut import HardCut, cut_hard
-from .following.levelling import left_over
+from .following.levelling import left_by_curve, left_over
 from .misfit import misfit_of, placed_misfit
-from .profile.cell_table import CellTable
+from .profile.cell_table import CELL_PX, CellTable
 from .profile.loss_picture import LossPicture, loss_picture
 from .profile.seam_profile import SeamProfile
 from .seam_cells import UNKNOWN
@@ -33,10 +33,11 @@ from .verdicts import Ratios, curve_ratios
 from .visibility import window_visibility
 
 MIN_UNMIXED_SQUARES = 64  # of 2^R px that follow one source, for the tone to be taken from them alone
+MIN_PLACED_SHARE = 0.1  # of the pixels: a shift of what is followed in fewer is too rough to tell parts of a pixel
 MIN_TONE_SHARE = 0.03  # of the pixels: a source that is followed in fewer says nothing of tones
 MAX_SAME_SHIFT_PX = 0.02  # between sources: their composite lies where they lie
 _ABOUT_PX, _EVERY = 24, 4  # ground about a seam that images are compared in; rows and columns that are looked at
-MIN_UNEVEN_RANGE = 0.006  # of the range of values: what differs by less is no dodging
+MIN_UNEVEN_RANGE = 0.003  # of the range of values: what differs by less in all bands is no dodging
 
 
 @dataclass(frozen=True)
@@ -112,9 +113,8 @@ def explain(
     detail = cut.around.detail(wavelet, levels, cut.inside)
     finest = detail.finest[(..., *(slice(part.start // 2, part.stop // 2) for part in cut.inside))]
     profile = detail.profile
-    sure = following.clear & (cut.labels != UNKNOWN)
+    unmixed = _on_pixels_of(detail.unmixed(), cut.labels)
     sharpness = _sharpness(finest, cut.labels)
-    unfiltered = cut.around.expected.unfiltered[cut.inside]
     unit = grey_unit(image.raster, next(iter(image.coarse.values())))
     total = float(detail.judged.cc[0].sum(dtype=np.float64))
     evidence = CauseEvidence(
@@ -129,7 +129,7 @@ def explain(
         unevenness=_unevenness(image, images, following, levels),
         misfit=_misfit(cut, shifts, wavelet),
         off_pixel=_off_pixel(on_pixels),
-        texture=measure_texture(finest, cut.labels, sure, image.plane, unfiltered, unit),
+        texture=_texture(finest, cut, unmixed, unit),
         fit=following.fit,
         unit_dn=unit,
         lossy_file=image.raster.is_lossy,
@@ -170,6 +170,24 @@ def _main_shift(shifts: Sequence[Shift]) -> Shift | None:
     return shifts[0] if shifts and farthest_apart(shifts) <= MAX_SAME_SHIFT_PX else None
 
 
+def _on_pixels_of(cells: np.ndarray, labels: np.ndarray) -> np.ndarray:
+    """What cells say, for the pixels that a source explains, (rows, columns) bool."""
+    found = np.zeros(labels.shape, bool)
+    large = enlarged(cells, CELL_PX)[: labels.shape[0], : labels.shape[1]]
+    found[: large.shape[0], : large.shape[1]] = large
+    return found & (labels != UNKNOWN)
+
+
+def _texture(finest: np.ndarray, cut: HardCut, unmixed: np.ndarray, unit: float) -> Texture | None:
+    """Where one source is followed for sure; where that is too little, where one is followed at all."""
+    unfiltered = cut.around.expected.unfiltered[cut.inside]
+    found = (
+        measure_texture(finest, cut.labels, sure, cut.mosaic.plane, unfiltered, unit)
+        for sure in (unmixed & cut.following.clear, unmixed)
+    )
+    return next((one for one in found if one is not None), None)
+
+
 def _on_pixels(
     shifts: Sequence[Shift | None], images: Sequence[ComparedImage], following: FollowedSource
 ) -> list[Shift]:
@@ -177,7 +195,7 @@ def _on_pixels(
     return [
         replace(shift, x=shift.x - images[i].offset[0], y=shift.y - images[i].offset[1])
         for i in following.followed
-        if (shift := shifts[i]) is not None
+        if (shift := shifts[i]) is not None and following.shares[i] >= MIN_PLACED_SHARE
     ]
 
 
@@ -218,14 +236,12 @@ def _unevenness(
         return 0.0
     where = follows_at(following, main[0], levels)
     names = image.names[:3]
-    found = []
-    for name in names:
-        least = MIN_UNEVEN_RANGE * float(np.ptp(image.coarse[name])) + 0.5
-        curve, local = left_over(image.coarse[name], images[main[0]].coarse[name], where, least)
-        if curve <= least:
-            return 0.0
-        found.append(1 - local / curve)
-    return min(found)
+    bands = [(image.coarse[name], images[main[0]].coarse[name]) for name in names]
+    least = [MIN_UNEVEN_RANGE * float(np.ptp(own)) + 0.5 for own, _ in bands]
+    if all(left_by_curve(*band, where) <= most for band, most in zip(bands, least)):
+        return 0.0
+    found = (left_over(*band, where) for band in bands)
+    return min(1 - local / curve if curve > 0 else 0.0 for curve, local in found)
 
 
 def _composite_changes(

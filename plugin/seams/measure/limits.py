@@ -4,7 +4,7 @@ from __future__ import annotations
 JUDGED_MAGNIFICATION = 2.0  # Pyka 2010: detail is best judged at two-fold magnification
 JUST_VISIBLE = 1.0  # just noticeable differences of contrast: what an eye just sees
 STANDARD_SPACING_M = 200.0  # along the seam: every second window length
-MIN_MISREGISTRATION_PX = 0.5  # from one image to another: orthoimages that fit to half a pixel are well oriented
+MIN_MISREGISTRATION_PX = 0.7  # from one image to another: those that fit to half a pixel are well oriented
 LINEAR, COSINE, GAUSSIAN = "linear", "cosine", "gaussian"
 RAMPS = (LINEAR, COSINE, GAUSSIAN)
 """How a feather leads from one source to the other."""

@@ -127,10 +127,11 @@ def test_the_plugin_reads_what_was_made() -> None:
     assert reading.explained == pytest.approx(1, abs=0.01)
 
 
-def test_without_ground_beside_the_seam_the_plugin_reads_no_verdict(window: KnownWindow) -> None:
+def test_a_window_of_128_px_is_read_with_the_ground_around_it(window: KnownWindow) -> None:
     plain = next(one for one in OPERATIONS if one.making is HARD and one.aftermath is NOTHING)
     reading = read(plain.make(window), window)
-    assert not reading.has_verdict
-    assert np.isnan(reading.kept)
+    assert reading.verdict == "preserved"
+    assert reading.kept == pytest.approx(1, abs=0.05)
+    assert reading.low < 1 < reading.high
     assert reading.cause == "none"
     assert reading.contrast == pytest.approx(1, abs=0.01)

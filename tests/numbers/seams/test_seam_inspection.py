@@ -10,7 +10,7 @@ from seam_inspector.plugin.seams.measure.causes import Cause
 from seam_inspector.plugin.seams.measure.verdicts import Verdict, judge
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of, templates
-from tests.numbers.seams.made_seams import BORDER, SIDE, as_bytes, blended, inspected, three_images, weight
+from tests.numbers.seams.made_seams import BORDER, SIDE, WHOLE, as_bytes, blended, inspected, three_images, weight
 
 
 @pytest.fixture(scope="module")
@@ -87,16 +87,31 @@ def test_what_came_over_the_whole_mosaic_moves_no_verdict(
     assert hard.causes[0] in feathered.causes
 
 
-def test_a_window_of_little_ground_is_not_judged(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
+@pytest.mark.parametrize("side", [64, 128])
+@pytest.mark.parametrize(("width", "verdict"), [(0, Verdict.PRESERVED), (40, Verdict.SIGNIFICANT)])
+def test_a_small_window_is_judged_by_the_ground_around_it(
+    make_raster: MakeRaster, sources: list[np.ndarray], width: int, verdict: Verdict, side: int
+) -> None:
+    mosaic = mosaic_of(make_raster, blended(sources, width))
+    block = block_of(mosaic, *(make_raster(f"{number}.tif", one) for number, one in enumerate(sources[:2])))
+    small = inspect(block, PixelWindow(BORDER - side // 2, 96, side, side))
+    assert small.judgement.verdict is verdict
+    assert small.profile is not None
+    whole = inspect(block, WHOLE).profile
+    assert whole is not None
+    assert small.profile.kept[0] == pytest.approx(whole.kept[0], abs=0.08)
+
+
+def test_a_window_of_little_seam_is_not_judged(make_raster: MakeRaster, sources: list[np.ndarray]) -> None:
     mosaic = mosaic_of(make_raster, blended(sources))
     block = block_of(mosaic, *(make_raster(f"{number}.tif", one) for number, one in enumerate(sources[:2])))
-    small = inspect(block, PixelWindow(BORDER - 32, 96, 64, 64))
+    small = inspect(block, PixelWindow(BORDER - 60, 96, 64, 64))
     assert small.judgement.verdict is Verdict.NOT_COMPARABLE
     assert templates([small.judgement.reason]) == [seams_messages.TOO_LITTLE_GROUND.template]
     assert small.paper_verdict is not Verdict.NOT_COMPARABLE
     assert small.profile is None
     assert small.band_width_m is None
-    beside = inspect(block, PixelWindow(0, 0, 128, 128))
+    beside = inspect(block, PixelWindow(0, 0, 128, 128))  # the seam lies in the ground that is read around it
     assert templates([beside.judgement.reason]) == [seams_messages.NO_SEAM.template]
     assert beside.judgement.verdict is Verdict.PRESERVED
 

@@ -63,6 +63,38 @@ def test_the_user_may_move_that_limit(limit: float) -> None:
     assert judge_by_seam(profile(limit + LITTLE), True, 1.0, limit) == (Verdict.REDUCED, None)
 
 
+@pytest.mark.parametrize("limit", [0.3, 0.5, 0.7, 0.9])
+def test_significant_is_said_only_where_the_interval_ends_half_way_to_all(limit: float) -> None:
+    """Else it is a loss for sure, and may be a significant one."""
+    half = (limit + 1) / 2
+    low = max(0.9 * limit, 0.5 * half)
+    assert judge_by_seam(profile(limit, low, half), True, 1.0, limit) == (Verdict.SIGNIFICANT, None)
+    verdict, reason = judge_by_seam(profile(limit, low, half + LITTLE), True, 1.0, limit)
+    assert verdict is Verdict.REDUCED
+    assert reason is not None
+    assert reason.template == seams_messages.MAY_BE_SIGNIFICANT.template
+    assert f"between {100 * low:.0f} and {100 * half:.0f} %" in str(reason)
+
+
+def test_significant_is_said_only_where_the_interval_spans_no_more_than_a_factor_of_two() -> None:
+    assert MAX_INTERVAL_FACTOR == 2
+    assert judge_by_seam(profile(0.4, 0.3, 0.6), True, 1.0) == (Verdict.SIGNIFICANT, None)
+    verdict, reason = judge_by_seam(profile(0.4, 0.3, 0.6 + LITTLE), True, 1.0)
+    assert verdict is Verdict.REDUCED
+    assert reason is not None
+    assert reason.template == seams_messages.MAY_BE_SIGNIFICANT.template
+
+
+@pytest.mark.parametrize(("kept", "low", "high"), [(0.59, 0.35, 0.94), (0.68, 0.49, 0.88), (0.7, 0.49, 0.92)])
+def test_windows_that_were_called_significant_by_wide_intervals_may_be(kept: float, low: float, high: float) -> None:
+    assert verdict_of(profile(kept, low, high)) is Verdict.REDUCED
+    assert reason_of(profile(kept, low, high)) == seams_messages.MAY_BE_SIGNIFICANT.template
+
+
+def test_it_is_said_of_no_loss_that_can_not_be_significant() -> None:
+    assert reason_of(profile(limits.MAX_SIGNIFICANT_KEPT + LITTLE, 0.6, 0.95)) is None
+
+
 @pytest.mark.parametrize("kept", [0.6, 0.8, 0.97])
 def test_a_loss_that_may_be_none_is_no_loss(kept: float) -> None:
     """The interval is the verdict's tolerance: a sound hard cut is not called reduced by a coin toss."""
@@ -71,11 +103,13 @@ def test_a_loss_that_may_be_none_is_no_loss(kept: float) -> None:
 
 
 def test_a_wide_interval_is_no_verdict() -> None:
-    assert verdict_of(profile(0.5, 0.3, MAX_INTERVAL_FACTOR * 0.3)) is Verdict.SIGNIFICANT
-    wide = profile(0.5, 0.3, MAX_INTERVAL_FACTOR * 0.3 + LITTLE)
+    """Where it may be a loss or none; a loss for sure stays one, however wide."""
+    assert verdict_of(profile(0.8, 0.55, MAX_INTERVAL_FACTOR * 0.55)) is Verdict.PRESERVED
+    wide = profile(0.8, 0.55, MAX_INTERVAL_FACTOR * 0.55 + LITTLE)
     assert verdict_of(wide) is Verdict.NOT_COMPARABLE
     assert reason_of(wide) == seams_messages.INTERVAL_TOO_WIDE.template
-    assert "30 and 60 %" in str(judge_by_seam(wide, True, 1.0)[1])
+    assert "55 and 110 %" in str(judge_by_seam(wide, True, 1.0)[1])
+    assert verdict_of(profile(0.8, 0.45, 0.95)) is Verdict.REDUCED
 
 
 def test_too_little_ground_is_no_verdict() -> None:
@@ -147,6 +181,15 @@ def test_what_no_source_explains_is_not_judged() -> None:
         assert reason_of(profile(0.4), None, has_seam) == seams_messages.COMPOSITE_UNCLEAR.template
 
 
+@given(sharpness=st.floats(0.4, 0.97))
+def test_nothing_but_a_gross_blur_is_significant_by_the_sharpness_whatever_is_mixed(sharpness: float) -> None:
+    """No cliff: a little more or less of a mixture moved the limit."""
+    assert BLURRED < 0.4
+    for found in (profile(1.04, 0.93, 1.1), profile(1.0)):
+        assert verdict_of(found, sharpness) is Verdict.REDUCED
+    assert verdict_of(None, sharpness, has_seam=False) is Verdict.REDUCED
+
+
 @given(
     kept=st.floats(0.05, 2), below=st.floats(0.5, 1), above=st.floats(1, 2), sharpness=st.floats(0.05, 3),
     less=st.floats(0.3, 1),
@@ -173,5 +216,5 @@ def test_a_limit_that_is_no_share_is_refused(min_kept: float) -> None:
 def test_a_limit_that_is_a_share_is_taken() -> None:
     for min_kept in (0.01, limits.MAX_SIGNIFICANT_KEPT, 0.99):
         check_min_kept(min_kept)
-        found = profile(min_kept, 0.9 * min_kept, 1 - LITTLE if min_kept > 0.9 else 1.1 * min_kept)
+        found = profile(min_kept, 0.9 * min_kept, min(1.1 * min_kept, (1 + min_kept) / 2))
         assert judge_by_seam(found, True, 1.0, min_kept)[0] is Verdict.SIGNIFICANT

@@ -66,27 +66,29 @@ def square_means(plane: np.ndarray) -> np.ndarray:
     return coarse_means(np.pad(plane, [(0, by) for by in beyond], mode="edge") if any(beyond) else plane, LEVELS)
 
 
-def left_over(
-    mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, least: float = 0.0
-) -> tuple[float, float]:
+def left_over(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> tuple[float, float]:
     """Scale of what the mosaic's means of squares differ by from the source's: after one curve of tones for all of
     the window, and after a gain and bias that change from place to place; (rows, columns), ``where`` bool.
 
-    With too few squares both are 0; where the first is no more than ``least`` the second is not looked for.
+    With too few squares both are 0.
     """
-    if np.count_nonzero(where) < _FEWEST_SQUARES:
+    curve = left_by_curve(mosaic, source, where)
+    if not curve:
         return 0.0, 0.0
-    x, y = source[where].astype(np.float64), mosaic[where].astype(np.float64)
-    scaled = (x - x.mean()) / max(float(x.std()), 1e-6)
-    terms = np.stack([np.ones_like(scaled), scaled, scaled**2, scaled**3], axis=1)
-    curve = y - terms @ np.linalg.lstsq(terms, y, rcond=None)[0]
-    scale = _scale(curve)
-    if scale <= least:
-        return scale, scale
     gain = gain_field(mosaic, source, where)
     bias = mosaic - gain * source
     local = (bias - _spread_out(bias, where.astype(np.float32)))[where]
-    return scale, _scale(local)
+    return curve, _scale(local)
+
+
+def left_by_curve(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> float:
+    """The first of both."""
+    if np.count_nonzero(where) < _FEWEST_SQUARES:
+        return 0.0
+    x, y = source[where].astype(np.float64), mosaic[where].astype(np.float64)
+    scaled = (x - x.mean()) / max(float(x.std()), 1e-6)
+    terms = np.stack([np.ones_like(scaled), scaled, scaled**2, scaled**3], axis=1)
+    return _scale(y - terms @ np.linalg.lstsq(terms, y, rcond=None)[0])
 
 
 def _scale(rest: np.ndarray) -> float:

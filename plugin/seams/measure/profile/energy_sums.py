@@ -65,7 +65,7 @@ class EnergySums:
         return self.with_interval(levels[0], self.in_strip(self.area)[0]), levels
 
     def with_interval(self, kept: np.ndarray, area_px: np.ndarray) -> Kept:
-        """Shares of an area, (count,) each, as sure as the scatter of the ground around lets them be."""
+        """Shares of an area, (..., count) each, as sure as the scatter of the ground around lets them be."""
         expected = np.maximum(self.in_strip(self.expected)[0], 1e-12)
         scatter, blocks, reach = self._noise / expected
         blocks, area_px = np.maximum(blocks, 1), np.maximum(area_px, 1)
@@ -76,7 +76,7 @@ class EnergySums:
             scatter * (1 / own_blocks + 1 / blocks) + LABEL_ERROR**2 * (BLOCK_CELLS * CELL_PX) ** 2 / area_px
             + reach + LEAST_ERROR**2
         )
-        return Kept.of(kept, error, blocks - 1)
+        return Kept.of(kept, error, np.broadcast_to(blocks - 1, error.shape))
 
     @property
     def left_by_ground(self) -> np.ndarray:

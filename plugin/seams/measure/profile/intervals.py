@@ -11,6 +11,8 @@ MOST_LEFT = 0.15
 """Of the sources' energy in the strip that a mixture leaves over, beyond what the ground does: with more it does not
 explain the mosaic."""
 
+_WIDEST = 7.0  # of the logarithm, a factor of a thousand: nothing is known, and can still be reckoned with
+
 MOST_KEPT = 1.05
 """No seam adds detail of its sources: energies that surely tell of more are not of the ground that they are compared
 with."""
@@ -30,7 +32,8 @@ class Kept:
     @classmethod
     def of(cls, value: np.ndarray, error: np.ndarray, freedom: np.ndarray) -> Kept:
         """By the standard deviation of its logarithm and the degrees of freedom that this has."""
-        factor = np.exp(stdtrit(np.maximum(freedom, 1), (1 + CONFIDENCE) / 2) * error)
+        ends = stdtrit(np.maximum(freedom, 1), (1 + CONFIDENCE) / 2) * error
+        factor = np.exp(np.minimum(ends, _WIDEST))
         return cls(value, value / factor, value * factor)
 
     @property

@@ -21,8 +21,8 @@ from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS
 
 SLOTS = 2 * MIXED_BINS
 """Bins on either side: first those that follow the source of the lower number, then the others."""
-UNMIXED_SHARE = 0.05
-"""``feather_width`` reaches from this share of either source to the other."""
+UNMIXED_SHARE = 0.1
+"""A width is taken from this share of either source to the other: less is what noise makes."""
 
 _AREA, _MM, _MS, _MO, _MK, _SS, _SO, _SK, _OO, _OK, _KK = range(len(PRODUCTS))
 _NORMAL = np.array([[_SS, _SO, _SK], [_SO, _OO, _OK], [_SK, _OK, _KK]])
@@ -33,10 +33,15 @@ _LEAST_COUNT = 1e-6  # of a bin that says nothing, so that means have something 
 _LEAST_WEIGHT = 0.1  # of both sources together: with less the mosaic has neither
 _EDGE_BINS = EDGES_PX.index(6)  # in which a cut's edge is
 _SOFT, _SHARP = 0.15, 0.5
-"""Of t: with less a seam is so soft that k only takes from the mixture and is left out, with more it is needed. A
-cosine feather of 13 px has 0.45, one of 33 px 0.2."""
+"""Of t / (w_s + w_o): with less a seam is so soft that k only takes from the mixture and is left out, with more it is
+needed. A cosine feather of 13 px has 0.45, one of 33 px 0.2."""
+_NO_MIXTURE, _A_MIXTURE = 0.15, 0.25
+"""Of the other source beside the border, where a feather mixes halves: what is no more there, and everywhere alike, is
+what one image resampled takes of another of the same ground."""
+_MOST_EVERYWHERE = 0.25
+"""The same far off, of which a width is taken above that."""
 _CUT, _FEATHERED = 1.0, 0.6
-"""Of t: a cut has 0.9 to 1, and mixes nothing."""
+"""The same: a cut has 0.9 to 1, and mixes nothing."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +65,8 @@ def fit_mixtures(products: np.ndarray) -> Mixtures:
     near = np.zeros(SLOTS, bool)
     near[np.arange(SLOTS) % MIXED_BINS < _EDGE_BINS] = True
     edges = products[:, near, _KK]
-    left = (with_edge[:, near, 2] * edges).sum(axis=1) / np.maximum(edges.sum(axis=1), 1e-12)
+    total, t = with_edge[:, near, :2].sum(axis=2), with_edge[:, near, 2]
+    left = (t * edges).sum(axis=1) / np.maximum((np.maximum(total, _LEAST_WEIGHT) * edges).sum(axis=1), 1e-12)
     sharp = np.clip((left - _SOFT) / (_SHARP - _SOFT), 0, 1)[:, np.newaxis, np.newaxis]
     weights = sharp * with_edge + (1 - sharp) * without
     softness = np.clip((_CUT - left) / (_CUT - _FEATHERED), 0, 1)[:, np.newaxis]
@@ -68,8 +74,10 @@ def fit_mixtures(products: np.ndarray) -> Mixtures:
     of_edge = np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights, products[..., [_SK, _OK, _KK]])
     of_edge += np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights[..., :2], products[..., [_SK, _OK]])
     fitted = np.einsum("nsi,nsij,nsj->ns", weights, normal, weights) - 2 * np.einsum("nsi,nsi->ns", weights, right)
-    soft = 1 - sharp[:, :, 0]
-    return Mixtures(softness * _shares(products, weights), of_edge, np.maximum(products[..., _MM] + fitted, 0), soft)
+    soft, other = 1 - sharp[:, :, 0], _shares(products, weights)
+    most = other[:, near].max(axis=1, keepdims=True)
+    softness *= np.clip((most - _NO_MIXTURE) / (_A_MIXTURE - _NO_MIXTURE), 0, 1)
+    return Mixtures(softness * other, of_edge, np.maximum(products[..., _MM] + fitted, 0), soft)
 
 
 def mixed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
@@ -79,24 +87,33 @@ def mixed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.asarray(mixed)
 
 
+def followed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the wrong place
+    that is the other one."""
+    return np.asarray(np.where(other > 0.5, products[..., _OO], products[..., _SS]))
+
+
 def feather_width_px(other: np.ndarray) -> float:
-    """Over which either source goes from a share of 5 to one of 95 %, from shares of the other one (SLOTS,); 0 for a
-    cut. As wide as can be seen where it does not end; on one side alone it ends on the other as well, since all that
-    tells of a mixture there is too weak."""
+    """Full width of a linear feather that takes as far as this from a share of 10 to one of 90 %, by shares of the
+    other source (SLOTS,); 0 for a cut. As wide as can be seen where it does not end; on one side alone it ends on the
+    other as well, since all that tells of a mixture there is too weak."""
     middles = [(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])]
     reached = []
     for side in other.reshape(2, MIXED_BINS):
-        mixed = np.flatnonzero(side >= UNMIXED_SHARE)
+        everywhere = float(side[-1]) if side[-1] < _MOST_EVERYWHERE else 0.0
+        unmixed = UNMIXED_SHARE + everywhere
+        mixed = np.flatnonzero(side >= unmixed)
         last = int(mixed[-1]) if len(mixed) else -1
         if last < 0:
             reached.append(0.0)
         elif last == MIXED_BINS - 1:
             reached.append(float(EDGES_PX[MIXED_BINS]))
         else:
-            share = (side[last] - UNMIXED_SHARE) / max(side[last] - side[last + 1], 1e-9)
+            share = (side[last] - unmixed) / max(side[last] - side[last + 1], 1e-9)
             reached.append(middles[last] + float(share) * (middles[last + 1] - middles[last]))
     least, most = sorted(reached)
-    return 2 * least if 0 < least < most == EDGES_PX[MIXED_BINS] else least + most
+    width = 2 * least if 0 < least < most == EDGES_PX[MIXED_BINS] else least + most
+    return width / (1 - 2 * UNMIXED_SHARE)
 
 
 def _weights(products: np.ndarray, with_edge: bool) -> np.ndarray:

@@ -5,7 +5,7 @@ import numpy as np
 
 from .cell_table import MIXED_BINS, PRODUCTS, MixtureTable, WholeCells
 from .intervals import Kept
-from .mixture import SLOTS, feather_width_px, fit_mixtures, mixed_energy
+from .mixture import SLOTS, feather_width_px, fit_mixtures, followed_energy, mixed_energy
 from .seam_profile import strip_bins
 
 GROUPS = 8
@@ -69,7 +69,7 @@ class MixedStrips:
         """(levels, count): energy in the strip that is the cut's own edge, DN squared."""
         own, plain = (
             np.stack([self._by_piece(values[:, level][:, strip].sum(axis=1)) for level, strip in zip(levels, strips)])
-            for values in (mixed_energy(self._whole, self._other[:, np.newaxis]), self._whole[..., _SS])
+            for values in (way(self._whole, self._other[:, np.newaxis]) for way in (mixed_energy, followed_energy))
         )
         enough = self._by_piece(self._whole[:, 0, strips[0], _AREA].sum(axis=1)) >= MIN_BESIDE_PX
         known = enough & (plain > 0)
@@ -110,7 +110,7 @@ class MixedStrips:
         products = self._whole[:, level]
         mixed, plain = (
             np.stack([self._by_piece(one[:, bin_::MIXED_BINS].sum(axis=1)) for bin_ in range(MIXED_BINS)])
-            for one in (mixed_energy(products, self._other), products[..., _SS])
+            for one in (way(products, self._other) for way in (mixed_energy, followed_energy))
         )
         return mixed, plain
 
@@ -121,7 +121,7 @@ class MixedStrips:
         other = fit_mixtures(left_out.reshape(-1, SLOTS, len(PRODUCTS))).other.reshape(left_out.shape[:3])
         own, plain = (
             np.stack([self._by_piece(one[:, group][:, strip].sum(axis=1)) for group in range(GROUPS)])
-            for one in (mixed_energy(left_out, other), left_out[..., _SS])
+            for one in (way(left_out, other) for way in (mixed_energy, followed_energy))
         )
         estimates = own / np.maximum(plain, 1e-12)
         deviations = estimates - estimates.mean(axis=0)

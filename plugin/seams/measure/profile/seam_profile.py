@@ -73,7 +73,8 @@ class SeamProfile:
     """By how much more of the detail in the strip than around is not the sources', as a share."""
     bins: tuple[ProfileBin, ...]
     feather_width_px: float | None = None
-    """Over which the mixture goes from 5 to 95 %; 0 for a cut, None where no mixture was looked for."""
+    """Full width of the feather, by where the mixture goes from 10 to 90 %; 0 for a cut, None where it was not looked
+    for."""
     measure: Measure = Measure.BOTH
     """What ``kept`` was taken by."""
     by_energy: float | None = None

@@ -15,6 +15,7 @@ from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCell
 from .energy_sums import EnergySums
 from .ground import LevelGround
 from .intervals import Kept, together
+from .mixture import UNMIXED_SHARE
 from .mixture_sums import MixedStrips, MixtureSums
 from .seam_profile import BAND_KEPT, MIN_STRIP_PX, Measure, ProfileBin, SeamProfile, band_width_px
 
@@ -89,32 +90,31 @@ class SeamSums:
         self, mixed: MixedStrips, takes_mixture: np.ndarray, judged: Kept, levels: int
     ) -> list[list[ProfileBin | None]]:
         """By level and distance those of every piece, None where there is nothing."""
-        energy, shares = self._energy, mixed.shares()
+        energy, ends = self._energy, [*zip(EDGES_PX, (*EDGES_PX[1:], np.inf))]
+        shares = np.full((len(EDGES_PX), self._count), np.nan)
+        shares[:MIXED_BINS] = mixed.shares()
         found = []
         for level in range(levels):
-            left, plain = mixed.by_bins(level)
-            for place, ends in enumerate(zip(EDGES_PX, (*EDGES_PX[1:], np.inf))):
-                area, expected = energy.area[level, place], energy.expected[level, place]
-                nothing = np.full(self._count, np.nan)
-                kept = np.divide(energy.own[level, place], expected, out=nothing, where=expected > 0)
-                kept = np.where(takes_mixture, np.nan, kept)
-                ways = energy.with_interval(kept, area)
-                low, high, share = ways.low, ways.high, np.full(self._count, np.nan)
-                if place < MIXED_BINS:
-                    of_mixture = takes_mixture & (plain[place] > 0)
-                    mixture = left[place] / np.maximum(plain[place], 1e-12)
-                    kept, low, high = (
-                        np.where(of_mixture, new * mixture, old) for new, old in (
-                            (1, kept), (judged.low / judged.value, low), (judged.high / judged.value, high)
-                        )
-                    )
-                    share = shares[place] if not level else share
-                gain = energy.shared[level, place] / np.maximum(energy.expected_shared[level, place], 1e-12)
-                columns = (column.tolist() for column in (kept, low, high, gain, area))
+            area, expected = energy.area[level], energy.expected[level]
+            kept = np.divide(energy.own[level], expected, out=np.full(area.shape, np.nan), where=expected > 0)
+            kept[:, takes_mixture] = np.nan
+            ways = energy.with_interval(kept, area)
+            low, high = ways.low, ways.high
+            if takes_mixture.any():
+                left, plain = mixed.by_bins(level)
+                mixture = np.full(area.shape, np.nan)
+                np.divide(left, plain, out=mixture[:MIXED_BINS], where=plain > 0)
+                kept, low, high = (
+                    np.where(takes_mixture, factor * mixture, old) for factor, old in
+                    ((1, kept), (judged.low / judged.value, low), (judged.high / judged.value, high))
+                )
+            gain = energy.shared[level] / np.maximum(energy.expected_shared[level], 1e-12)
+            columns = (kept, low, high, gain, area, shares if not level else np.full(area.shape, np.nan))
+            for place, numbers in enumerate(zip(*(column.tolist() for column in columns))):
                 found.append([
                     None if number != number or not pixels else
-                    ProfileBin(level + 1, *ends, number, bottom, top, beside, pixels, _known(mixture_share))
-                    for number, bottom, top, beside, pixels, mixture_share in zip(*columns, share)
+                    ProfileBin(level + 1, *ends[place], number, bottom, top, beside, pixels, _known(share))
+                    for number, bottom, top, beside, pixels, share in zip(*numbers)
                 ])
         return found
 
@@ -123,6 +123,10 @@ class SeamSums:
         energy = self._energy
         left, plain = mixed.by_bins(0)
         by_mixture = (plain - left).sum(axis=0)
+        # A mixture that does not end where it is looked for goes on beyond.
+        shares, farther = mixed.shares()[-1], energy.plain[0, MIXED_BINS:].sum(axis=0)
+        last = np.where(shares >= UNMIXED_SHARE, 1 - left[-1] / np.maximum(plain[-1], 1e-12), 0)
+        by_mixture += farther * last
         own, expected, source = (one[0, :MIXED_BINS] for one in (energy.own, energy.expected, energy.plain))
         kept = np.divide(own, expected, out=np.ones(own.shape), where=expected > 0)
         within = np.logical_and.accumulate(kept < BAND_KEPT, axis=0)

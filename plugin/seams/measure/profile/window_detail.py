@@ -9,11 +9,14 @@ import numpy as np
 
 from ....imagery.wavelets import detail_components
 from ..following.expected_mosaic import ExpectedMosaic
-from .cell_table import CELL_PX, FARTHEST, CellTable, MixtureTable, WholeCells, whole_cells
+from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells, whole_cells
 from .detail_sums import compared_planes, detail_sums, numbers_of
 from .ground import LevelGround, grounds
 from .seam_profile import SeamProfile
 from .seam_sums import SeamSums
+
+_EDGE_CELLS = 1
+"""In which periodic wavelets show what lies at the other edge of all that was read."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,18 +37,34 @@ class WindowDetail:
 
     @cached_property
     def ground(self) -> list[LevelGround | None]:
-        """By level."""
-        return grounds(self.cells, self.whole)
+        """By level; where there is enough of it without the edge, at which another source than at the other edge may be
+        followed."""
+        end_row, end_column = (int(one.max(initial=0)) + 1 - _EDGE_CELLS for one in (self.cells.row, self.cells.column))
+        inner = grounds(self.cells.within((slice(_EDGE_CELLS, end_row), slice(_EDGE_CELLS, end_column))))
+        return inner if all(inner) else [one or more for one, more in zip(inner, grounds(self.cells, self.whole))]
 
     @property
     def judged(self) -> CellTable:
         """The window's own cells."""
         return self.cells.within(self.inside)
 
+    def unmixed(self) -> np.ndarray:
+        """The window's cells that lie wholly beyond what its seams mix, (rows, columns) bool; all without a seam."""
+        rows, columns = self.inside
+        made = np.zeros((rows.stop, columns.stop), bool)
+        reach = 0.0 if self.profile is None else (self.profile.feather_width_px or 0.0) / 2
+        if reach >= EDGES_PX[MIXED_BINS]:  # it does not end where it is looked for
+            return made[rows, columns]
+        far = self.whole.nearest >= np.searchsorted(EDGES_PX, reach)
+        row, column = self.whole.row, self.whole.column
+        within = far & (row < rows.stop) & (column < columns.stop)
+        made[row[within], column[within]] = True
+        return made[rows, columns]
+
     @property
     def has_seam(self) -> bool:
-        """Whether two sources meet in the window or near to it."""
-        return bool((self.judged.bin < FARTHEST).any())
+        """Whether two sources meet in the window; those that meet beside it are no seam of its."""
+        return bool((self.judged.bin == 0).any())
 
     @cached_property
     def profile(self) -> SeamProfile | None:

@@ -1,13 +1,15 @@
 """Mosaics of made-up sources over a known seam, and how much they truly keep, by PyWavelets."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 from scipy import ndimage
-from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.profile.detail_cells import DetailCells, detail_cells
+from seam_inspector.plugin.seams.measure.following.expected_mosaic import ExpectedMosaic
+from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX, Rows
+from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, SeamProfile
+from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail, window_detail
 
 from tests.numbers.synthetic import texture, wavedec
 
@@ -16,36 +18,75 @@ WAVELET, LEVELS, SIDE = "coif3", 3, 512
 
 @dataclass(frozen=True, eq=False)
 class Blend:
-    """Planes (rows, columns) float32."""
+    """Planes (rows, columns) float64."""
 
-    hard: np.ndarray
-    """The hard cut."""
-    made: np.ndarray
+    planes: tuple[np.ndarray, ...]
+    """The sources."""
+    weights: np.ndarray
+    """Of each of them in the mosaic, (sources, rows, columns), together 1."""
     labels: np.ndarray
     distance: np.ndarray
     """From the nearest seam, px."""
 
-    def cells(self, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None) -> DetailCells:
-        """Of the blend against its hard cut, or of another mosaic or other labels."""
-        planes = np.stack([self.made if mosaic is None else mosaic, self.hard]).astype(np.float32)
-        return detail_cells(list(detail_components(planes, WAVELET, LEVELS)), self.labels if labels is None else labels)
+    @property
+    def hard(self) -> np.ndarray:
+        """The hard cut."""
+        return np.choose(self.labels, self.planes)
 
-    def truth(self, near: float, far: float, level: int = 1) -> float:
-        """Energy of the blend's detail over that of the hard cut, between two distances, by ``pywt.wavedec2``."""
-        energies = [np.sum(np.square(wavedec(one, WAVELET, level)[1]), axis=0) for one in (self.made, self.hard)]
-        rows, columns = energies[0].shape
-        distance = self.distance.reshape(rows, 2**level, columns, 2**level).mean(axis=(1, 3))
+    @property
+    def made(self) -> np.ndarray:
+        """The mosaic."""
+        return np.asarray(np.einsum("kij,kij->ij", self.weights, np.stack(self.planes)))
+
+    def detail(
+        self, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None,
+        inside: tuple[slice, slice] | None = None,
+    ) -> WindowDetail:
+        """Of the mosaic against its sources, or of another mosaic or by other labels."""
+        own = self.made if mosaic is None else mosaic
+        labels = self.labels if labels is None else labels
+        hard = np.where(labels < len(self.planes), np.choose(labels % len(self.planes), self.planes), own)
+        hard = hard.astype(np.float32)
+        shown = {i: one.astype(np.float32) for i, one in enumerate(self.planes) if (labels == i).any()}
+        expected = ExpectedMosaic(hard, hard, labels, shown)
+        return window_detail(own.astype(np.float32), expected, {}, WAVELET, LEVELS, inside)
+
+    def profile(self, mosaic: np.ndarray | None = None) -> SeamProfile:
+        """Of the whole window."""
+        found = self.detail(mosaic).profile
+        assert found is not None
+        return found
+
+    def truth(self, near: float = 0, far: float = STRIP_PX, level: int = 1) -> float:
+        """Energy of the sources' details mixed as the mosaic mixes them, over that of the source that is followed,
+        between two distances: by ``pywt.wavedec2`` of each source, never of a cut image."""
+        details = np.stack([np.stack(wavedec(one, WAVELET, level)[1]) for one in self.planes])  # (sources, 3, ...)
+        side = 2**level
+        middle = (..., slice(side // 2, None, side), slice(side // 2, None, side))
+        weights, labels, distance = self.weights[middle], self.labels[middle], self.distance[middle]
+        mixed = np.einsum("kij,kdij->dij", weights, details)
+        followed = np.take_along_axis(details, np.broadcast_to(labels, (1, 3, *labels.shape)).astype(np.intp), 0)[0]
         where = (distance >= near) & (distance < far)
-        return float(energies[0][where].sum() / energies[1][where].sum())
+        return float(np.square(mixed[:, where]).sum() / np.square(followed[:, where]).sum())
+
+    def with_mosaic_of(self, weights: np.ndarray) -> Blend:
+        """The same sources mixed otherwise; ``weights`` of the second one, (rows, columns)."""
+        return replace(self, weights=np.stack([1 - weights, weights]))
 
 
 @lru_cache(maxsize=8)
-def sources(side: int = SIDE, seed: int = 0, in_common: float = 0.0) -> tuple[np.ndarray, ...]:
-    """Three planes of ground that changes from place to place; ``in_common``: the share of variance that all show."""
+def sources(
+    side: int = SIDE, seed: int = 0, in_common: float = 0.0, other_years: float = 0.0
+) -> tuple[np.ndarray, ...]:
+    """Three planes of ground that changes from place to place; ``in_common``: the share of variance that all show.
+
+    ``other_years``: standard deviation of what they differ by in the large, DN.
+    """
     contrast = 14 * np.exp(0.5 * ndimage.gaussian_filter(texture((side, side), 3.0, seed + 77), 12, mode="wrap"))
     ground = texture((side, side), 1.2, seed + 100)
     return tuple(
         120 + contrast * (in_common**0.5 * ground + (1 - in_common) ** 0.5 * texture((side, side), 1.2, seed + i))
+        + other_years * texture((side, side), 5.0, seed + 200 + i)
         for i in range(3)
     )
 
@@ -61,20 +102,27 @@ def crooked(side: int = SIDE, seed: int = 0, count: int = 2) -> np.ndarray:
 
 
 def blend(
-    width_px: float, ramp: str = "cosine", side: int = SIDE, seed: int = 0, count: int = 2, in_common: float = 0.0
+    width_px: float, ramp: str = "cosine", side: int = SIDE, seed: int = 0, count: int = 2, in_common: float = 0.0,
+    other_years: float = 0.0,
 ) -> Blend:
     """Feathered over a full width, 0 for a hard cut."""
-    labels, planes = crooked(side, seed, count), sources(side, seed, in_common)
-    depths = [_depth(labels == i) for i in range(count)]
-    hard = np.choose(labels, planes[:count])
+    labels, planes = crooked(side, seed, count), sources(side, seed, in_common, other_years)[:count]
+    depths = np.stack([_depth(labels == i) for i in range(count)])
+    distance = np.abs(depths).min(axis=0)
     if not width_px:
-        return Blend(hard, hard, labels, np.abs(depths).min(axis=0))
-    parts = [np.clip(depth / width_px + 0.5, 0, 1) for depth in depths]
+        return Blend(planes, np.stack([labels == i for i in range(count)]).astype(float), labels, distance)
+    parts = np.clip(depths / width_px + 0.5, 0, 1)
     if ramp == "cosine":
-        parts = [0.5 - 0.5 * np.cos(np.pi * part) for part in parts]
-    total = np.sum(parts, axis=0)
-    made = sum(part * plane for part, plane in zip(parts, planes)) / total
-    return Blend(hard, np.asarray(made), labels, np.abs(depths).min(axis=0))
+        parts = 0.5 - 0.5 * np.cos(np.pi * parts)
+    return Blend(planes, parts / parts.sum(axis=0), labels, distance)
+
+
+def spread(table: Rows, values: np.ndarray, side: int | tuple[int, int]) -> np.ndarray:
+    """What a table says by bin and cell, (..., bins, rows, columns); ``values`` (..., rows of the table)."""
+    rows, columns = (side, side) if isinstance(side, int) else side
+    found = np.zeros((*values.shape[:-1], len(EDGES_PX), rows, columns))
+    np.add.at(found, (..., table.bin, table.row, table.column), values)
+    return found
 
 
 def _depth(inside: np.ndarray) -> np.ndarray:

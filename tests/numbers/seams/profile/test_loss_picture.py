@@ -5,22 +5,26 @@ import pickle
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.profile.detail_cells import detail_cells
 from seam_inspector.plugin.seams.measure.profile.loss_picture import LOSS_CELL_PX, LossPicture, loss_picture
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
-from tests.numbers.seams.profile.blends import LEVELS, SIDE, WAVELET, Blend, blend
+from tests.numbers.seams.profile.blends import SIDE, WAVELET, Blend, blend
 from tests.numbers.synthetic import texture, wavedec
 
 CELLS = SIDE // LOSS_CELL_PX
 
 
-def picture_of(made: Blend, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None) -> LossPicture | None:
+def picture_of(
+    made: Blend, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None,
+    inside: tuple[slice, slice] | None = None,
+) -> LossPicture | None:
     labels = made.labels if labels is None else labels
-    planes = np.stack([made.made if mosaic is None else mosaic, made.hard]).astype(np.float32)
-    details = list(detail_components(planes, WAVELET, LEVELS))
-    return loss_picture(details[0], labels, detail_cells(details, labels))
+    return loss_picture(made.detail(mosaic, labels, inside), labels, inside)
+
+
+def same_everywhere(hard: np.ndarray, labels: np.ndarray) -> Blend:
+    """Two sources that look the same."""
+    return Blend((hard, hard), np.stack([labels == 0, labels == 1]).astype(float), labels, np.zeros(labels.shape))
 
 
 def kept_of(made: Blend, mosaic: np.ndarray | None = None, labels: np.ndarray | None = None) -> np.ndarray:
@@ -77,13 +81,12 @@ def test_a_hard_cut_is_even_and_a_feather_a_line_along_the_seam() -> None:
 @pytest.mark.parametrize("place", [150, 203, 256, 311])
 def test_the_line_lies_where_the_seam_is(place: int) -> None:
     """Within the pixel by which coif3's own middle lies beside that of its two samples."""
-    made = blend(33)
     column = np.broadcast_to(np.arange(SIDE), (SIDE, SIDE))
     rng = np.random.default_rng(place)
     hard = 120 + 10 * rng.standard_normal((SIDE, SIDE))
     mosaic = 120 + (hard - 120) * np.sqrt(1 - 0.6 * np.exp(-0.5 * ((column + 0.5 - place) / 8) ** 2))
     labels = (column >= place).astype(np.uint8)
-    lost = np.clip(1 - kept_of(Blend(hard, mosaic, labels, made.distance)), 0.1, None) - 0.1
+    lost = np.clip(1 - kept_of(same_everywhere(hard, labels), mosaic), 0.1, None) - 0.1
     middles = (np.arange(CELLS) + 0.5) * LOSS_CELL_PX
     assert float((lost.sum(axis=0) * middles).sum() / lost.sum()) == pytest.approx(place, abs=1.2)
 
@@ -108,12 +111,11 @@ def test_ground_that_compression_left_rough_is_not_called_lost() -> None:
 
 def test_nothing_of_one_edge_shows_at_the_other() -> None:
     """The wavelets are periodic; a feather along the left edge only."""
-    made = blend(0)
     rng = np.random.default_rng(8)
     hard = 120 + 10 * rng.standard_normal((SIDE, SIDE))
     mosaic = np.where(np.arange(SIDE) < 24, 120 + 0.7 * (hard - 120), hard)
     labels = np.broadcast_to((np.arange(SIDE) >= 4), (SIDE, SIDE)).astype(np.uint8)
-    found = kept_of(Blend(hard, mosaic, labels, made.distance))
+    found = kept_of(same_everywhere(hard, labels), mosaic)
     assert (found[:, 0] < 0.6).all()
     assert abs(found[:, -1] - 1).max() < 0.02
 
@@ -130,14 +132,24 @@ def test_what_no_source_explains_is_not_told() -> None:
 
 def test_a_window_that_is_no_multiple_of_the_cell_has_cells_for_all_of_it() -> None:
     made = blend(33)
-    rows, columns = 300, 404
-    part = Blend(*(one[:rows, :columns] for one in (made.hard, made.made, made.labels, made.distance)))
-    planes = np.stack([part.made, part.hard]).astype(np.float32)
-    details = list(detail_components(planes, WAVELET, 1))
-    found = loss_picture(details[0], part.labels, detail_cells(details, part.labels))
+    part = np.s_[..., :300, :404]
+    own = Blend(tuple(one[part] for one in made.planes), made.weights[part], made.labels[part], made.distance[part])
+    found = picture_of(own)
     assert found is not None
     assert found.kept.shape == (38, 51)
     assert not np.isnan(found.kept).any()
+
+
+def test_of_what_was_read_around_a_window_nothing_is_shown() -> None:
+    made = blend(33)
+    inside = np.s_[128:384, 96:352]
+    whole, found = picture_of(made), picture_of(made, inside=inside)
+    assert whole is not None
+    assert found is not None
+    np.testing.assert_array_equal(found.kept, whole.kept[16:48, 12:44])
+    row, column = found.seam.T.astype(int) * 2
+    assert len(row) > 200
+    assert made.distance[row + 128, column + 96].max() <= 3
 
 
 def test_without_ground_to_compare_with_there_is_none_and_it_can_cross_processes() -> None:

@@ -1,6 +1,7 @@
 """Parts of a block measured pixel by pixel, and the ground between seams."""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -8,9 +9,9 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import detail_components
-from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX, EDGES_PX, DetailCells, detail_cells
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, FARTHEST, CellTable
+from seam_inspector.plugin.seams.measure.profile.detail_sums import detail_sums
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, UNIT_PX
-from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import FARTHEST, CellTable
 from seam_inspector.plugin.seams.measure.scan.blocks.dense_part import DensePart, guesses, measure_part
 from seam_inspector.plugin.seams.measure.scan.blocks.patches import look_at_squares
 from seam_inspector.plugin.seams.measure.scan.blocks.plain_part import MARGIN_PX, measure_plain
@@ -50,10 +51,10 @@ def kept(table: CellTable, near: int, far: int) -> float:
     return float(table.mm[0, own].sum() / table.cc[0, own].sum())
 
 
-def true_cells(made: np.ndarray, hard: np.ndarray, labels: np.ndarray) -> DetailCells:
+def true_cells(made: np.ndarray, given: Sequence[np.ndarray], labels: np.ndarray) -> CellTable:
     """Of the whole mosaic at once, by labels that are known."""
-    planes = np.stack([made, hard]).astype(np.float32)
-    return detail_cells(list(detail_components(planes, WAVELET, LEVELS)), labels)
+    planes = np.stack([made, np.choose(labels, given), *given]).astype(np.float32)
+    return detail_sums(list(detail_components(planes, WAVELET, LEVELS)), labels, (0, 1))[0]
 
 
 LABELS_TRUE = (np.indices(SHAPE)[1] + 0.5 > SEAM).astype(np.uint8)
@@ -64,11 +65,9 @@ LABELS_TRUE = (np.indices(SHAPE)[1] + 0.5 > SEAM).astype(np.uint8)
 @pytest.mark.parametrize("width", [0, 13, 33, 66])
 def test_a_part_finds_what_the_whole_mosaic_at_once_says_with_known_labels(tmp_path: Path, width: int) -> None:
     given = images()
-    made, hard = blended(*given, beside(SEAM, width)), blended(*given, beside(SEAM))
+    made = blended(*given, beside(SEAM, width))
     part = measured(scene(tmp_path, made, given))
-    cells = true_cells(made, hard, LABELS_TRUE)
-    place = (slice(8, 48), slice(16, 36))
-    expected = CellTable.of(cells, place, (0, 0))
+    expected = true_cells(made, given, LABELS_TRUE).within((slice(8, 48), slice(16, 36)))
     assert sums_by_cell(part.cells, "area").sum() == WINDOW.width * WINDOW.height
     own = np.s_[8:48, 16:36]
     assert sums_by_cell(part.cells, "mm")[own] == pytest.approx(sums_by_cell(expected, "mm")[own], rel=1e-3)

@@ -6,10 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, FARTHEST
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import SQUARE_PX
 from seam_inspector.plugin.seams.measure.scan.blocks.block_pixels import MOST_HELD
-from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import FARTHEST
 from seam_inspector.plugin.seams.measure.scan.blocks.patches import (
     PATCH_PX,
     PATCH_START_PX,

@@ -8,7 +8,13 @@ import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX, EDGES_PX
+from seam_inspector.plugin.seams.measure.profile.cell_table import (
+    CELL_PX,
+    EDGES_PX,
+    FARTHEST,
+    PRODUCTS,
+    CellTable,
+)
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     BLOCK_PX,
     LABEL_PX,
@@ -20,7 +26,6 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     BlockGrid,
 )
 from seam_inspector.plugin.seams.measure.scan.blocks.block_records import record_of, scan_of
-from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import FARTHEST, CellTable
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS, BlockScan, called_for, scan_block
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.source_images import Source
@@ -48,6 +53,9 @@ def assert_same(one: BlockScan, other: BlockScan) -> None:
     for name in ("row", "column", "bin", "area", "mm", "cc", "mc"):
         np.testing.assert_array_equal(getattr(one.cells, name), getattr(other.cells, name), err_msg=name)
         assert getattr(one.cells, name).dtype == getattr(other.cells, name).dtype
+    for name in ("row", "column", "bin", "source", "other", "products"):
+        np.testing.assert_array_equal(getattr(one.beside, name), getattr(other.beside, name), err_msg=name)
+        assert getattr(one.beside, name).dtype == getattr(other.beside, name).dtype
 
 
 def true_labels() -> np.ndarray:
@@ -103,11 +111,16 @@ def test_no_cell_counts_twice_and_all_energy_is_what_pywavelets_finds(hard: Scen
 
 
 @pytest.mark.parametrize("density", ["seams", "full"])
-def test_a_hard_cut_is_its_own_composite(hard: Scene, density: str) -> None:
-    cells = scan_block(hard.request(density=density)).cells
+def test_a_hard_cut_has_all_of_its_sources_and_its_own_edge_besides(hard: Scene, density: str) -> None:
+    found = scan_block(hard.request(density=density))
+    cells = found.cells
+    beyond = cells.chosen(cells.bin >= EDGES_PX.index(32))
     for level in range(3):
-        assert cells.mm[level].sum() == pytest.approx(cells.cc[level].sum(), rel=0.01)
-        assert cells.mc[level].sum() == pytest.approx(cells.cc[level].sum(), rel=0.01)
+        assert beyond.mm[level].sum() == pytest.approx(beyond.cc[level].sum(), rel=0.01)
+        assert beyond.mc[level].sum() == pytest.approx(beyond.cc[level].sum(), rel=0.01)
+        products = dict(zip(PRODUCTS, found.beside.products[:, level].sum(axis=1)))
+        edge = products["kk"] + 2 * products["sk"]
+        assert products["mm"] - edge == pytest.approx(products["ss"], rel=0.02)
 
 
 def test_a_feather_shows_in_the_bins_beside_the_seam_and_nowhere_else(tmp_path: Path) -> None:
@@ -215,9 +228,11 @@ def test_a_hole_in_the_mosaic_is_no_loss(tmp_path: Path, side: int, density: str
     found = scan_block(replace(request, window=PixelWindow(128, 128, 768, 768)))
     cells = found.cells
     assert len(cells)
-    level = 0
-    textured = cells.cc[level] > 0.05 * cells.cc[level].max()
-    assert (cells.mm[level] / np.maximum(cells.cc[level], 1e-6))[textured].min() > 0.7
+    strip = EDGES_PX.index(8)
+    beyond = cells.chosen((cells.bin >= strip) & (cells.cc[0] > 0.05 * cells.cc[0].max()))  # but for the cut's edge
+    assert (beyond.mm[0] / beyond.cc[0]).min() > 0.7
+    near = cells.chosen(cells.bin < strip)
+    assert near.mm[0].sum() / near.cc[0].sum() > 0.98
     first = (640 - 128) // LABEL_PX, (384 - 128) // LABEL_PX
     count = side // LABEL_PX
     assert (found.labels[first[0] : first[0] + count, first[1] : first[1] + count] == UNKNOWN).all()

@@ -3,27 +3,19 @@ from __future__ import annotations
 
 import numpy as np
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.imagery.rasters import Raster
-from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX, DetailCells
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
+from seam_inspector.plugin.seams.measure.profile.seam_sums import StripProfile
+from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, LABELS, SQUARES, UNITS
-from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import CellTable
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS, BlockScan
-from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
-from seam_inspector.plugin.seams.measure.scan.results.block_ground import grounds
-from seam_inspector.plugin.seams.measure.scan.results.piece_sums import PieceProfile, PieceSums
+from seam_inspector.plugin.seams.measure.scan.results.piece_sums import PieceSums
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, Blend
 
 GRID = Grid(1000.0, 2000.0, 0.1, 0.1, SIDE, SIDE)
 WINDOW = PixelWindow(0, 0, SIDE, SIDE)
-
-
-def table_of(cells: DetailCells) -> CellTable:
-    """All of it."""
-    rows, columns = cells.source.shape
-    return CellTable.of(cells, (slice(0, rows), slice(0, columns)), (0, 0))
 
 
 def pieces_of(made: Blend, count: int = 1, grid: Grid = GRID) -> list[SeamPiece]:
@@ -40,16 +32,14 @@ def pieces_of(made: Blend, count: int = 1, grid: Grid = GRID) -> list[SeamPiece]
     return found
 
 
-def profiles_of(
-    table: CellTable, pieces: list[SeamPiece], grey: np.ndarray | None = None, mosaic: Raster | None = None
-) -> list[PieceProfile]:
+def profiles_of(detail: WindowDetail, pieces: list[SeamPiece]) -> list[StripProfile]:
     """By the window's own ground."""
-    sums = PieceSums(len(pieces), LEVELS)
-    sums.add(table, grounds(table, table), PieceIndex(pieces, GRID), WINDOW, grey)
-    return sums.profiles(mosaic)
+    sums = PieceSums(pieces, GRID, LEVELS)
+    sums.add(detail.cells, detail.mixture, detail.ground, WINDOW)
+    return sums.profiles()
 
 
-def scan_of_window(cells: DetailCells, labels: np.ndarray) -> BlockScan:
+def scan_of_window(detail: WindowDetail, labels: np.ndarray) -> BlockScan:
     """The first block of a mosaic that is no more than the window."""
     full = np.full((LABELS, LABELS), UNKNOWN, np.uint8)
     coarse = labels[LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX]
@@ -59,5 +49,5 @@ def scan_of_window(cells: DetailCells, labels: np.ndarray) -> BlockScan:
     mixture[:count, :count] = np.linspace(0, 1, count**2).reshape(count, count)
     return BlockScan(
         (0, 0), ("a", "b"), np.full((SQUARES, SQUARES), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool), full,
-        mixture, mixture.copy(), mixture.copy(), table_of(cells), np.zeros((UNITS, UNITS), bool),
+        mixture, mixture.copy(), mixture.copy(), detail.cells, detail.mixture, np.zeros((UNITS, UNITS), bool),
     )

@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 from osgeo import gdal, ogr
 from scipy import ndimage
-from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, PRODUCTS, CellTable, MixtureTable
 from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, global_numbers
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
-from seam_inspector.plugin.seams.measure.scan.blocks.cell_table import CellTable
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import BlockScan, scan_block
 from seam_inspector.plugin.seams.measure.scan.inputs.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, NamedSeam
@@ -240,8 +239,8 @@ def block(labels: np.ndarray | None = None, **arrays: np.ndarray) -> BlockScan:
     nothing = BlockScan(
         (0, 0), ("a", "b"), np.full((16, 16), UNKNOWN, np.uint8), np.zeros((UNITS, UNITS), bool),
         np.full((LABELS, LABELS), UNKNOWN, np.uint8) if labels is None else labels,
-        *(np.full((128, 128), np.nan, np.float32) for _ in range(3)), CellTable.empty(3),
-        np.zeros((UNITS, UNITS), bool),
+        np.full((128, 128), np.nan, np.float32), np.full((128, 128), np.nan, np.float32), CellTable.empty(3),
+        MixtureTable.empty(3), np.zeros((UNITS, UNITS), bool),
     )
     return replace(nothing, **arrays)
 
@@ -302,8 +301,11 @@ def test_cells_of_any_block_are_replaced_by_their_place_in_it() -> None:
     table = CellTable(row, column, np.zeros(2, np.uint8), values, values, values, values)
     dense = np.zeros((UNITS, UNITS), bool)
     dense[0, 0] = True  # of block (1, 2): cells 128, 129 by 256, 257
-    found = both_looks(block(cells=table), block(dense=dense))
+    number = np.zeros(2, np.uint8)
+    mixture = MixtureTable(row, column, number, number, number + 1, np.ones((len(PRODUCTS), 3, 2), np.float32))
+    found = both_looks(block(cells=table, beside=mixture), block(dense=dense))
     assert found.cells.column.tolist() == [300]
+    assert found.beside.column.tolist() == [300]
 
 
 def test_numbers_of_a_block_become_those_of_the_scan() -> None:

@@ -11,14 +11,13 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.measure.profile.detail_cells import CELL_PX
-from seam_inspector.plugin.seams.measure.profile.seam_profile import local_kept
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
+from seam_inspector.plugin.seams.measure.profile.ground import grounds
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABELS
-from seam_inspector.plugin.seams.measure.scan.results.block_ground import grounds
 from seam_inspector.plugin.seams.measure.scan.results.loss_raster import BANDS, NODATA, loss_cells, loss_raster
 from seam_inspector.plugin.seams.measure.scan.scan_settings import CELLS_PX
 
-from tests.numbers.seams.profile.blends import SIDE, blend
+from tests.numbers.seams.profile.blends import SIDE, blend, spread
 from tests.numbers.seams.scan.results.one_window import scan_of_window
 from tests.numbers.synthetic import GeoTransform, write_raster
 
@@ -30,15 +29,19 @@ KEPT, CONTRAST, ADDED, SOURCE, MIXTURE = range(len(BANDS))
 
 def pixels_of(width: int, cell_px: int) -> np.ndarray:
     made = blend(width)
-    scan = scan_of_window(made.cells(), made.labels)
+    scan = scan_of_window(made.detail(), made.labels)
     labels = np.where(scan.labels < 2, scan.labels.astype(int) + 1, 0)
-    return loss_cells(scan, labels, grounds(scan.cells, scan.cells), cell_px)
+    return loss_cells(scan, labels, grounds(scan.cells), cell_px)
 
 
 @pytest.mark.parametrize("width", [0, 33, 100])
 def test_the_finest_pixels_keep_what_the_cells_of_a_window_keep(width: int) -> None:
-    expected = local_kept(blend(width).cells())
-    assert expected is not None
+    """Energy over that which ground of the same energy has."""
+    table = blend(width).detail().cells
+    (finest, *_) = grounds(table)
+    assert finest is not None
+    mm, cc = (spread(table, one[0], COUNT).sum(axis=0) for one in (table.mm, table.cc))
+    expected = mm / (cc * finest.amplitude(cc / CELL_PX**2))
     found = pixels_of(width, CELL_PX)[KEPT]
     assert found.shape == (BLOCK_PX // CELL_PX, BLOCK_PX // CELL_PX)
     assert found[:COUNT, :COUNT] == pytest.approx(expected, rel=0.01, abs=0.003)
@@ -49,11 +52,11 @@ def test_the_finest_pixels_keep_what_the_cells_of_a_window_keep(width: int) -> N
 @pytest.mark.parametrize("cell_px", CELLS_PX)
 def test_larger_pixels_are_sums_of_cells(cell_px: int) -> None:
     made = blend(33)
-    cells = made.cells()
+    cells = made.detail().cells
     side = SIDE // cell_px
 
     def summed(name: str) -> np.ndarray:
-        each = getattr(cells, name)[0].sum(axis=0)
+        each = spread(cells, getattr(cells, name)[0], COUNT).sum(axis=0)
         return each.reshape(side, cell_px // CELL_PX, side, -1).sum(axis=(1, 3))
 
     found = pixels_of(33, cell_px)[:, :side, :side]
@@ -82,7 +85,7 @@ def test_pixels_name_the_source_in_their_middle() -> None:
 
 def test_without_ground_there_is_contrast_and_no_kept() -> None:
     made = blend(33)
-    scan = scan_of_window(made.cells(), made.labels)
+    scan = scan_of_window(made.detail(), made.labels)
     found = loss_cells(scan, np.zeros((LABELS, LABELS), int), [None] * 3, 32)
     assert (found[KEPT] == NODATA).all()
     assert (found[CONTRAST][: SIDE // 32, : SIDE // 32] > 0).all()

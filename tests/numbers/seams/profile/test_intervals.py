@@ -1,0 +1,151 @@
+"""How sure kept is: intervals that hold the truth, and what widens them."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, MixtureTable
+from seam_inspector.plugin.seams.measure.profile.energy_sums import EnergySums
+from seam_inspector.plugin.seams.measure.profile.intervals import Kept, together
+from seam_inspector.plugin.seams.measure.profile.mixture_sums import LEAST_ERROR, MixedStrips, MixtureSums
+from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
+
+from tests.numbers.seams.profile.blends import LEVELS, Blend, blend
+
+
+def afterwards(made: Blend, seed: int) -> np.ndarray:
+    """A mosaic that went through what differs from place to place: noise that follows the ground's brightness."""
+    rng = np.random.default_rng(seed)
+    strength = 2 + 100 * ndimage.gaussian_filter(rng.standard_normal(made.labels.shape), 20, mode="wrap")
+    return made.made + np.clip(strength, 0.3, 6) * rng.standard_normal(made.labels.shape)
+
+
+def mixture_of(detail: WindowDetail) -> MixedStrips:
+    sums = MixtureSums(1, LEVELS)
+    sums.add(detail.mixture, detail.whole, np.zeros(len(detail.whole.keys), int))
+    return sums.result()
+
+
+def energy_of(detail: WindowDetail, mixture: MixedStrips | None = None) -> Kept:
+    """Its own edge taken out."""
+    sums = EnergySums(1, LEVELS)
+    sums.add(detail.cells, detail.whole, detail.ground, np.zeros(len(detail.whole.keys), int))
+    return sums.kept((mixture or mixture_of(detail)).edge)[0]
+
+
+def ratio(kept: Kept) -> float:
+    return float(kept.high[0] / kept.low[0])
+
+
+def holds(kept: Kept, truth: float) -> bool:
+    return bool(kept.low[0] <= truth <= kept.high[0])
+
+
+@pytest.mark.parametrize("width", [0, 13, 33, 66])
+def test_of_sixty_windows_nine_in_ten_intervals_hold_the_truth(width: int) -> None:
+    """Each of the two measures', and what is judged by both."""
+    held = np.zeros(3)
+    for seed in range(60):
+        made = blend(width, side=192, seed=seed, in_common=0.1 * (seed % 8), other_years=4.0 * (seed % 5))
+        detail, truth = made.detail(afterwards(made, seed)), made.truth()
+        mixture = mixture_of(detail)
+        profile = detail.profile
+        assert profile is not None
+        held += (
+            profile.low <= truth <= profile.high, holds(mixture.kept, truth), holds(energy_of(detail, mixture), truth)
+        )
+    assert (held >= 0.9 * 60).all(), held
+
+
+def test_no_interval_is_too_wide_to_say_anything() -> None:
+    """A feather of 33 px is found in every window of 192 px, and no hard cut is taken for one."""
+    for seed in range(15):
+        hard, soft = (blend(width, side=192, seed=seed) for width in (0, 33))
+        assert hard.profile(afterwards(hard, seed)).high > 1
+        assert soft.profile(afterwards(soft, seed)).high < 0.8
+
+
+def test_the_mixture_of_uneven_ground_is_less_sure() -> None:
+    """By the jackknife: what is mixed differs from block to block along the seam."""
+    made, hard = blend(33), blend(0)
+    weights = np.where(np.arange(512)[:, np.newaxis] // 96 % 2, made.weights, hard.weights)
+    even, uneven = (mixture_of(one.detail()).kept for one in (made, replace(made, weights=weights)))
+    assert np.log(ratio(uneven)) > 1.5 * np.log(ratio(even))
+    assert even.low[0] <= made.truth() <= even.high[0]
+
+
+def test_the_mixture_is_never_surer_than_its_floor() -> None:
+    found = mixture_of(blend(0).detail()).kept
+    assert found.value[0] == pytest.approx(1, abs=1e-6)
+    assert np.log(ratio(found)) >= 2 * 1.96 * LEAST_ERROR * 0.999
+
+
+def test_a_long_seam_is_surer_than_a_short_one() -> None:
+    """By the mean over many seams: a jackknife of eight groups is itself uncertain."""
+    widths = np.zeros((2, 2))
+    for seed in range(8):
+        made = blend(33, seed=seed)
+        detail = made.detail(afterwards(made, seed))
+        rows = detail.whole.row
+        for place, last in enumerate((4, 30)):
+            sums, energy = MixtureSums(1, LEVELS), EnergySums(1, LEVELS)
+            piece = np.where((rows >= 1) & (rows < last), 0, -1)
+            sums.add(detail.mixture, detail.whole, piece)
+            energy.add(detail.cells, detail.whole, detail.ground, piece)
+            mixture = sums.result()
+            widths[place] += np.log(ratio(mixture.kept)), np.log(ratio(energy.kept(mixture.edge)[0]))
+    assert (widths[0] > 1.2 * widths[1]).all()
+
+
+def test_a_feather_that_reaches_into_the_ground_around_makes_energies_less_sure() -> None:
+    narrow, wide = (energy_of(blend(width, side=256).detail()) for width in (33, 250))
+    assert ratio(wide) > 1.2 * ratio(narrow)
+
+
+def test_an_error_of_many_hundred_per_cent_is_an_interval_that_has_ends() -> None:
+    value, nothing = np.array([1e-3, 0.5, 0.0, np.nan]), np.zeros(4)
+    found = Kept.of(value, np.array([900.0, 1e9, 5.0, 1.0]), nothing)
+    assert np.isfinite(found.high[:3]).all()
+    assert (found.low[:3] <= value[:3]).all()
+    assert np.isnan(found.high[3])
+    sure = Kept.of(np.full(4, 0.9), np.full(4, 0.02), np.full(4, 1e6))
+    both, _, _ = together(found, sure, nothing)
+    assert np.isfinite(both.high).all()
+    assert np.log(sure.high / sure.low) == pytest.approx(2 * 1.96 * 0.02, rel=1e-3)
+
+
+def test_rough_ground_makes_energies_less_sure() -> None:
+    made = blend(33)
+    rng = np.random.default_rng(12)
+    left = np.exp(0.5 * rng.standard_normal((32, 32))).repeat(16, axis=0).repeat(16, axis=1)
+    even, rough = (energy_of(made.detail(one)) for one in (made.made, 120 + (made.made - 120) * left))
+    assert ratio(rough) > 1.3 * ratio(even)
+
+
+def test_rows_of_another_piece_say_nothing_of_this_one() -> None:
+    """Two pieces, of which one is feathered, in any order."""
+    made, hard = blend(33), blend(0)
+    half = np.arange(512)[:, np.newaxis] < 256
+    detail = replace(made, weights=np.where(half, made.weights, hard.weights)).detail()
+    piece = (detail.whole.row >= 256 // CELL_PX).astype(int)
+    forth, back = MixtureSums(2, LEVELS), MixtureSums(2, LEVELS)
+    forth.add(detail.mixture, detail.whole, piece)
+    cut = np.arange(len(detail.mixture)) % 3
+    for part in (2, 0, 1):
+        back.add(detail.mixture.chosen(cut == part), detail.whole, piece)
+    back.add(MixtureTable.empty(LEVELS), detail.whole, piece)
+    one, other = forth.result(), back.result()
+    assert one.kept.value[0] < 0.75
+    assert one.kept.value[1] == pytest.approx(1, abs=0.03)
+    for name in ("value", "low", "high"):
+        assert getattr(other.kept, name) == pytest.approx(getattr(one.kept, name), rel=1e-6)
+    assert other.feather_widths_px() == pytest.approx(one.feather_widths_px(), abs=1e-3)
+
+
+def test_a_piece_with_hardly_any_pixels_beside_another_source_has_no_mixture() -> None:
+    detail = blend(33).detail()
+    sums = MixtureSums(2, LEVELS)
+    sums.add(detail.mixture, detail.whole, np.where(detail.whole.row == 5, 0, np.where(detail.whole.row > 8, 1, -1)))
+    assert np.isnan(sums.result().kept.value).tolist() == [True, False]

@@ -1,0 +1,242 @@
+"""What judges a seam: energies against the ground around, the mixture of the sources, or both; and what is an edge."""
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX
+from seam_inspector.plugin.seams.measure.profile.intervals import MOST_KEPT, MOST_LEFT, Kept, together
+from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, Measure, SeamProfile
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+
+from tests.numbers.seams.profile.blends import SIDE, Blend, blend
+
+BAND_PX = 12
+
+
+def beside(made: Blend, changed: np.ndarray) -> SeamProfile:
+    """Another image along the seam alone."""
+    return made.profile(np.where(made.distance < BAND_PX, changed, made.made))
+
+
+# --- which of them judges ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("width", [0, 13, 33, 100])
+def test_of_a_feather_both_say_the_same(width: int) -> None:
+    found = blend(width).profile()
+    assert found.measure is Measure.BOTH
+    assert found.by_energy == pytest.approx(found.by_mixture, abs=0.05)
+    assert min(found.by_energy, found.by_mixture) <= found.kept[0] <= max(found.by_energy, found.by_mixture)
+
+
+@pytest.mark.parametrize("sigma", [0.4, 0.5])
+def test_a_blur_along_the_seam_alone_is_seen_by_the_energy(sigma: float) -> None:
+    made = blend(0)
+    found = beside(made, ndimage.gaussian_filter(made.made, sigma))
+    assert found.measure is Measure.ENERGY
+    assert found.by_mixture == pytest.approx(1, abs=0.02)
+    assert found.kept[0] == found.by_energy
+    assert found.high < 0.8
+    assert found.feather_width_px == pytest.approx(0, abs=1)
+
+
+def test_a_blur_on_top_of_a_feather_takes_more_than_the_mixture() -> None:
+    made = blend(33)
+    found = beside(made, ndimage.gaussian_filter(made.made, 0.5))
+    assert found.measure is Measure.ENERGY
+    assert found.by_mixture == pytest.approx(made.truth(), abs=0.04)
+    assert found.high < found.by_mixture
+
+
+@pytest.mark.parametrize("side", [3, 5])
+@pytest.mark.parametrize("width", [0, 33])
+def test_a_median_filter_is_not_called_a_mixture(side: int, width: int) -> None:
+    made = blend(width)
+    found = beside(made, ndimage.median_filter(made.made, side))
+    assert found.measure is Measure.ENERGY
+    assert found.kept[0] == found.by_energy
+    assert found.high < 0.5
+
+
+@pytest.mark.parametrize("side", [128, 256, 512])
+@pytest.mark.parametrize("in_common", [0.0, 0.5])
+def test_the_mean_of_two_images_all_over_the_window_is_seen_by_the_mixture(side: int, in_common: float) -> None:
+    """The ground around has lost as much, and small windows have none at all."""
+    mean = blend(0, side=side, in_common=in_common).with_mosaic_of(np.full((side, side), 0.5))
+    found = mean.profile()
+    assert found.measure is Measure.MIXTURE
+    assert found.kept[0] == found.by_mixture == pytest.approx((1 + in_common) / 2, abs=0.04)
+    assert found.low < mean.truth() < found.high
+    assert found.by_energy is None or found.by_energy > 0.9
+    widths = [one.far_px - one.near_px for one in found.bins if one.level == 1]
+    assert found.feather_width_px >= min(2 * sum(widths), 0.85 * 2 * EDGES_PX[-3])
+
+
+def test_by_the_mixture_every_bin_has_what_it_leaves_there() -> None:
+    mean = blend(0).with_mosaic_of(np.full((SIDE, SIDE), 0.5))
+    bins = [one for one in mean.profile().bins if one.level == 1 and one.mixture is not None]
+    for one in bins:
+        assert one.kept == pytest.approx(mean.truth(one.near_px, one.far_px), abs=0.05)
+        assert one.low < one.kept < one.high
+
+
+@pytest.mark.parametrize("width", [0, 33])
+def test_detail_that_came_along_the_seam_hides_no_mixture(width: int) -> None:
+    made = blend(width)
+    found = beside(made, made.made + np.random.default_rng(2).normal(0, 16, made.labels.shape))
+    assert found.by_energy is None or found.by_energy > 1.1
+    assert found.measure is Measure.MIXTURE
+    assert found.kept[0] == pytest.approx(made.truth(), abs=0.06)
+
+
+def test_what_the_seam_took_counts_over_all_distances() -> None:
+    """In DN squared of its sources' detail, by the mixture's own formula."""
+    feathers = [blend(width) for width in (0, 13, 33, 66)]
+    found = [one.profile().lost for one in feathers]
+    assert found[0] == pytest.approx(0, abs=0.02 * found[1])
+    assert found == sorted(found)
+    for one, lost in zip(feathers[1:], found[1:]):
+        energy = one.profile().energy[0]
+        ends = [(0, 4), (4, 8), (8, 16), (16, 32), (32, 48)]
+        areas = [np.count_nonzero((one.distance >= near) & (one.distance < far)) for near, far in ends]
+        expected = sum(area * energy * (1 - one.truth(*both)) for area, both in zip(areas, ends))
+        assert lost == pytest.approx(expected, rel=0.2)
+
+
+# --- the cut's own edge -----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("other_years", [10.0, 25.0, 60.0])
+@pytest.mark.parametrize("seed", [0, 5])
+def test_a_hard_cut_of_images_of_different_years_keeps_all(other_years: float, seed: int) -> None:
+    """The step between them is added detail, and none that was kept."""
+    made = blend(0, other_years=other_years, seed=seed)
+    found = made.profile()
+    assert found.measure is Measure.BOTH
+    assert found.kept == pytest.approx((1, 1, 1), abs=0.01)
+    assert found.by_energy == pytest.approx(1, abs=0.01)
+    assert found.by_mixture == pytest.approx(1, abs=0.01)
+    assert found.low < 1 < found.high
+    assert found.added_beside > 0.2
+    near = made.detail().cells.chosen(made.detail().cells.bin < EDGES_PX.index(STRIP_PX))
+    assert near.mm[0].sum() > 1.02 * near.cc[0].sum()  # what it would keep with its edge
+
+
+@pytest.mark.parametrize("width", [13, 33])
+def test_a_feather_of_different_years_is_judged_as_one_of_the_same(width: int) -> None:
+    plain, years = (blend(width, other_years=one).profile() for one in (0.0, 25.0))
+    assert years.kept[0] == pytest.approx(plain.kept[0], abs=0.04)
+    assert years.feather_width_px == pytest.approx(plain.feather_width_px, abs=2)
+
+
+def test_a_sound_window_is_even_up_to_its_edges_whatever_lies_at_the_other_one() -> None:
+    """Periodic wavelets see a cut at the window's edge where left and right follow different sources."""
+    made = blend(0, other_years=60)
+    ground = made.detail().ground
+    energies = np.geomspace(5, 500, 9)
+    for level in ground:
+        assert level is not None
+        assert level.amplitude(energies) == pytest.approx(1, abs=0.01)
+        assert level.scatter < 0.05
+
+
+# --- what two measures say together -----------------------------------------------------------------------------
+
+
+def kept(value: float, low: float, high: float) -> Kept:
+    return Kept(*(np.array([one]) for one in (value, low, high)))
+
+
+NOTHING = kept(np.nan, np.nan, np.nan)
+
+
+def judged(energy: Kept, mixture: Kept, left: float = 0.0) -> tuple[float, Measure]:
+    found, by_energy, by_mixture = together(energy, mixture, np.array([left]))
+    return float(found.value[0]), Measure.of(bool(by_energy[0]), bool(by_mixture[0]))
+
+
+def test_where_one_says_nothing_the_other_judges() -> None:
+    one = kept(0.7, 0.6, 0.8)
+    assert judged(one, NOTHING) == (0.7, Measure.ENERGY)
+    assert judged(NOTHING, one) == (0.7, Measure.MIXTURE)
+    assert np.isnan(together(NOTHING, NOTHING, np.zeros(1))[0].value).all()
+
+
+def test_where_they_contradict_each_other_the_lower_one_judges() -> None:
+    low, high = kept(0.5, 0.45, 0.55), kept(0.9, 0.8, 1.0)
+    assert judged(low, high) == (0.5, Measure.ENERGY)
+    assert judged(high, low) == (0.5, Measure.MIXTURE)
+
+
+def test_a_mixture_that_does_not_explain_the_mosaic_does_not_judge() -> None:
+    low, high = kept(0.5, 0.45, 0.55), kept(0.9, 0.8, 1.0)
+    assert judged(high, low, MOST_LEFT) == (0.5, Measure.MIXTURE)
+    assert judged(high, low, MOST_LEFT + 1e-9) == (0.9, Measure.ENERGY)
+
+
+def test_energies_that_no_seam_has_do_not_judge() -> None:
+    mixture = kept(0.98, 0.9, 1.06)
+    assert judged(kept(1.2, MOST_KEPT + 0.001, 1.4), mixture) == (0.98, Measure.MIXTURE)
+    assert judged(kept(1.2, MOST_KEPT, 1.4), mixture)[1] is Measure.BOTH
+    assert judged(kept(1.2, 1.1, 1.4), NOTHING) == (1.2, Measure.ENERGY)
+
+
+@given(
+    a=st.floats(0.3, 1.2), b=st.floats(0.3, 1.2), narrow=st.floats(1.02, 1.2), wide=st.floats(1.2, 2.0)
+)
+def test_where_they_agree_the_surer_one_weighs_more(a: float, b: float, narrow: float, wide: float) -> None:
+    one, other = kept(a, a / narrow, a * narrow), kept(b, b / wide, b * wide)
+    value, measure = judged(one, other)
+    if measure is Measure.BOTH:
+        assert min(a, b) - 1e-9 <= value <= max(a, b) + 1e-9
+        assert abs(np.log(value / a)) <= abs(np.log(value / b)) + 1e-9
+    else:
+        assert value in (a, b)
+
+
+# --- where nothing can be told ----------------------------------------------------------------------------------
+
+
+def test_a_window_without_ground_is_measured_by_its_mixture() -> None:
+    """Of 128 px, and with nothing 32 px from all seams."""
+    for width in (0, 33):
+        made = blend(width, side=128)
+        found = made.profile()
+        assert found.by_energy is None
+        assert found.measure is Measure.MIXTURE
+        assert found.kept[0] == pytest.approx(made.truth(), abs=0.05)
+        assert found.low < made.truth() < found.high
+
+
+def test_without_ground_and_without_another_source_nothing_is_told() -> None:
+    made = blend(0, side=128)
+    assert made.detail(labels=np.zeros((128, 128), np.uint8)).profile is None
+    assert made.detail(labels=np.where(made.labels == 1, UNKNOWN, 0).astype(np.uint8)).profile is None
+
+
+def test_a_seam_beside_the_window_is_none_of_its() -> None:
+    """It was read with the ground around."""
+    made = blend(33)
+    assert made.distance[:, :160].min() > 20
+    without = made.detail(inside=(slice(128, 384), slice(0, 160)))
+    assert not without.has_seam
+    assert without.profile is None
+    assert made.detail(inside=(slice(128, 384), slice(128, 384))).has_seam
+
+
+def test_what_is_read_around_a_window_is_ground_and_is_not_judged() -> None:
+    """One half of the seam is feathered, the other one, in which the window lies, is not."""
+    hard, soft = blend(0), blend(33)
+    half = replace(hard, weights=np.where(np.arange(SIDE)[:, np.newaxis] < SIDE // 2, soft.weights, hard.weights))
+    found = half.detail(inside=(slice(SIDE // 2 + 32, SIDE - 32), slice(128, 384))).profile
+    assert found is not None
+    assert found.kept[0] == pytest.approx(1, abs=0.03)
+    assert found.feather_width_px == pytest.approx(0, abs=1)
+    other = half.detail(inside=(slice(32, SIDE // 2 - 32), slice(128, 384))).profile
+    assert other is not None
+    assert other.kept[0] < 0.7

@@ -1,0 +1,237 @@
+"""What a mosaic is mixed of beside a seam: known feathers, whatever came after, and PyWavelets' energies."""
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+from scipy import ndimage
+from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX, MIXED_BINS, PRODUCTS
+from seam_inspector.plugin.seams.measure.profile.mixture import (
+    SLOTS,
+    feather_width_px,
+    fit_mixtures,
+    isotonic,
+    mixed_energy,
+)
+
+from tests.numbers.seams.profile.blends import Blend, blend
+
+Change = Callable[[np.ndarray], np.ndarray]
+MIDDLES = np.array([(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])])
+
+# --- never falling ----------------------------------------------------------------------------------------------
+
+
+def pooled(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """One row, by pooling adjacent violators one after the other."""
+    blocks: list[tuple[float, float, int]] = []
+    for value, weight in zip(values.tolist(), weights.tolist()):
+        own = (value, weight, 1)
+        while blocks and blocks[-1][0] > own[0]:
+            mean, total, count = blocks.pop()
+            own = (mean * total + own[0] * own[1]) / (total + own[1]), total + own[1], count + own[2]
+        blocks.append(own)
+    return np.concatenate([np.full(count, mean) for mean, _, count in blocks])
+
+
+@settings(max_examples=60)
+@given(
+    values=arrays(float, (3, 14), elements=st.floats(-2, 2)),
+    weights=arrays(float, (3, 14), elements=st.floats(0.01, 5)),
+)
+def test_rows_that_never_fall_are_those_of_pooling(values: np.ndarray, weights: np.ndarray) -> None:
+    expected = np.stack([pooled(*one) for one in zip(values, weights)])
+    np.testing.assert_allclose(isotonic(values, weights), expected, atol=1e-9)
+
+
+def test_a_row_that_rises_stays_as_it_is() -> None:
+    rising = np.linspace(-1, 1, 9)[np.newaxis]
+    np.testing.assert_allclose(isotonic(rising, np.ones((1, 9))), rising)
+    np.testing.assert_allclose(isotonic(-rising, np.ones((1, 9))), 0, atol=1e-12)
+
+
+# --- sums of products that are known ------------------------------------------------------------------------------
+
+
+def products_of(
+    other: np.ndarray, edge: float = 0.0, gain: float = 1.0, noise: float = 0.0, rho: float = 0.3
+) -> np.ndarray:
+    """(1, SLOTS, products) of two sources of energies 4 and 9 a pixel and an edge of 5 in the bins beside the seam,
+    mixed by ``other``, (SLOTS,)."""
+    area, so = 1000.0, 6 * rho
+    kk = np.where(np.arange(SLOTS) % MIXED_BINS < 3, 5.0, 0.0)
+    ss, oo = np.where(np.arange(SLOTS) < MIXED_BINS, 4.0, 9.0), np.where(np.arange(SLOTS) < MIXED_BINS, 9.0, 4.0)
+    sk, ok = -0.1 * kk, 0.1 * kk
+    own, t = 1 - other, edge
+    ms, mo = own * ss + other * so + t * sk, own * so + other * oo + t * ok
+    mk = own * sk + other * ok + t * kk
+    mm = own * ms + other * mo + t * mk + noise
+    columns = gain**2 * mm, gain * ms, gain * mo, gain * mk, ss, so + 0 * ss, sk, oo, ok, kk
+    return area * np.stack([np.ones(SLOTS), *columns], axis=-1)[np.newaxis]
+
+
+def linear(width: float) -> np.ndarray:
+    return np.tile(np.clip(0.5 - MIDDLES / width, 0, 1), 2)
+
+
+@pytest.mark.parametrize("gain", [0.3, 1.0, 2.5])
+@pytest.mark.parametrize("noise", [0.0, 30.0])
+def test_shares_are_found_whatever_gain_and_noise_came_after(gain: float, noise: float) -> None:
+    expected = linear(60)
+    found = fit_mixtures(products_of(expected, gain=gain, noise=noise))
+    np.testing.assert_allclose(found.other[0], expected, atol=0.01)
+    np.testing.assert_allclose(found.left[0], gain**2 * noise * 1000, atol=gain**2 * 10)
+
+
+def test_a_whole_edge_is_a_cut_that_mixes_nothing_and_its_energy_is_taken_out() -> None:
+    products = products_of(np.zeros(SLOTS), edge=1.0)
+    found = fit_mixtures(products)
+    np.testing.assert_allclose(found.other, 0, atol=1e-3)
+    np.testing.assert_allclose(products[..., 1] - found.edge, products[..., PRODUCTS.index("ss")], rtol=1e-3)
+
+
+def test_what_the_mosaic_has_of_neither_source_is_no_mixture() -> None:
+    products = products_of(np.zeros(SLOTS))
+    products[..., 2:5] = 0  # m is a stranger
+    found = fit_mixtures(products)
+    np.testing.assert_allclose(found.other, 0, atol=1e-9)
+    np.testing.assert_allclose(found.left, products[..., 1], rtol=1e-3)
+
+
+def test_a_bin_without_pixels_follows_its_neighbours() -> None:
+    expected = linear(60)
+    products = products_of(expected)
+    products[0, 5] = products[0, MIXED_BINS + 2] = 0
+    found = fit_mixtures(products).other[0]
+    known = np.delete(np.arange(SLOTS), [5, MIXED_BINS + 2])
+    np.testing.assert_allclose(found[known], expected[known], atol=0.01)
+    assert found[6] - 0.01 <= found[5] <= found[4] + 0.01
+
+
+@given(share=st.floats(0, 1), rho=st.floats(-0.9, 0.9))
+def test_a_mixture_has_the_energy_of_its_parts(share: float, rho: float) -> None:
+    products = products_of(np.full(SLOTS, share), rho=rho)
+    mm = products[..., PRODUCTS.index("mm")]
+    np.testing.assert_allclose(mixed_energy(products, np.full((1, SLOTS), share)), mm, rtol=1e-9)
+
+
+@pytest.mark.parametrize("width", [20.0, 60.0, 150.0])
+def test_the_width_reaches_from_one_twentieth_to_the_other(width: float) -> None:
+    assert feather_width_px(linear(width)) == pytest.approx(0.9 * width, rel=0.12)
+    one_sided = linear(width)
+    one_sided[MIXED_BINS:] = 0
+    assert feather_width_px(one_sided) == pytest.approx(0.45 * width, rel=0.12)
+
+
+def test_the_width_of_a_cut_is_nothing_and_that_without_end_as_wide_as_can_be_seen() -> None:
+    assert feather_width_px(np.zeros(SLOTS)) == 0
+    assert feather_width_px(np.full(SLOTS, 0.5)) == 2 * EDGES_PX[MIXED_BINS]
+
+
+# --- mosaics ----------------------------------------------------------------------------------------------------
+
+
+def shares_of(made: Blend, mosaic: np.ndarray | None = None) -> np.ndarray:
+    """alpha by distance, the mean of both sides."""
+    own = [one for one in made.profile(mosaic).bins if one.level == 1 and one.mixture is not None]
+    assert [one.near_px for one in own] == list(EDGES_PX[:MIXED_BINS])
+    return np.array([one.mixture for one in own], float)
+
+
+def true_shares(made: Blend) -> np.ndarray:
+    """The weight of whatever is not followed, by distance."""
+    own = np.take_along_axis(made.weights, made.labels[np.newaxis].astype(np.intp), 0)[0]
+    ends = zip(EDGES_PX[:MIXED_BINS], EDGES_PX[1:])
+    return np.array([1 - own[(made.distance >= near) & (made.distance < far)].mean() for near, far in ends])
+
+
+AFTERWARDS: dict[str, Change] = {
+    "nothing": lambda plane: plane,
+    "gain": lambda plane: 0.5 * plane + 40,
+    "noise": lambda plane: plane + np.random.default_rng(4).normal(0, 4, plane.shape),
+    "unsharp": lambda plane: 1.7 * plane - 0.7 * ndimage.gaussian_filter(plane, 1),
+    "blur": lambda plane: ndimage.gaussian_filter(plane, 0.5),
+    "8 bit": lambda plane: np.rint(plane),
+}
+WIDTHS = {"linear": 0.9, "cosine": 0.713}
+
+
+@pytest.mark.parametrize("change", AFTERWARDS)
+@pytest.mark.parametrize("ramp", WIDTHS)
+@pytest.mark.parametrize("width", [33, 100])
+def test_the_mixture_is_the_feather_itself(width: int, ramp: str, change: str) -> None:
+    made = blend(width, ramp)
+    mosaic = AFTERWARDS[change](made.made)
+    np.testing.assert_allclose(shares_of(made, mosaic), true_shares(made), atol=0.04)
+    found = made.profile(mosaic)
+    assert found.feather_width_px == pytest.approx(WIDTHS[ramp] * width, rel=0.1, abs=2)
+    assert found.by_mixture == pytest.approx(made.truth(), abs=0.03)
+
+
+@pytest.mark.parametrize("change", AFTERWARDS)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_a_narrow_feather_is_told_from_a_cut_whatever_came_after(seed: int, change: str) -> None:
+    """How much of the cut's edge is left says how narrow it is, as a share of what the sources have left."""
+    made = blend(13, side=256, seed=seed, other_years=5.0 * seed)
+    found = made.profile(AFTERWARDS[change](made.made))
+    assert found.by_mixture == pytest.approx(made.truth(), abs=0.035)
+    assert 8 < found.feather_width_px < 16
+
+
+@pytest.mark.parametrize("other_years", [0.0, 25.0])
+@pytest.mark.parametrize("change", AFTERWARDS)
+def test_a_hard_cut_mixes_nothing(change: str, other_years: float) -> None:
+    made = blend(0, other_years=other_years)
+    found = made.profile(AFTERWARDS[change](made.made))
+    assert found.by_mixture == pytest.approx(1, abs=0.01)
+    assert found.feather_width_px == pytest.approx(0, abs=1)
+
+
+@pytest.mark.parametrize("ramp", WIDTHS)
+@pytest.mark.parametrize("width", [13, 33, 66, 200])
+@pytest.mark.parametrize("other_years", [0.0, 25.0])
+def test_kept_by_mixture_is_what_pywavelets_says_of_the_sources(width: int, ramp: str, other_years: float) -> None:
+    made = blend(width, ramp, other_years=other_years)
+    assert made.profile().by_mixture == pytest.approx(made.truth(), abs=0.05 if width == 13 else 0.03)
+
+
+@pytest.mark.parametrize("in_common", [0.0, 0.3, 0.8])
+def test_the_mean_of_two_images_keeps_what_they_have_in_common(in_common: float) -> None:
+    made = blend(0, in_common=in_common)
+    mean = made.with_mosaic_of(np.full(made.labels.shape, 0.5))
+    found = mean.profile()
+    assert found.by_mixture == pytest.approx((1 + in_common) / 2, abs=0.03)
+    assert found.by_mixture == pytest.approx(mean.truth(), abs=0.01)
+    assert shares_of(mean) == pytest.approx(0.5, abs=0.03)
+
+
+@pytest.mark.parametrize("level", [2, 3])
+def test_coarser_levels_are_mixed_as_the_finest(level: int) -> None:
+    """By the finest level's shares, in strips twice and four times as wide."""
+    mean = blend(0, side=128).with_mosaic_of(np.full((128, 128), 0.5))
+    found = mean.profile()
+    assert found.by_energy is None
+    assert found.kept[level - 1] == pytest.approx(mean.truth(0, 8 * 2 ** (level - 1), level), abs=0.05)
+
+
+def test_a_feather_that_lies_on_one_side_of_the_border_is_found_there() -> None:
+    """The border is where the labels say, the feather begins at it."""
+    made = blend(0)
+    inside = np.where(made.labels == 1, made.distance, 0)
+    one_sided = made.with_mosaic_of(np.where(made.labels == 1, np.clip(inside / 40, 0, 1), 0))
+    found = one_sided.profile()
+    assert found.feather_width_px == pytest.approx(0.95 * 40, rel=0.1)
+    assert found.by_mixture == pytest.approx(one_sided.truth(), abs=0.04)
+
+
+def test_three_sources_are_three_mixtures() -> None:
+    made = blend(33, count=3)
+    found = made.profile()
+    assert found.by_mixture == pytest.approx(made.truth(), abs=0.04)
+    beside = made.detail().mixture
+    pairs = set(zip(beside.source.tolist(), beside.other.tolist()))
+    assert pairs == {(0, 1), (1, 0), (0, 2), (2, 0), (1, 2), (2, 1)}

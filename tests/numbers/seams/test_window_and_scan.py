@@ -1,0 +1,160 @@
+"""On the same seam a window and the pieces of a scan differ by less than their intervals: both are one estimator."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal, ogr
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.measure.inspection import (
+    InspectionSettings,
+    inspect_window,
+    make_block,
+    window_request,
+)
+from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
+from seam_inspector.plugin.seams.measure.scan.inputs.scan_request import scan_request
+from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, given_seams
+from seam_inspector.plugin.seams.measure.scan.results.judged_pieces import JudgedPiece
+from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
+from seam_inspector.plugin.seams.measure.seam_cells import Cell
+from seam_inspector.plugin.seams.measure.source_images import Source
+
+from demo.block import make_block as make_demo_block
+from tests.numbers.seams.scan.blocks.scenes import beside, blended, images, scene
+
+SIDE_PX = 256
+"""Of the windows; less than any that has ground enough of its own."""
+SEAM_PX = 400
+
+
+@dataclass(frozen=True)
+class Delivery:
+    """A mosaic, its orthoimages, and what is known of its seams."""
+
+    mosaic: Path
+    sources: Sequence[Path]
+    seams: Path | None = None
+    seam_fields: tuple[str, str] = ("left_source", "right_source")
+    cells: str = "cells"
+
+    def given(self) -> GivenSeams:
+        """Its seamlines with what lies on either side."""
+        dataset = ogr.Open(str(self.seams))
+        features = [
+            ({"left": one[self.seam_fields[0]], "right": one[self.seam_fields[1]]},
+             bytes(one.GetGeometryRef().ExportToWkb()))
+            for one in dataset.GetLayer("seamlines")
+        ]
+        return given_seams(features, describe_mosaic(RasterRef(str(self.mosaic))).grid)
+
+    def known_cells(self) -> list[Cell]:
+        """Which part each orthoimage has."""
+        found = []
+        dataset = ogr.Open(str(self.seams))
+        for one in dataset.GetLayer(self.cells):
+            left, right, bottom, top = one.GetGeometryRef().GetEnvelope()
+            found.append(Cell(one["source"], bytes(one.GetGeometryRef().ExportToWkb()), (left, bottom, right, top)))
+        return found
+
+
+def scanned_pieces(one: Delivery, folder: Path, is_given: bool, piece_m: float) -> tuple[JudgedPiece, ...]:
+    """Whole ones that could be measured."""
+    mosaic = describe_mosaic(RasterRef(str(one.mosaic)))
+    made = tuple(Source(RasterRef(str(path)), describe(RasterRef(str(path))).extent) for path in one.sources)
+    request, _ = scan_request(mosaic, made, ScanSettings(piece_m=piece_m), one.given() if is_given else None)
+    with whole_scan(request, folder / "loss.tif") as scan, ThreadPoolExecutor(2) as executor:
+        for _ in scan.steps(executor, 4):
+            pass
+        result = scan.result("")
+        scan.finish()
+    assert result is not None
+    return tuple(piece for piece in result.pieces if piece.kept and piece.piece.length_m > 0.9 * piece_m)
+
+
+def windows_of(one: Delivery, pieces: Sequence[JudgedPiece], with_cells: bool) -> list[SeamProfile | None]:
+    """What windows say, each around the middle of a piece; None where it can't be judged."""
+    mosaic, found = describe_mosaic(RasterRef(str(one.mosaic))), []
+    refs = [RasterRef(str(path)) for path in one.sources]
+    block, _ = make_block(mosaic, refs, (), one.known_cells() if with_cells else ())
+    for piece in pieces:
+        columns = mosaic.grid.column_at(piece.piece.vertices[:, 0])
+        rows = mosaic.grid.row_at(piece.piece.vertices[:, 1])
+        first = [int((ends.min() + ends.max() - SIDE_PX) / 2) for ends in (columns, rows)]
+        window = PixelWindow(*first, SIDE_PX, SIDE_PX)
+        extent = mosaic.grid.window_extent(window)
+        is_inside = mosaic.grid.contains(window)
+        request = window_request(block, 1, extent, InspectionSettings())
+        found.append(inspect_window(request).profile if is_inside else None)
+    return found
+
+
+def assert_they_say_the_same(one: Delivery, folder: Path, is_given: bool, piece_m: float, fewest: int) -> None:
+    pieces = scanned_pieces(one, folder, is_given, piece_m)
+    both = [(piece, found) for piece, found in zip(pieces, windows_of(one, pieces, is_given)) if found is not None]
+    assert len(both) >= fewest
+    apart = []
+    for piece, found in both:
+        assert piece.kept is not None
+        assert piece.low is not None
+        assert piece.high is not None
+        if not (found.low <= piece.high and piece.low <= found.high):
+            apart.append((piece.kept[0], piece.low, piece.high, found.kept[0], found.low, found.high))
+    assert not apart
+    differences = [abs(np.log(piece.kept[0] / found.kept[0])) for piece, found in both if piece.kept and found.kept[0]]
+    widths = [np.log(found.high / found.low) for _, found in both]
+    assert np.median(differences) < np.median(widths) / 2
+
+
+@pytest.mark.parametrize("width", [0, 13, 33, 66])
+def test_of_made_up_images(tmp_path: Path, width: int) -> None:
+    given = images()
+    made = scene(tmp_path, blended(*given, beside(SEAM_PX, width)), given)
+    one = Delivery(Path(made.mosaic.ref.path), [Path(source.ref.path) for source in made.sources])
+    assert_they_say_the_same(one, tmp_path, False, 20.0, 3)
+
+
+# --- real orthoimages -------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def brighton(data_folder: Path) -> Path:
+    return data_folder / "seams" / "brighton"
+
+
+@pytest.mark.parametrize("is_given", [False, True], ids=["found", "given"])
+@pytest.mark.parametrize("name", ["mosaic_hardseam.tif", "mosaic_feather0p4m.tif"])
+def test_of_brighton(tmp_path: Path, brighton: Path, name: str, is_given: bool) -> None:
+    gdal.Translate(str(tmp_path / name), str(brighton / name), srcWin=[1200, 900, 1024, 1024])
+    one = Delivery(
+        tmp_path / name, sorted(brighton.glob("DJI_*.tif")), brighton / "seamlines.gpkg", ("left_src", "right_src"),
+        "source_polygons",
+    )
+    assert_they_say_the_same(one, tmp_path, is_given, 6.0, 4)
+
+
+# --- the demo's block -------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module", params=[0.001, 1.5], ids=["hard", "feathered"])
+def demo_block(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Delivery:
+    """Its orthoimages are resampled and balanced one by one."""
+    made = make_demo_block(tmp_path_factory.mktemp("block"), (120.0, 100.0), feather_m=request.param)
+    return Delivery(made.mosaic, made.sources, made.seamlines)
+
+
+@pytest.mark.xfail(strict=True, reason="a scan does not take from seamlines which source is followed on either side")
+def test_of_the_demo_block_along_its_seamlines(tmp_path: Path, demo_block: Delivery) -> None:
+    assert_they_say_the_same(demo_block, tmp_path, True, 20.0, 4)
+
+
+@pytest.mark.xfail(strict=True, reason="seams are found in fields that were dodged, where there are none")
+def test_of_the_demo_block_along_the_seams_that_are_found(tmp_path: Path, demo_block: Delivery) -> None:
+    assert_they_say_the_same(demo_block, tmp_path, False, 20.0, 4)
