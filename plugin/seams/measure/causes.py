@@ -171,14 +171,15 @@ class CauseEvidence:
     @property
     def least_transfer(self) -> float:
         """Of fine detail, by the source of which least comes over; by the whole window where none is unmixed."""
-        if self.texture is not None:
+        if self.texture is not None and self.mixed < MIN_MOSTLY_MIXED:
             return self.texture.least_transfer
         return 1.0 if self.sharpness is None or self.is_mixed_all_over else self.sharpness
 
     @property
     def off_seam_lost(self) -> float:
         """Share of the window's finest detail energy that did not come over away from the seams."""
-        return self.texture.lost if self.texture is not None else max(1 - self.least_transfer**2, 0.0)
+        is_known = self.texture is not None and self.mixed < MIN_MOSTLY_MIXED
+        return self.texture.lost if self.texture is not None and is_known else max(1 - self.least_transfer**2, 0.0)
 
     @property
     def is_uneven(self) -> bool:
@@ -186,7 +187,7 @@ class CauseEvidence:
 
     @property
     def is_resampled(self) -> bool:
-        return self.off_pixel >= MIN_RESAMPLED_PX
+        return self.off_pixel >= MIN_RESAMPLED_PX and self.mixed < MIN_MOSTLY_MIXED  # else it lies between two images
 
     @property
     def spread(self) -> tuple[float, float]:
