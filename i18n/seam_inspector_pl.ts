@@ -3968,11 +3968,6 @@
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="68"/>
-        <source>Images that do not fit were blended along the seam.</source>
-        <translation>Wzdłuż linii mozaikowania zmieszano obrazy, które do siebie nie pasują.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/cause_words.py" line="89"/>
         <source>Grey values were pressed together by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
@@ -6425,52 +6420,52 @@
         <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="35"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="36"/>
         <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="35"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="36"/>
         <source>&gt; {near} m: {kept} %</source>
         <translation>&gt; {near} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="37"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="38"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="38"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="39"/>
         <source>{near} to {far} m: {kept} %</source>
         <translation>od {near} do {far} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="55"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="56"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="55"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="56"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="57"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="58"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="131"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="137"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="147"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="153"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="149"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="155"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -10949,27 +10944,22 @@
         <translation>profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="62"/>
-        <source>The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 drops below the dashed line, the loss is significant.</source>
-        <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="66"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="67"/>
         <source>lost detail</source>
         <translation>utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="67"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="68"/>
         <source>The colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
         <translation>Barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="70"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="71"/>
         <source>clips</source>
         <translation>wycinki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="71"/>
+        <location filename="../plugin/seams/report/reading_terms.py" line="72"/>
         <source>The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes a little of it from all of them.</source>
         <translation>Część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali, wszystkie z jednakowym rozciągnięciem. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
@@ -11383,22 +11373,22 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="41"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="42"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="173"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="179"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="175"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="181"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="60"/>
+        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="61"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
     </message>
@@ -11525,6 +11515,16 @@
     <message>
         <source>feathered over</source>
         <translation>wtopione na szerokości</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/cause_words.py" line="68"/>
+        <source>Two images that differ were mixed by weights along the seam.</source>
+        <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/reading_terms.py" line="62"/>
+        <source>The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 drops below the dashed line, the loss is significant. The dotted line is the share of the image beyond the seam in the mixture of the two.</source>
+        <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
 </context>
 </TS>

@@ -65,7 +65,7 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.FEATHERING.value: ShownCause(
         QT_TRANSLATE_NOOP("@default", "feathering"),
-        QT_TRANSLATE_NOOP("@default", "Images that do not fit were blended along the seam."),
+        QT_TRANSLATE_NOOP("@default", "Two images that differ were mixed by weights along the seam."),
         (
             QT_TRANSLATE_NOOP("@default", "feathering explains it"),
             QT_TRANSLATE_NOOP("@default", "images are feathered"),

@@ -188,7 +188,7 @@ class CauseEvidence:
 
     @property
     def is_resampled(self) -> bool:
-        return self.off_pixel >= MIN_RESAMPLED_PX
+        return self.off_pixel >= MIN_RESAMPLED_PX and self.mixed < MIN_MOSTLY_MIXED  # else it lies between two images
 
     @property
     def spread(self) -> tuple[float, float]:

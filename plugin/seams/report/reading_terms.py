@@ -60,7 +60,8 @@ def reading_terms(
     if "profiles" in shown:
         yield tr("seam profile"), tr(
             "The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 "
-            "drops below the dashed line, the loss is significant."
+            "drops below the dashed line, the loss is significant. The dotted line is the share of the image beyond "
+            "the seam in the mixture of the two."
         )
     if "clips" in shown:
         yield tr("lost detail"), tr(

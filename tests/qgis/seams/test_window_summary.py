@@ -217,9 +217,9 @@ SHARP = "The rest is as sharp as its sources."
              f"{SHARP}"),
         ),
         (
-            {**SOUND, "causes": "balanced", "misfit": 3.47},
-            ("Preserved. Along the seam as much of the finest detail is left as around it (98 %, 90 to 107 %). "
-             f"{SHARP} The sources' tones were balanced."),
+            {**SOUND, "causes": "misregistration; balanced", "misfit": 3.47},
+            ("Preserved. Along the seam as much of the finest detail is left as around it (98 %, 90 to 107 %); images "
+             f"lie 3.5 px apart where they meet. {SHARP} Besides: balanced."),
         ),
         (  # by the sharpness: what is left along the seam is no reason
             {"verdict": "reduced", "kept": (1.07,), "kept_low": 0.88, "kept_high": 1.22, "band_width": 0.0,

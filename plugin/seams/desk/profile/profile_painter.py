@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ...measure.profile.seam_profile import ProfileBin
 
 _NARROW = 0.6  # of the axis: words of the mixture's line may take so much of it
+_WORDS_AT = 0.375  # between two lines of shares: farther off no feather has as much
 _ROOMY_LINES = 13  # of the font: a lower chart has no title below its axis
 
 
@@ -85,6 +86,11 @@ class ProfilePainter:
     def y_of(self, kept: float) -> float:
         """Of a share that is kept; what is above the axis stays at its end."""
         return self._scale.y_of(kept)
+
+    @property
+    def mixture(self) -> list[tuple[float, float]]:
+        """The points of its line; empty for none."""
+        return self._scale.mixture_line()
 
     def paint(self, painter: QPainter, pointed: ProfileBin | None = None, marked_m: float | None = None) -> None:
         """``pointed``: the bin under the mouse; ``marked_m``: the distance that the mouse has on the map."""
@@ -163,8 +169,8 @@ class ProfilePainter:
         painter.setBrush(Qt.BrushStyle.NoBrush)
 
     def _paint_mixture(self, painter: QPainter) -> None:
-        """With its words at the right, where a feather has ended."""
-        points = self._scale.mixture_line()
+        """With its words at the right, above where a feather ends and below what is kept."""
+        points = self.mixture
         if not points:
             return
         colour, line = QColor(self._style.quiet), self._metrics.height()
@@ -173,7 +179,7 @@ class ProfilePainter:
         words, room = tr("share of the other image"), _NARROW * self.axes.width() - 2 * line
         if self._metrics.horizontalAdvance(words) > room:
             words = tr("other image")
-        y, left = self.axes.bottom() - 0.45 * line, self.axes.right() - self._metrics.horizontalAdvance(words)
+        y, left = self.y_of(_WORDS_AT) + line / 3, self.axes.right() - self._metrics.horizontalAdvance(words)
         painter.drawLine(QLineF(left - 2 * line, y - 0.3 * line, left - 0.4 * line, y - 0.3 * line))
         painter.setPen(colour)
         painter.drawText(QPointF(left, y), words)

@@ -8,6 +8,7 @@ from enum import Enum
 
 import numpy as np
 
+from ....imagery.band_names import measured_bands
 from ....imagery.clips import read_clip
 from ....imagery.errors import RasterError
 from ....imagery.grids import Extent, Grid, PixelWindow
@@ -81,7 +82,8 @@ def leave_out_copies(
         turning = [one for one in alike if _takes_turns(one, [*kept, *alike], mosaic, pool)]
         alike = [one for one in alike if one not in turning]
         true = [one for one in sources if one in kept or one in turning]
-        if alike and (not true or not _explain(true, mosaic, pool)):
+        judged = [one for one in true if _has_judged_band(one, mosaic, pool)]
+        if alike and (not judged or not _explain(judged, mosaic, pool)):
             # Which of them the mosaic was cut from can't be told.
             true = [one for one in sources if one in true or one in alike]
         else:
@@ -213,6 +215,14 @@ def _takes_turns(source: Source, sources: Sequence[Source], mosaic: Raster, pool
     lacking, others_lacking = float(np.median(own[wins])) + NEARLY_ALL, float(np.median(best[is_beaten])) + NEARLY_ALL
     # A copy with loss beats the others along the seams only, where they are mixed and it lacks what the loss took.
     return lacking <= PLAINLY * others_lacking and float(np.median(own[is_beaten])) >= LEAST_DROP * lacking
+
+
+def _has_judged_band(source: Source, mosaic: Raster, pool: RasterPool) -> bool:
+    """Whether a source can take part at all."""
+    try:
+        return mosaic.judged_band in measured_bands(pool.open(source.ref).raster.band_names)
+    except RasterError:
+        return False
 
 
 def _explain(sources: Sequence[Source], mosaic: Raster, pool: RasterPool) -> bool:

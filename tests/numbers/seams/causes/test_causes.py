@@ -207,6 +207,14 @@ def test_where_most_is_mixed_tones_between_two_sources_say_nothing(spoilt: dict[
     assert find_causes(replace(two_tones(gain=1.5), mixed=most)) == (Cause.NONE,)
 
 
+@pytest.mark.parametrize("spoilt", [{"off_pixel": 0.4, "least_transfer": 0.6}, {"least_transfer": 0.6}])
+def test_where_most_is_mixed_the_little_that_is_not_says_nothing_of_filters(spoilt: dict[str, Any]) -> None:
+    """The mean of two images lies between them."""
+    own = {**FEATHERED, "lost": 0.5, **spoilt}
+    assert find_causes(evidence(**own, mixed=rules.MIN_MOSTLY_MIXED)) == (Cause.FEATHERING,)
+    assert len(find_causes(evidence(**own, mixed=rules.MIN_MOSTLY_MIXED - LITTLE))) == 2
+
+
 def test_a_gamma_is_not_called_a_narrowed_histogram_too() -> None:
     assert find_causes(evidence(gamma=0.6, gain=0.7)) == (Cause.GAMMA,)
 
@@ -271,7 +279,7 @@ def test_mended_one_by_one_the_next_comes_first() -> None:
         (Cause.MISSING_SOURCE, {"missing": 0.0}), (Cause.FEATHERING, {"kept": 1.0, "kept_high": 1.1, "lost": 0.0}),
         (Cause.BLUR, {"least_transfer": 1.0}), (Cause.COMPRESSED, {"quantised": 0.0, "noise_dn": 0.4}),
         (Cause.CLIPPING, {"clipped": 0.0}), (Cause.SHARPENED, {"most_transfer": 1.0}), (Cause.GAMMA, {"gamma": 1.0}),
-        (Cause.COLOUR_SHIFT, {"colour_shift": 1.0}),
+        (Cause.COLOUR_SHIFT, {"colour_shift": 1.0}), (Cause.MISREGISTRATION, {"misfit": None}),
     ]  # fmt: skip
     left: dict[str, Any] = {}
     for cause, mend in mended:

@@ -14,7 +14,7 @@ from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.desk.profile.profile_chart import ProfileChart
 from seam_inspector.plugin.seams.desk.profile.profile_export import COLUMNS, table_text
-from seam_inspector.plugin.seams.desk.profile.profile_painter import level_colour
+from seam_inspector.plugin.seams.desk.profile.profile_painter import bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.profile.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.live.live_window import LiveWindow
@@ -66,6 +66,25 @@ def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(pan
     placed = chart.painter_for(chart.shown)
     row = [chart.grab().toImage().pixelColor(x, round(placed.y_of(0.7))) for x in range(300, 340)]
     assert any(near(colour, limit) for colour in row)  # dashed
+
+
+def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -> None:
+    bins = (replace(PROFILE.bins[0], mixture=0.4), replace(PROFILE.bins[1], mixture=0.1), *PROFILE.bins[2:])
+    mixed = replace(PROFILE, bins=bins, feather_width_px=15.0)
+    panel.show_profile(mixed, PIXEL, 0.7)
+    shown = panel.chart.shown
+    assert shown is not None
+    placed = panel.chart.painter_for(shown)
+    points = placed.mixture
+    assert points[0] == pytest.approx((placed.axes.left(), placed.y_of(0.4)))
+    assert [y for _, y in points[1:]] == pytest.approx([placed.y_of(0.4), placed.y_of(0.1), placed.y_of(0.1)])
+    assert bin_words(shown, shown.bins(1)[0])[0].endswith(", 40 % other image")
+    assert summary_words(shown)[0].endswith(f"feather of {15 * PIXEL:.1f} m")
+    drawn = panel.chart.grab().toImage()
+    panel.show_profile(PROFILE, PIXEL, 0.7)
+    assert panel.chart.grab().toImage() != drawn
+    assert not panel.chart.painter_for(replace(shown, levels=frozenset({2}))).mixture
+    assert not panel.chart.painter_for(replace(shown, profile=PROFILE)).mixture
 
 
 def test_distance_and_place_are_each_others_inverse(panel: ProfilePanel) -> None:
