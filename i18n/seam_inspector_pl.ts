@@ -11400,7 +11400,7 @@
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="90"/>
         <source>Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut.</source>
-        <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
+        <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/more_columns.py" line="104"/>

@@ -33,6 +33,7 @@ MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two s
 MOSTLY_MIXED_PX = 300.0  # of a feather: it does not end where it is looked for
 MOST_LEFT_BY_MIXTURE = 0.15  # of the sources' energy in the strip, beyond what the ground leaves over
 MIN_MIXED_WIDTH_PX = 4.0  # of what is mixed: borders are known no better
+MIN_CUT_MISFIT_SHARE = 0.5  # the same where images were cut, and the misfit took nothing
 MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
 MIN_RESAMPLED_PX = 0.08  # off the pixels of the source
 MIN_NOISE_DN = 1.0  # rounding to whole values leaves 0.3 to 0.8
@@ -224,10 +225,10 @@ def _missing(found: CauseEvidence) -> float | None:
 
 
 def _misregistration(found: CauseEvidence) -> float | None:
-    if not found.misfit_lost:
-        return None
+    if found.has_seam_loss and not found.is_smoothed_seam:
+        return found.misfit_lost * found.lost if found.misfit_lost else None
     # A cut of images that do not fit breaks lines and loses nothing.
-    return found.misfit_lost * found.lost if found.has_seam_loss and not found.is_smoothed_seam else 0.0
+    return 0.0 if found.misfit_lost >= MIN_CUT_MISFIT_SHARE else None
 
 
 def _feathering(found: CauseEvidence) -> float | None:

@@ -137,7 +137,7 @@ def explain(
     unclear = cut.is_unclear
     seen = window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster)
     return Explanation(
-        causes=_causes(evidence, unclear or (detail.has_seam and profile is None)),
+        causes=(Cause.UNCLEAR,) if unclear else _causes(evidence, detail.has_seam and profile is None),
         evidence=evidence,
         profile=None if unclear else profile,
         has_seam=detail.has_seam,
@@ -280,10 +280,10 @@ def _added(cells: CellTable) -> float | None:
     return 1 - mc**2 / (mm * cc) if mm > 0 and cc > 0 else None
 
 
-def _causes(evidence: CauseEvidence, is_unclear: bool) -> tuple[Cause, ...]:
+def _causes(evidence: CauseEvidence, lacks_profile: bool) -> tuple[Cause, ...]:
     """Where nothing could be measured along a seam, finding nothing says nothing."""
     found = find_causes(evidence)
-    return (Cause.UNCLEAR,) if is_unclear and found == (Cause.NONE,) else found
+    return (Cause.UNCLEAR,) if lacks_profile and found == (Cause.NONE,) else found
 
 
 def _seam_loss(profile: SeamProfile | None, sharpness: float | None, total: float) -> float:

@@ -13,9 +13,9 @@ from seam_inspector.plugin.seams.measure.inspection import (
     Block,
     InspectionSettings,
     inspect_window,
-    make_block,
     window_request,
 )
+from seam_inspector.plugin.seams.measure.source_images import gather_sources
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
@@ -38,9 +38,10 @@ def mosaic_of(make_raster: MakeRaster, image: np.ndarray, name: str = "mosaic.ti
 
 
 def block_of(mosaic: Raster, *paths: str) -> Block:
-    block, notices = make_block(mosaic, [RasterRef(path) for path in paths])
+    """Also where the mosaic is a copy of one of them, which ``make_block`` would leave out."""
+    sources, notices = gather_sources([RasterRef(path) for path in paths], (), mosaic.wkt, mosaic.ref)
     assert notices == []
-    return block
+    return Block(mosaic, tuple(sources))
 
 
 def inspect(block: Block, window: PixelWindow = WINDOW, **settings: Any) -> WindowResult:

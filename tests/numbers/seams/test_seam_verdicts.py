@@ -73,7 +73,7 @@ def test_significant_is_said_only_where_the_interval_ends_half_way_to_all(limit:
     assert verdict is Verdict.REDUCED
     assert reason is not None
     assert reason.template == seams_messages.MAY_BE_SIGNIFICANT.template
-    assert f"between {100 * low:.0f} and {100 * half:.0f} %" in str(reason)
+    assert f"{100 * low:.0f} to {100 * half:.0f} %" in str(reason)
 
 
 def test_significant_is_said_only_where_the_interval_spans_no_more_than_a_factor_of_two() -> None:

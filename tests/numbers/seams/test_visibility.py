@@ -16,7 +16,6 @@ from scipy.optimize import brentq
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import detail_components
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
-from seam_inspector.plugin.seams.measure.profile.seam_profile import seam_profile
 from seam_inspector.plugin.seams.measure.visibility import (
     DESK,
     Viewing,
@@ -165,28 +164,33 @@ def test_white_is_the_brightest_value_that_the_image_can_have(
 # --- windows ----------------------------------------------------------------------------------------------------
 
 
+WHOLE = slice(0, SIDE), slice(0, SIDE)
+
+
 def test_a_feathers_window_is_seen_and_a_hard_cuts_is_not() -> None:
     found = {}
     for width in (0, 66):
         made = blend(width)
-        cells = made.cells()
-        found[width] = window_visibility(seam_profile(cells), cells, made.made, raster("uint8"))
+        detail = made.detail()
+        found[width] = window_visibility(detail.profile, detail.judged, made.made, WHOLE, raster("uint8"))
     assert found[0] < 0.25
     assert found[66] > found[0] + 0.8
 
 
 def test_a_window_scaled_to_16_bit_shows_the_same() -> None:
     made = blend(66)
-    cells = made.cells()
-    scaled = replace(cells, mm=cells.mm * 257**2, cc=cells.cc * 257**2, mc=cells.mc * 257**2)
-    one = window_visibility(seam_profile(cells), cells, made.made, raster("uint8"))
-    other = window_visibility(seam_profile(scaled), scaled, made.made * 257, raster("uint16", 16))
+    detail = made.detail()
+    assert detail.profile is not None
+    scaled = replace(detail.profile, energy=tuple(one * 257**2 for one in detail.profile.energy))
+    one = window_visibility(detail.profile, detail.judged, made.made, WHOLE, raster("uint8"))
+    other = window_visibility(scaled, detail.judged, made.made * 257, WHOLE, raster("uint16", 16))
     assert other == pytest.approx(one, rel=1e-3)
 
 
 def test_a_window_without_a_profile_has_no_visibility() -> None:
-    cells = blend(0).cells()
-    assert window_visibility(None, cells, np.full((SIDE, SIDE), 100, np.float32), raster("uint8")) is None
+    cells = blend(0).detail().judged
+    grey = np.full((SIDE, SIDE), 100, np.float32)
+    assert window_visibility(None, cells, grey, WHOLE, raster("uint8")) is None
 
 
 # --- real orthoimages -------------------------------------------------------------------------------------------

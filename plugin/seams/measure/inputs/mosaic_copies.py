@@ -82,8 +82,7 @@ def leave_out_copies(
         turning = [one for one in alike if _takes_turns(one, [*kept, *alike], mosaic, pool)]
         alike = [one for one in alike if one not in turning]
         true = [one for one in sources if one in kept or one in turning]
-        judged = [one for one in true if _has_judged_band(one, mosaic, pool)]
-        if alike and (not judged or not _explain(judged, mosaic, pool)):
+        if alike and not _explain([one for one in true if _has_judged_band(one, mosaic, pool)], mosaic, pool):
             # Which of them the mosaic was cut from can't be told.
             true = [one for one in sources if one in true or one in alike]
         else:
@@ -227,6 +226,8 @@ def _has_judged_band(source: Source, mosaic: Raster, pool: RasterPool) -> bool:
 
 def _explain(sources: Sequence[Source], mosaic: Raster, pool: RasterPool) -> bool:
     """Whether in most places one of the sources is like the mosaic."""
+    if not sources:
+        return False
     lacking = [_least_lacking(sources, mosaic, place, pool) for place in _places_with_content(mosaic, pool)]
     return sum(one <= 1 - MEDIAN_LIKE**2 for one in lacking) >= 0.5 * len(lacking)
 
