@@ -150,7 +150,7 @@ def demo_block(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPath
     return Delivery(made.mosaic, made.sources, made.seamlines)
 
 
-@pytest.mark.xfail(strict=True, reason="a scan does not take from seamlines which source is followed on either side")
+@pytest.mark.xfail(strict=False, reason="a scan does not take from seamlines which source is followed on either side")
 def test_of_the_demo_block_along_its_seamlines(tmp_path: Path, demo_block: Delivery) -> None:
     assert_they_say_the_same(demo_block, tmp_path, True, 20.0, 4)
 

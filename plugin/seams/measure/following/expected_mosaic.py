@@ -100,9 +100,8 @@ def expected_mosaic(
     if found is None:
         found = _find_filters(own, dict(enumerate(fine[1:])), in_tone, labels, following.clear & (labels != UNKNOWN))
     shown = {i: found.applied(i, plane) for i, plane in toned.items()}
-    if len(toned) > 1 and (known is None or (known == UNKNOWN).any()):
-        found_labels = smooth_border(to_the_pixel(mosaic, shown, labels, valid))
-        labels = found_labels if known is None else np.where(known == UNKNOWN, found_labels, known)
+    if known is None and len(toned) > 1:
+        labels = smooth_border(to_the_pixel(mosaic, shown, labels, valid))
     unfiltered = _cut(mosaic, toned, labels)
     if not found.taps:
         return ExpectedMosaic(unfiltered, unfiltered, labels, shown)

@@ -74,7 +74,7 @@ def judged_ground(
     """Follow the mosaic through its sources. ``known``: as for ``cut_hard``, of all that was read."""
     followed = follow_sources(image, images)
     if known is not None:
-        known = followed.of_planes(known)
+        known = _of_planes(known, followed.source_of)
         followed = replace(followed, following=followed.following.with_known(known))
     valid = {i: mask for i, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
     following = followed.following
@@ -113,6 +113,13 @@ def cut_hard(
 def is_unclear(following: FollowedSource, labels: np.ndarray) -> bool:
     """Whether the sources say too little of the mosaic; ``labels`` are those of the expected one."""
     return following.fit < MIN_CAUSE_FIT or _explained(labels) < MIN_EXPLAINED_SHARE
+
+
+def _of_planes(labels: np.ndarray, source_of: Sequence[int]) -> np.ndarray:
+    """Labels of sources as those of the first planes that are of them."""
+    numbers = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
+    numbers[list(source_of[::-1])] = np.arange(len(source_of), dtype=np.uint8)[::-1]
+    return numbers[labels]
 
 
 def _explained(labels: np.ndarray) -> float:

@@ -11,7 +11,6 @@ import numpy as np
 
 from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
 from ..compared_image import ComparedImage
-from ..seam_cells import UNKNOWN
 from .followed_source import FollowedSource, follow, high_pass
 from .mosaic_filter import filtered, fit_filter
 
@@ -36,12 +35,6 @@ class PlacedSources:
     """The fine detail of the mosaic, then of the planes."""
     source_of: tuple[int, ...]
     """Number of the source that each plane is of."""
-
-    def of_planes(self, labels: np.ndarray) -> np.ndarray:
-        """Labels of sources as those of the first planes that are of them, ``UNKNOWN`` where none is."""
-        numbers = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
-        numbers[list(self.source_of[::-1])] = np.arange(len(self.source_of), dtype=np.uint8)[::-1]
-        return numbers[labels]
 
 
 def follow_sources(image: ComparedImage, images: Sequence[ComparedImage]) -> PlacedSources:

@@ -35,33 +35,37 @@ class MixtureSums:
         lower, higher = np.minimum(table.source, table.other), np.maximum(table.source, table.other)
         codes = (piece.astype(np.int64) << 32) + (lower.astype(np.int64) << 16) + higher
         group = (table.row // _BLOCK_CELLS * 3 + table.column // _BLOCK_CELLS) % GROUPS
-        slot = (table.source > table.other) * MIXED_BINS + table.bin
-        place = group.astype(np.intp) * SLOTS + slot
+        slot = (table.source > table.other).astype(np.intp) * MIXED_BINS + table.bin
+        places = [group.astype(np.intp) * SLOTS + slot, *[slot] * (self._levels - 1)]
+        sizes = [GROUPS * SLOTS, *[SLOTS] * (self._levels - 1)]
         order = np.argsort(codes, kind="stable")
         found, firsts = np.unique(codes[order], return_index=True)
         for code, own in zip(found.tolist(), np.split(order, firsts[1:])):
             key = code >> 32, code >> 16 & 0xFFFF, code & 0xFFFF
-            total = self._sums.setdefault(key, np.zeros((len(PRODUCTS), self._levels, GROUPS * SLOTS)))
+            total = self._sums.setdefault(key, np.zeros((len(PRODUCTS), sum(sizes))))
             for product, target in zip(table.products[..., own], total):
-                for values, sums in zip(product, target):
-                    sums += np.bincount(place[own], values, GROUPS * SLOTS)
+                start = 0
+                for values, place, size in zip(product, places, sizes):
+                    target[start : start + size] += np.bincount(place[own], values, size)
+                    start += size
 
     def result(self) -> MixedStrips:
         """Of all pieces."""
         keys = sorted(self._sums)
-        shape = (len(keys), len(PRODUCTS), self._levels, GROUPS, SLOTS)
+        shape = (len(keys), len(PRODUCTS), GROUPS + self._levels - 1, SLOTS)
         sums = np.stack([self._sums[key] for key in keys]).reshape(shape) if keys else np.zeros(shape)
         return MixedStrips(np.array([key[0] for key in keys], np.intp), np.moveaxis(sums, 1, -1), self._count)
 
 
 class MixedStrips:
     """What ``count`` pieces are mixed of. ``piece`` (n,): that each seam between two sources belongs to; ``sums``
-    (n, levels, groups, SLOTS, products)."""
+    (n, groups of level 1 and then the other levels, SLOTS, products)."""
 
     def __init__(self, piece: np.ndarray, sums: np.ndarray, count: int) -> None:
         self._piece, self._count = piece, count
-        self._whole = sums.sum(axis=2)  # (n, levels, SLOTS, products)
-        levels = range(sums.shape[1])
+        finest = sums[:, :GROUPS]
+        self._whole = np.concatenate([finest.sum(axis=1, keepdims=True), sums[:, GROUPS:]], axis=1)
+        levels = range(self._whole.shape[1])
         fitted = [fit_mixtures(self._whole[:, level]) for level in levels]
         self._other = fitted[0].other if len(piece) else np.zeros((0, SLOTS))
         strips = [_in_strip(level) for level in levels]
@@ -84,7 +88,7 @@ class MixedStrips:
         """(levels, count): energy in the strip that the mixture leaves over, DN squared."""
         self.soft = soft / np.maximum(self.left, 1e-12)
         """(levels, count): whether that is what a feather's ramp makes of what the sources differ by, 0 to 1."""
-        self.kept = self._kept(sums[:, 0], strips[0])
+        self.kept = self._kept(finest, strips[0])
 
     def feather_widths_px(self) -> np.ndarray:
         """(count,): of the seam between two sources that is longest in each piece; NaN where there is none."""

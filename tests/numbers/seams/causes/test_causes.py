@@ -255,7 +255,7 @@ def test_a_loss_that_may_be_none_is_no_feathering(kept: float, high: float) -> N
 # --- several at once -------------------------------------------------------------------------------------------
 
 EVERYTHING: dict[str, Any] = {
-    "missing": 0.5, **FEATHERED, "lost": 0.4, "misfit": Misfit(1.0, 0.25), "least_transfer": 0.4, "most_transfer": 1.5,
+    "missing": 0.5, **FEATHERED, "lost": 0.4, "misfit": Misfit(1.0, 0.4), "least_transfer": 0.4, "most_transfer": 1.5,
     "left_out": 0.12, "noise_dn": 6.0, "quantised": 1.0, "clipped": 0.02, "clipped_lost": 0.05, "gamma": 1.4,
     "colour_shift": 1.2,
 }  # fmt: skip

@@ -53,12 +53,11 @@ class DensePart:
 
 def measure_part(
     pixels: BlockPixels, window: PixelWindow, numbers: tuple[int, ...], wavelet: str, levels: int,
-    filters: Filters | None = None, known_labels: np.ndarray | None = None,
+    filters: Filters | None = None,
 ) -> DensePart:
     """A window, on the mosaic's grid, by some of the sources of its block.
 
-    ``filters``: what came over the mosaic, where that is known of all of them. ``known_labels``: (rows, columns) uint8
-    with the margin, the source that each pixel was taken from where that is known, else ``UNKNOWN``.
+    ``filters``: what came over the mosaic, where that is known of all of them.
 
     Raises RasterError where the mosaic can't be read.
     """
@@ -80,18 +79,12 @@ def measure_part(
         followed = _follow_filtered(image, images, known_filters)
     else:
         followed = follow_sources(image, images)
-    of_planes = None
-    if known_labels is not None:
-        of_images = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
-        of_images[list(present)] = np.arange(len(present), dtype=np.uint8)
-        of_planes = followed.of_planes(of_images[known_labels])
-        followed = replace(followed, following=followed.following.with_known(of_planes))
     valid = {k: mask for k, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
     # What fills the mosaic where it has no pixels must tell nothing of tones and filters.
     following = replace(followed.following, clear=followed.following.clear & known)
     moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
     expected = expected_mosaic(
-        image.plane, followed.planes, followed.fine, following, valid, of_planes, None if moved else known_filters,
+        image.plane, followed.planes, followed.fine, following, valid, None, None if moved else known_filters,
         QUICK, PATCH_PX,
     )
     expected = expected.of_sources([present[of] for of in followed.source_of])

@@ -15,14 +15,12 @@ from ...limits import FULL
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
-from ..lines.known_sides import KnownSides
 from ..scan_settings import ScanSettings
 from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey
 from .block_pixels import BlockPixels, thin_valid
 from .dense_part import DensePart, measure_part
 from .patches import SquareLook, look_at_squares, middle_sources, spread_out
 from .plain_part import MARGIN_PX, measure_plain
-from .rectangles import MARGIN_PX as PART_MARGIN_PX
 from .rectangles import rectangles
 
 WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
@@ -48,8 +46,6 @@ class BlockRequest:
     """A patch of every so many-th square along both sides is looked at; 0: none."""
     grey_factor: float = 1.0
     """What floating point values are multiplied by."""
-    known: KnownSides | None = None
-    """What given seams say of its sources."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,7 +178,6 @@ def _measured(
     """A rectangle by the sources that are followed around it; by all where they leave something over."""
     placed = window.moved_by(request.window.column, request.window.row)
     settings, everyone = request.settings, pixels.numbers
-    known = None if request.known is None else request.known.labels(placed.with_margin(PART_MARGIN_PX))
     if look is not None:
         reach = request.look_every
         rows, columns = (
@@ -190,14 +185,13 @@ def _measured(
             for first, length in ((window.row, window.height), (window.column, window.width))
         )
         around = look.source[rows, columns]
-        said = () if known is None else np.unique(known)
-        likely = tuple(i for i in everyone if i in said or (around == i).any())
+        likely = tuple(i for i in everyone if (around == i).any())
         filters = look.filters if look.learned_of.issuperset(likely) else None
         if likely:
-            found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters, known)
+            found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters)
             if found.unexplained <= MOST_UNEXPLAINED or (likely == everyone and filters is None):
                 return found
-    return measure_part(pixels, placed, everyone, settings.wavelet, settings.levels, known_labels=known)
+    return measure_part(pixels, placed, everyone, settings.wavelet, settings.levels)
 
 
 class _Block:

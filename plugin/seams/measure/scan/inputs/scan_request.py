@@ -24,8 +24,6 @@ from ..blocks.block_grid import BlockGrid, BlockKey
 from ..blocks.scan_block import BlockRequest
 from ..blocks.seam_squares import SeamSquares
 from ..lines.given_seams import GivenSeams, NamedSeam
-from ..lines.known_sides import KnownSides
-from ..lines.piece_index import PieceIndex
 from ..lines.seam_pieces import SeamPiece, cut_in_pieces, cut_off
 from ..lines.source_names import source_numbers
 from ..scan_settings import ScanSettings
@@ -102,15 +100,6 @@ class ScanRequest:
         squares = self.seam_squares
         return [key for key in self.blocks if squares is None or squares.is_read(key)]
 
-    @cached_property
-    def _sides(self) -> tuple[PieceIndex, np.ndarray]:
-        """The given pieces by place, and (2, pieces) numbers of the sources on their left and right, -1: not known."""
-        numbers = [
-            [self.named[0].get(side, -1) if isinstance(side, str) else -1 for side in sides]
-            for sides in ([one.left for one in self.pieces], [one.right for one in self.pieces])
-        ]
-        return PieceIndex(self.pieces, self.mosaic.grid), np.array(numbers, np.intp)
-
     @property
     def crowded(self) -> int:
         """Blocks that more sources meet than can be told apart."""
@@ -125,9 +114,6 @@ class ScanRequest:
         sources = largest(self.tree.meeting(self.mosaic.grid.window_extent(window)), self.mosaic, window)
         request = BlockRequest(self.mosaic, sources, key, window, self.settings, grey_factor=self.grey_factor)
         squares = self.seam_squares
-        if self.seams:
-            numbers = [self.numbers[one.ref.path] for one in sources]
-            request = replace(request, known=KnownSides.near(*self._sides, numbers, window))
         if squares is None:
             return request
         return replace(request, wanted=squares.dense_in(key), look_every=LOOK_EVERY)

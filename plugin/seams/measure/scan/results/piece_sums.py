@@ -15,12 +15,13 @@ from ...profile.seam_sums import SeamSums, StripProfile
 from ...visibility import visibility, white_grey
 from ..blocks.block_grid import BLOCK_PX
 from ..blocks.scan_block import CELLS
-from ..lines.known_sides import MOST_ASIDE_PX
 from ..lines.piece_index import PieceIndex
 from ..lines.seam_pieces import SeamPiece
 
 REACH_PX = 144.0
 """How far from a piece cells are counted to it: what lies beyond is ground."""
+MOST_ASIDE_PX = 40.0
+"""How far a line may lie from the seam that the mosaic shows, for that to be its seam."""
 NOTHING = StripProfile(None, 0.0, 0.0)
 """Of a piece that no cell is near to."""
 
