@@ -110,18 +110,16 @@ def is_misfit(outcome: Outcome) -> bool:
     return outcome.operation.making.name.startswith(PREFIX)
 
 
-def is_right(case: Case, seam: str, causes: Sequence[str]) -> bool:
-    """What does not fit and was feathered is to be named; what was cut hard took nothing; what fits is not named."""
-    if case.misfit < MIN_TOLD_PX:
-        return MISREGISTRATION not in causes
-    return MISREGISTRATION in causes if WIDTHS[seam] else causes[:1] != (MISREGISTRATION,)
+def is_right(case: Case, causes: Sequence[str]) -> bool:
+    """Images that do not fit are to be named, cut or feathered; those that fit are not."""
+    return (MISREGISTRATION in causes) is (case.misfit >= MIN_TOLD_PX)
 
 
 def is_right_case(outcome: Outcome) -> bool:
     """The same of what was read of one of these cases."""
     making = outcome.operation.making
     case = next(one for one in CASES if one.name == making.kind)
-    return is_right(case, making.group, outcome.reading.causes)
+    return is_right(case, outcome.reading.causes)
 
 
 def print_misfits(title: str, outcomes: Sequence[Outcome]) -> None:
@@ -138,8 +136,8 @@ def print_misfits(title: str, outcomes: Sequence[Outcome]) -> None:
         rows.append([f"{side} px: all", str(len(every)), percent(every), "", "", "", "", ""])
     head = ["case", "windows", "right %", "named %", "main %", "misfit, px", "true", "main causes"]
     print_table(f"Images that fit or do not fit, {title}", head, rows,
-                "Right: misregistration is named where images that lie 1 px or more off each other as placed were\n"
-                "  feathered, is not the main cause where they were cut hard, and is not named where they fit.\n"
+                "Right: misregistration is named where images lie 1 px or more off each other as placed, and not\n"
+                "  where they fit.\n"
                 "  Misfit: what the plugin says, the median, and how it was made.")
 
 
@@ -148,7 +146,7 @@ def _cells(case: Case, seam: str, own: Sequence[Outcome]) -> list[str]:
     main = Counter(one.reading.cause for one in own)
     return [
         str(len(own)),
-        percent(is_right(case, seam, causes) for causes in said),
+        percent(is_right(case, causes) for causes in said),
         percent(MISREGISTRATION in causes for causes in said),
         percent(causes[:1] == (MISREGISTRATION,) for causes in said),
         figure(median(one.reading.misfit for one in own)),

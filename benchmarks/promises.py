@@ -50,7 +50,7 @@ def _of_side(side: int, own: Sequence[Outcome]) -> Iterable[Row]:
     yield f"{side} px: least share of intervals right", f">= {low:g} %", min(rights, default=np.nan), _at_least(low)
     many = [_percent(one.holds_truth for one in of_kind) for of_kind in of_kinds if len(of_kind) >= MANY]
     yield f"{side} px: largest share of intervals right", f"<= {high:g} %", max(many, default=np.nan), _at_most(high)
-    with_texture = [one for one in own if one.window.has_texture]
+    with_texture = [one for one in own if one.window.has_texture and not one.foreign]
     least = LEAST_VERDICTS[side]
     yield (f"{side} px: windows with texture and a verdict", f">= {least:g} %",
            _percent(one.reading.has_verdict for one in with_texture), _at_least(least))
