@@ -6765,57 +6765,57 @@
         <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="109"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="110"/>
         <source>sharpness</source>
         <translation>ostrość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="110"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="111"/>
         <source>Sharpness of the whole window against the composite of its sources.</source>
         <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="113"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="114"/>
         <source>added</source>
         <translation>dodane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="114"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="115"/>
         <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
         <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="117"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="118"/>
         <source>explained</source>
         <translation>wyjaśnione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="118"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="119"/>
         <source>Share of the pixels whose detail the given sources explain.</source>
         <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="121"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="122"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="125"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="126"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="126"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="127"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="129"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="130"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="130"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="131"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
@@ -11278,12 +11278,12 @@
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="95"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="96"/>
         <source>visibility</source>
         <translation>widoczność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="98"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="99"/>
         <source>How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable differences, JND).</source>
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
@@ -11398,27 +11398,27 @@
         <translation>szerokość wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="90"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="91"/>
         <source>Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut.</source>
         <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="104"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="105"/>
         <source>misfit</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="105"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="106"/>
         <source>How far apart the two images lie where they meet, as the mosaic has them.</source>
         <translation>O ile oba obrazy są od siebie odsunięte tam, gdzie się stykają, tak jak leżą w ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="122"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="123"/>
         <source>All that happened to the contrast, what took most first.</source>
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="106"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="107"/>
         <source>{length} px</source>
         <translation>{length} px</translation>
     </message>

@@ -82,7 +82,7 @@ def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, 
     assert results["WINDOW_COUNT"] == 4
     assert verdicts(inspected) == ["reduced"] * 3 + ["significant"]
     assert results["SIGNIFICANT_COUNT"] == 1
-    assert profiles.read_text(encoding="utf-8").splitlines()[0] == "window_id,level,distance,kept,low,high,area"
+    assert profiles.read_text(encoding="utf-8").splitlines()[0] == "window_id,level,distance,kept,low,high,area,mixture"
     header, *rows = curves.read_text(encoding="utf-8").splitlines()
     assert header == "window_id,raster,role,band,component,level,relative_variance,variance"
     assert len(rows) == 4 * 4 * 4 * 3  # windows, rasters with the composite, bands, components

@@ -79,10 +79,11 @@ def _indexed_sources(run: Run, given: GivenSources, crs: QgsCoordinateReferenceS
 def given_block(run: Run, mosaic: Raster, given: GivenSources, cells: Iterable[Cell] = ()) -> Block:
     """Mosaic and sources; warns of those left out. Raises SettingsError when none is named at all."""
     from ...toolkit.layers import mosaic_crs
-    from ..measure.inspection import make_block
+    from ..measure.inspection import make_block, without_copies
 
     indexed = _indexed_sources(run, given, mosaic_crs(mosaic))
     run.tell_once(given.left_out)
     block, notices = make_block(mosaic, given.refs, indexed, cells)
-    run.tell_once(notices)
+    block, of_copies = without_copies(block)
+    run.tell_once([*notices, *of_copies])
     return block

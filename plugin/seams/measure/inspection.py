@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ...imagery import limits as imagery_limits
 from ...imagery.errors import SettingsError, WindowError
@@ -92,14 +92,19 @@ def make_block(
 ) -> tuple[Block, list[Message]]:
     """A mosaic with its sources, each once, and notices about those left out.
 
-    ``sources`` are opened for their footprints; ``indexed`` ones come with theirs and are not. The mosaic itself and
-    copies of it among the sources are dropped.
+    ``sources`` are opened for their footprints; ``indexed`` ones come with theirs and are not. The mosaic
+    itself among the sources is dropped.
 
     Raises SettingsError when no source is named at all.
     """
-    gathered, notices = gather_sources(sources, indexed, mosaic.wkt, mosaic.ref)
-    kept, of_copies = leave_out_copies(mosaic, gathered, only_one_is_told=False)
-    return Block(mosaic, tuple(kept), tuple(cells)), [*notices, *of_copies]
+    kept, notices = gather_sources(sources, indexed, mosaic.wkt, mosaic.ref)
+    return Block(mosaic, tuple(kept), tuple(cells)), notices
+
+
+def without_copies(block: Block) -> tuple[Block, list[Message]]:
+    """The same without copies of the mosaic among its sources, which are opened for that; and notices about them."""
+    kept, notices = leave_out_copies(block.mosaic, block.sources, only_one_is_told=False)
+    return replace(block, sources=tuple(kept)), notices
 
 
 def window_request(block: Block, window_id: int, extent: Extent, settings: InspectionSettings) -> WindowRequest:

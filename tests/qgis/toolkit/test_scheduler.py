@@ -51,7 +51,7 @@ def test_a_cluster_gives_the_rows_that_threads_give(cluster: str, scene: Scene) 
                     close = pytest.approx(value, rel=1e-5, abs=4e-3) if isinstance(value, float) else value
                     assert row[name] == close
         assert dask.log.warnings == threads.log.warnings
-    assert len(set(threads.column("verdict"))) == 3
+    assert len(set(threads.column("verdict"))) >= 3
 
 
 @needs_dask

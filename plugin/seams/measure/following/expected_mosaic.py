@@ -79,6 +79,7 @@ def expected_mosaic(
     filters: Filters | None = None,
     sampling: Sampling = FINE,
     patch_px: int = 0,
+    has_warped: bool = False,
 ) -> ExpectedMosaic:
     """Planes (rows, columns) float32 of the mosaic and its sources, ``following`` a first estimate.
 
@@ -88,10 +89,11 @@ def expected_mosaic(
     ``UNKNOWN``; they go before the estimate.
     ``filters``: what came over the mosaic, where that is known from more ground than there is here. ``sampling``: how
     closely sources are told from each other. ``patch_px``: as for ``mosaic_of``, whose ground this is compared with.
+    ``has_warped``: whether a source was warped to the mosaic's grid, which explains it no better than another image.
     """
     own, sources = fine[0], {i: fine[1 + i] for i in sorted(following.followed)}
     likely = _likely(own, sources, following, valid, filters, sampling)
-    labels = likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
+    labels = likely.labels if has_warped else likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
     if known is not None:
         labels = np.where(known == UNKNOWN, labels, known)
     in_tone = _in_tone(mosaic, dict(enumerate(planes)), labels, following.clear, patch_px)

@@ -42,6 +42,8 @@ class Planes:
     rasters: dict[int, Raster] = field(default_factory=dict)
     """What the sources are."""
     offsets: dict[int, tuple[float, float]] = field(default_factory=dict)
+    resampled: set[int] = field(default_factory=set)
+    """Sources that had to be warped to the mosaic's grid."""
     """How the pixel grids of the sources lie beside the mosaic's, px."""
 
     def take_sources(self, more: Planes) -> None:
@@ -50,6 +52,7 @@ class Planes:
         self.valid.update(more.valid)
         self.rasters.update(more.rasters)
         self.offsets.update(more.offsets)
+        self.resampled.update(more.resampled)
 
 
 class BlockPixels:
@@ -126,6 +129,7 @@ class BlockPixels:
         mosaic, known = np.zeros(shape, np.float32), np.zeros(shape, bool)
         sources: dict[int, np.ndarray] = {}
         valid: dict[int, np.ndarray] = {}
+        resampled: set[int] = set()
         for i, row in enumerate(rows.tolist()):
             for j, column in enumerate(columns.tolist()):
                 window = PixelWindow(self.window.column + column, self.window.row + row, side, side)
@@ -136,12 +140,13 @@ class BlockPixels:
                 place = np.s_[i * side : (i + 1) * side, j * side : (j + 1) * side]
                 mosaic[place] = found.mosaic
                 known[place] = True if found.mosaic_valid is None else found.mosaic_valid
+                resampled.update(found.resampled)
                 for number, plane in found.sources.items():
                     if number not in sources:
                         sources[number], valid[number] = np.zeros(shape, np.float32), np.zeros(shape, bool)
                     sources[number][place] = plane
                     valid[number][place] = found.valid.get(number, True)
-        return Planes(mosaic, known, sources, valid)
+        return Planes(mosaic, known, sources, valid, resampled=resampled)
 
     def _read(self, window: PixelWindow, numbers: Sequence[int]) -> _Clips:
         own = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
@@ -176,6 +181,7 @@ class BlockPixels:
             {i: pick(clip.valid) for i, clip in clips.items() if clip.valid is not None},
             {i: clip.raster for i, clip in clips.items()},
             {i: (clip.offset_x, clip.offset_y) for i, clip in clips.items()},
+            {i for i, clip in clips.items() if clip.resampled},
         )
 
 

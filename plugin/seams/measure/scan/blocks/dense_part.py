@@ -85,7 +85,7 @@ def measure_part(
     moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
     expected = expected_mosaic(
         image.plane, followed.planes, followed.fine, following, valid, None, None if moved else known_filters,
-        QUICK, PATCH_PX,
+        QUICK, PATCH_PX, bool(planes.resampled),
     )
     expected = expected.of_sources([present[of] for of in followed.source_of])
     labels = expected.labels

@@ -39,6 +39,7 @@ MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR = 0.15, 3.0  # as in windows, of ground that
 _ALIKE_SQUARES = 2  # a side of the least part of an image that others resemble
 _INNER = slice(4, 36)  # of a patch: what its high-pass knows
 _CELL = slice(12, 12 + CELL_PX)
+_STRANGE_SQUARES = 2  # a side of what lies together, so that one patch alone condemns nothing
 _MIN_VALID = 0.98  # of a patch
 _FARTHEST_FILLED = 1.5  # squares
 _MANY = 100  # patches
@@ -88,7 +89,8 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int =
         shown = {i: filters.applied(i, one) if i in learned_of else one for i, one in fines.items()}
         told = _told(fine, shown, planes, with_patch, empty)
         cells, filters, learned_of = cells_of(told)
-    strangers = told.strangers
+    # What was warped is explained as badly as by another image.
+    strangers = told.strangers & ~np.isin(told.source, list(planes.resampled))
     if strangers.any():
         told = told.without(strangers)
         cells, filters, learned_of = cells_of(told)
@@ -124,7 +126,8 @@ class _Told:
             return np.zeros_like(textured)
         own = np.where(textured, self.own, 1)
         strange, alike = ground.strangeness(own, self.left, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR)
-        return textured & (((strange > MIN_STRANGE) & ~self.doubtful) | opened(textured & alike, _ALIKE_SQUARES))
+        surely = opened(textured & (strange > MIN_STRANGE) & ~self.doubtful, _STRANGE_SQUARES)
+        return textured & (surely | opened(textured & alike, _ALIKE_SQUARES))
 
     def without(self, strangers: np.ndarray) -> _Told:
         """Where those follow none."""
