@@ -23,8 +23,10 @@ DESCENDING = Qt.SortOrder.DescendingOrder
         ([1], "Reduced. Beside the seam 10.0 % of the finest detail is lost (5.0 to 15 %)."),
         (
             [2],
-            "Significant loss. Beside the seam 44 % of the finest detail is lost (39 to 49 %), 1.2 times what an eye "
-             "just sees at 2x: images are feathered.",
+            (
+                "Significant loss. Beside the seam 44 % of the finest detail is lost (39 to 49 %), 1.2 times what an "
+                "eye just sees at 2x: images are feathered."
+            ),
         ),
         ([3], "Not inspected yet."),
         ([4], "No source covers <window> in west_12.tif."),
