@@ -30,6 +30,8 @@ class StripProfile:
     """Of its strip, level 1."""
     fit: float
     """Share of the mosaic's finest detail in the strip that its sources explain."""
+    texture: float
+    """That detail's energy as a share of its sources'."""
 
 
 class SeamSums:
@@ -64,6 +66,7 @@ class SeamSums:
         area, plain, own, shared = map(energy.in_strip, (energy.area, energy.plain, energy.own, energy.shared))
         expected, expected_shared = energy.in_strip(energy.expected)[0], energy.in_strip(energy.expected_shared)[0]
         fit = np.maximum(shared[0], 0) ** 2 / np.maximum(own[0] * plain[0], 1e-12)
+        texture = own[0] / np.maximum(plain[0], 1e-12)
         gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (own[0], expected)))
         added = np.where(before > 0, np.maximum(1 - gain**2 / np.maximum(before, 1e-12), 0), 0)
         width = mixed.feather_widths_px()
@@ -83,7 +86,7 @@ class SeamSums:
                     float(lost[number]),
                     tuple((plain / np.maximum(area, 1))[:, number].tolist()),
                 )
-            found.append(StripProfile(profile, float(area[0, number]), float(fit[number])))
+            found.append(StripProfile(profile, float(area[0, number]), float(fit[number]), float(texture[number])))
         return found
 
     def _bins(

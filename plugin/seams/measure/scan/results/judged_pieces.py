@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from .....imagery.message import Message
-from ...following.likely_source import MIN_FIT
+from ...following.likely_source import MIN_FIT, MIN_TEXTURE
 from ...limits import MAX_SIGNIFICANT_KEPT
 from ...profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ...profile.seam_sums import StripProfile
@@ -63,7 +63,8 @@ def judge_piece(
         reason = short or messages.PIECE_NOT_MEASURED()
         return JudgedPiece(piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, reason)
     profile = found.profile
-    if found.fit < MIN_FIT:
+    # What little is left where detail was brushed away resembles no source.
+    if found.fit < MIN_FIT and found.texture >= MIN_TEXTURE:
         return JudgedPiece(
             piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, messages.PIECE_NOT_EXPLAINED()
         )

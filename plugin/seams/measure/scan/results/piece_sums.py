@@ -22,7 +22,7 @@ REACH_PX = 144.0
 """How far from a piece cells are counted to it: what lies beyond is ground."""
 MOST_ASIDE_PX = 40.0
 """How far a line may lie from the seam that the mosaic shows, for that to be its seam."""
-NOTHING = StripProfile(None, 0.0, 0.0)
+NOTHING = StripProfile(None, 0.0, 0.0, 0.0)
 """Of a piece that no cell is near to."""
 
 

@@ -32,11 +32,11 @@ def piece(column: float = 500, row: float = 500, length_m: float = 25.0, seam_id
 
 def profile(kept: float, low: float, high: float, width_px: float = 0.0) -> StripProfile:
     one = ProfileBin(1, 0, 2, kept, np.nan, np.nan, np.nan, 500.0)
-    return StripProfile(SeamProfile((kept, kept, kept), low, high, width_px, 0.0, (one,)), 4000.0, 0.9)
+    return StripProfile(SeamProfile((kept, kept, kept), low, high, width_px, 0.0, (one,)), 4000.0, 0.9, 1.0)
 
 
 def judged(kept: float | None, *place: float, **of_piece: float) -> JudgedPiece:
-    found = StripProfile(None, 0.0, 0.0) if kept is None else profile(kept, 0.9 * kept, 1.1 * kept)
+    found = StripProfile(None, 0.0, 0.0, 0.0) if kept is None else profile(kept, 0.9 * kept, 1.1 * kept)
     return judge_piece(piece(*place, **of_piece), ("a.tif", "b.tif"), found, GSD)  # type: ignore[arg-type]
 
 
