@@ -219,7 +219,7 @@ def two_source_points(desk: Desk) -> Iterator[Point]:
             around, over = QgsRectangle(*grid.window_extent(window)).buffered(_MARGIN_M), session.block().sources_over
             if len(over(window)) == 2 and all(QgsRectangle(*one.extent).contains(around) for one in over(window)):
                 found.append((x, y))
-    assert len(found) >= 3 * CLICKS
+    assert len(found) >= 3 * CLICKS, f"{len(found)} points"
     return iter(found[:: max(1, len(found) // 40)] * 5)
 
 
