@@ -11,6 +11,7 @@ from enum import Enum
 from math import log
 
 from . import limits
+from .profile.intervals import MOST_LEFT
 from .profile.seam_profile import Measure, SeamProfile
 
 MIN_MISSING_SHARE = 0.03  # of the pixels, lying together, that no given source explains; noise alone has made 0.02
@@ -31,7 +32,6 @@ MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took 
 MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
 MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
 MOSTLY_MIXED_PX = 300.0  # of a feather: it does not end where it is looked for
-MOST_LEFT_BY_MIXTURE = 0.15  # of the sources' energy in the strip, beyond what the ground leaves over
 MIN_MIXED_WIDTH_PX = 4.0  # of what is mixed: borders are known no better
 MIN_CUT_MISFIT_SHARE = 0.35  # the same where images were cut, and the misfit took nothing
 MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
@@ -162,7 +162,7 @@ class CauseEvidence:
         found = self.profile
         if found is None or (found.feather_width_px or 0) < MIN_MIXED_WIDTH_PX:
             return False
-        return found.left_by_mixture > MOST_LEFT_BY_MIXTURE
+        return found.left_by_mixture > MOST_LEFT
 
     @property
     def is_mixed_all_over(self) -> bool:

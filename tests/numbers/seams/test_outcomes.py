@@ -16,7 +16,7 @@ from benchmarks.operations import NOTHING, OPERATIONS
 from benchmarks.outcomes import Finding, Outcome
 from benchmarks.production import Made, Operation
 from benchmarks.readings import Reading
-from tests.numbers.synthetic import orthoimage
+from tests.numbers.seams.made_up_window import made_up_window
 
 SOUND = Reading("preserved", ("none",), 1.0, 0.9, 1.1, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 2)
 CHANGE = Change(Tone(1.0, 0.0), (1.0, 1.0, 1.0), 0.0, None, None)
@@ -25,11 +25,7 @@ SIDE = 64
 
 @pytest.fixture(scope="module")
 def window() -> KnownWindow:
-    """Two images of one scene, cut from top to bottom."""
-    scene = orthoimage((SIDE, SIDE)) // 2
-    sources = tuple(scene + orthoimage((SIDE, SIDE), seed=seed) // 2 for seed in (1, 2))
-    labels = (np.arange(SIDE) >= SIDE // 2)[np.newaxis].repeat(SIDE, axis=0).astype(np.uint8)
-    return KnownWindow("made up", 0, False, 0.1, SIDE, sources, (np.ones((SIDE, SIDE), bool),) * 2, labels)
+    return made_up_window(SIDE)
 
 
 def named(name: str) -> Operation:

@@ -10,7 +10,7 @@ from benchmarks.known_windows import KnownWindow, misfit_of
 from benchmarks.misfit_cases import CASES, PREFIX, is_right, misfit_tasks, twin
 from benchmarks.operations import HARD, KINDS, NOTHING, OPERATIONS, OTHERS, STRANGE_MAKINGS
 from benchmarks.production import Making
-from tests.numbers.synthetic import orthoimage
+from tests.numbers.seams.made_up_window import made_up_window
 
 SIDE = 192
 MAKINGS = [one for one in (*KINDS, *OTHERS, *STRANGE_MAKINGS) if not one.three]
@@ -18,11 +18,7 @@ MAKINGS = [one for one in (*KINDS, *OTHERS, *STRANGE_MAKINGS) if not one.three]
 
 @pytest.fixture(scope="module")
 def window() -> KnownWindow:
-    """Two images of one scene, cut from top to bottom."""
-    scene = orthoimage((SIDE, SIDE)) // 2
-    sources = tuple(scene + orthoimage((SIDE, SIDE), seed=seed) // 2 for seed in (1, 2))
-    labels = (np.arange(SIDE) >= SIDE // 2)[np.newaxis].repeat(SIDE, axis=0).astype(np.uint8)
-    return KnownWindow("made up", 0, False, 0.1, SIDE, sources, (np.ones((SIDE, SIDE), bool),) * 2, labels)
+    return made_up_window(SIDE)
 
 
 @pytest.mark.parametrize("making", MAKINGS, ids=lambda one: one.name)

@@ -64,7 +64,6 @@ class FollowedSource:
         order = np.argsort(self.shares)[::-1]
         return tuple(int(i) for i in order if self.shares[i] >= MIN_FOLLOWED_SHARE)
 
-
     def with_known(self, known: np.ndarray) -> FollowedSource:
         """The same where labels are known, (rows, columns) uint8, else ``UNKNOWN``: they decide what is followed, and
         that sources are mixed along the borders between them alone."""

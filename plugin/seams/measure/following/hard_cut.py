@@ -13,9 +13,9 @@ from ..tone import Tone
 from .composite import Composite, follows_at, make_composite
 from .expected_mosaic import ExpectedMosaic, expected_mosaic
 from .followed_source import FollowedSource
+from .likely_source import MIN_FIT
 from .placed_sources import PlacedSources, follow_sources
 
-MIN_CAUSE_FIT = 0.05  # of the fine detail; strangers explain 0.01 to 0.03
 MIN_EXPLAINED_SHARE = 0.05  # of the pixels: with less there is nothing to compare with
 
 
@@ -112,7 +112,7 @@ def cut_hard(
 
 def is_unclear(following: FollowedSource, labels: np.ndarray) -> bool:
     """Whether the sources say too little of the mosaic; ``labels`` are those of the expected one."""
-    return following.fit < MIN_CAUSE_FIT or _explained(labels) < MIN_EXPLAINED_SHARE
+    return following.fit < MIN_FIT or _explained(labels) < MIN_EXPLAINED_SHARE
 
 
 def _of_planes(labels: np.ndarray, source_of: Sequence[int]) -> np.ndarray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 import numpy as np
 
 from .cell_table import MIXED_BINS, PRODUCTS, MixtureTable, WholeCells
+from .energy_sums import BLOCK_CELLS
 from .intervals import Kept
 from .mixture import SLOTS, feather_width_px, fit_mixtures, followed_energy, mixed_energy
 from .seam_profile import strip_bins
@@ -14,7 +15,6 @@ LEAST_ERROR = 0.02
 """Of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's noise."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
-_BLOCK_CELLS = 2
 _AREA, _MM, _SS = (PRODUCTS.index(name) for name in ("area", "mm", "ss"))
 
 
@@ -34,7 +34,7 @@ class MixtureSums:
         table, piece = table.chosen(piece >= 0), piece[piece >= 0]
         lower, higher = np.minimum(table.source, table.other), np.maximum(table.source, table.other)
         codes = (piece.astype(np.int64) << 32) + (lower.astype(np.int64) << 16) + higher
-        group = (table.row // _BLOCK_CELLS * 3 + table.column // _BLOCK_CELLS) % GROUPS
+        group = (table.row // BLOCK_CELLS * 3 + table.column // BLOCK_CELLS) % GROUPS
         slot = (table.source > table.other).astype(np.intp) * MIXED_BINS + table.bin
         places = [group.astype(np.intp) * SLOTS + slot, *[slot] * (self._levels - 1)]
         sizes = [GROUPS * SLOTS, *[SLOTS] * (self._levels - 1)]
@@ -103,20 +103,14 @@ class MixedStrips:
     def shares(self) -> np.ndarray:
         """Of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
         area = self._whole[:, 0, :, _AREA]
-        own, every = (
-            np.stack([self._by_piece(one[:, bin_::MIXED_BINS].sum(axis=1)) for bin_ in range(MIXED_BINS)])
-            for one in (self._other * area, area)
-        )
+        own, every = map(self._both_sides, (self._other * area, area))
         return np.divide(own, every, out=np.full(own.shape, np.nan), where=every > 0)
 
     def by_bins(self, level: int) -> tuple[np.ndarray, np.ndarray]:
         """Energy of the detail that is left, and of the sources', DN squared: (MIXED_BINS, count) each."""
         products = self._whole[:, level]
-        mixed, plain = (
-            np.stack([self._by_piece(one[:, bin_::MIXED_BINS].sum(axis=1)) for bin_ in range(MIXED_BINS)])
-            for one in (way(products, self._other) for way in (mixed_energy, followed_energy))
-        )
-        return mixed, plain
+        mixed, plain = mixed_energy(products, self._other), followed_energy(products, self._other)
+        return self._both_sides(mixed), self._both_sides(plain)
 
     def _kept(self, sums: np.ndarray, strip: np.ndarray) -> Kept:
         """``sums``: (n, groups, SLOTS, products) of level 1."""
@@ -136,6 +130,10 @@ class MixedStrips:
         # The floor is known, the rest comes of few groups (Welch and Satterthwaite).
         freedom = (GROUPS - 1) * (total / np.maximum(error, 1e-3)) ** 4
         return Kept.of(value, total, freedom)
+
+    def _both_sides(self, values: np.ndarray) -> np.ndarray:
+        """Of (n, SLOTS) the sums of both sides, (MIXED_BINS, count)."""
+        return np.stack([self._by_piece(values[:, bin_::MIXED_BINS].sum(axis=1)) for bin_ in range(MIXED_BINS)])
 
     def _by_piece(self, values: np.ndarray) -> np.ndarray:
         return np.bincount(self._piece, values, self._count) if len(values) else np.zeros(self._count)

@@ -21,6 +21,7 @@ from seam_inspector.plugin.seams.measure.causes import (
     causes_taken,
     find_causes,
 )
+from seam_inspector.plugin.seams.measure.profile.intervals import MOST_LEFT
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure, SeamProfile
 
 SOUND_TEXTURE = Texture(
@@ -99,7 +100,7 @@ def test_where_energy_says_much_less_than_the_mixture_it_was_softened(by_mixture
 
 
 def test_images_mixed_by_no_weights_are_another_mixture() -> None:
-    most, least = rules.MOST_LEFT_BY_MIXTURE, rules.MIN_MIXED_WIDTH_PX
+    most, least = MOST_LEFT, rules.MIN_MIXED_WIDTH_PX
     other = evidence(**{**FEATHERED, "feather_width_px": least}, left_by_mixture=most + LITTLE)
     assert find_causes(other) == (Cause.OTHER_MIXTURE,)
     assert find_causes(evidence(**FEATHERED, left_by_mixture=most)) == (Cause.FEATHERING,)

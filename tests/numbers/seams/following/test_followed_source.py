@@ -9,7 +9,7 @@ import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following import followed_source
 from seam_inspector.plugin.seams.measure.following.followed_source import FollowedSource, follow, high_pass
-from seam_inspector.plugin.seams.measure.following.hard_cut import MIN_CAUSE_FIT
+from seam_inspector.plugin.seams.measure.following.likely_source import MIN_FIT
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from benchmarks.scenes import cut, feather
@@ -121,7 +121,7 @@ def test_a_blurred_mosaic_follows_areas_and_no_specks(sources: list[np.ndarray],
 def test_a_stranger_is_not_explained(sources: list[np.ndarray]) -> None:
     stranger = orthoimage(SHAPE, seed=99)[:, ::-1]
     found = followed(stranger, sources)
-    assert found.fit < MIN_CAUSE_FIT
+    assert found.fit < MIN_FIT
     assert found.unexplained.mean() > 0.95
 
 

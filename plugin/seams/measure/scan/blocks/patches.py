@@ -22,6 +22,7 @@ from ...following.following_rule import (
     local_correlation,
     mixtures,
 )
+from ...following.likely_source import MIN_FIT
 from ...profile.cell_table import CELL_PX, CellTable
 from ...seam_cells import UNKNOWN
 from .block_grid import SQUARE_PX
@@ -33,7 +34,6 @@ PATCH_START_PX = 36
 """Where it begins in its square: its middle cell of 16 px is one of the block's."""
 
 MIN_QUARTER_FIT = 0.15  # of a quarter's: strangers reach 0.1 there by chance
-MIN_STRANGER_FIT = 0.05  # of a patch's fine detail: strangers explain 0.01 to 0.03
 MIN_STRANGE = 0.6  # of the way from what true sources leave over to all: surely another image
 MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR = 0.15, 3.0  # as in windows, of ground that fewer places tell of
 _ALIKE_SQUARES = 2  # a side of the least part of an image that others resemble
@@ -232,7 +232,7 @@ def _followed(
     top = correlation.max(axis=0)
     textured = whole_own > 8 * least
     explained = np.maximum(top, 0) ** 2
-    sure = textured & is_sure(top, lead) & (explained >= MIN_STRANGER_FIT)
+    sure = textured & is_sure(top, lead) & (explained >= MIN_FIT)
     quarters = local_correlation(own, energies, shared)
     quarter, quarter_lead = highest(quarters)
     quarter_fit = np.maximum(quarters.max(axis=0), 0) ** 2
@@ -245,7 +245,7 @@ def _followed(
         lambda i, j: _quadrants(images[i], images[j], shape),
     )
     mixed = mixed_quarters.any(axis=0)
-    strange = textured & (explained < MIN_STRANGER_FIT) & ~differs & ~mixed
+    strange = textured & (explained < MIN_FIT) & ~differs & ~mixed
     doubtful = (textured & ~sure & ~strange) | differs | mixed
     left = (own * (1 - np.maximum(quarter_fit, explained_by_two))).sum(axis=0)
     winner = np.where(sure | doubtful, winner, np.uint8(UNKNOWN))
