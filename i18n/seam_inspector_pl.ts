@@ -4924,22 +4924,22 @@
         <translation>W oknie nie ma linii mozaikowania, którą można by ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="137"/>
+        <location filename="../plugin/seams/window_summary.py" line="135"/>
         <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="133"/>
+        <location filename="../plugin/seams/window_summary.py" line="131"/>
         <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="141"/>
+        <location filename="../plugin/seams/window_summary.py" line="139"/>
         <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="113"/>
+        <location filename="../plugin/seams/what_happened.py" line="122"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -5965,22 +5965,22 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="168"/>
+        <location filename="../plugin/seams/window_summary.py" line="166"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="171"/>
+        <location filename="../plugin/seams/window_summary.py" line="169"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="179"/>
+        <location filename="../plugin/seams/window_summary.py" line="177"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="183"/>
+        <location filename="../plugin/seams/window_summary.py" line="181"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -7172,17 +7172,17 @@
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="143"/>
+        <location filename="../plugin/seams/window_summary.py" line="141"/>
         <source>Along the seam no loss can be told from chance: {kept} % of the finest detail is left ({low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania straty nie da się odróżnić od przypadku: zostało {kept} % najdrobniejszych detali (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="174"/>
+        <location filename="../plugin/seams/window_summary.py" line="172"/>
         <source>it takes detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="176"/>
+        <location filename="../plugin/seams/window_summary.py" line="174"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
@@ -7192,7 +7192,7 @@
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="148"/>
+        <location filename="../plugin/seams/window_summary.py" line="146"/>
         <source>The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
     </message>
@@ -11174,7 +11174,7 @@
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="122"/>
+        <location filename="../plugin/seams/window_summary.py" line="121"/>
         <source>{percent} % of the pixels match none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -11308,12 +11308,12 @@
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="198"/>
+        <location filename="../plugin/seams/window_summary.py" line="196"/>
         <source>, less than an eye just sees at 2x</source>
         <translation>, mniej niż oko ledwie dostrzega w powiększeniu 2×</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="199"/>
+        <location filename="../plugin/seams/window_summary.py" line="197"/>
         <source>, {times} times what an eye just sees at 2x</source>
         <translation>, {times} raza tyle, ile oko ledwie dostrzega w powiększeniu 2×</translation>
     </message>
@@ -11428,77 +11428,72 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="62"/>
+        <location filename="../plugin/seams/what_happened.py" line="63"/>
         <source>This is told by the mixture of the images, as the ground around is mixed too.</source>
         <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="75"/>
+        <location filename="../plugin/seams/what_happened.py" line="84"/>
         <source>it is softened along the seam</source>
         <translation>jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="102"/>
+        <location filename="../plugin/seams/what_happened.py" line="111"/>
         <source>, where mixing alone would leave {percent} %</source>
         <translation>, a samo zmieszanie zostawiłoby {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="43"/>
-        <source>In the whole window {took}.</source>
-        <translation>W całym oknie {took}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/what_happened.py" line="59"/>
+        <location filename="../plugin/seams/what_happened.py" line="60"/>
         <source>This is told by the mixture of the images, as there is too little unmixed ground around.</source>
         <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="61"/>
+        <location filename="../plugin/seams/what_happened.py" line="62"/>
         <source>This is told by the mixture of the images, as other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="110"/>
+        <location filename="../plugin/seams/what_happened.py" line="119"/>
         <source>Besides: {others}.</source>
         <translation>Poza tym: {others}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="79"/>
+        <location filename="../plugin/seams/what_happened.py" line="88"/>
         <source>images are mixed over {width} m by another rule than weights</source>
         <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="81"/>
+        <location filename="../plugin/seams/what_happened.py" line="90"/>
         <source>images {apart} px apart are mixed by another rule than weights</source>
         <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="83"/>
+        <location filename="../plugin/seams/what_happened.py" line="92"/>
         <source>images {apart} px apart are feathered over {width} m</source>
         <translation>na szerokości {width} m wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="84"/>
+        <location filename="../plugin/seams/what_happened.py" line="93"/>
         <source>images {apart} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="87"/>
+        <location filename="../plugin/seams/what_happened.py" line="96"/>
         <source>, and most of that is their misfit</source>
         <translation>, a większość tego zabrało ich niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="89"/>
+        <location filename="../plugin/seams/what_happened.py" line="98"/>
         <source>images are feathered over {width} m</source>
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="210"/>
+        <location filename="../plugin/seams/window_summary.py" line="211"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="205"/>
+        <location filename="../plugin/seams/window_summary.py" line="203"/>
         <source>The rest is as sharp as its sources.</source>
         <translation>Reszta jest tak ostra jak jej ortoobrazy źródłowe.</translation>
     </message>
@@ -11525,6 +11520,16 @@
         <location filename="../plugin/seams/report/reading_terms.py" line="62"/>
         <source>The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 drops below the dashed line, the loss is significant. The dotted line is the share of the image beyond the seam in the mixture of the two.</source>
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="70"/>
+        <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
+        <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="69"/>
+        <source>the seam took {value} %</source>
+        <translation>szew zabrał {value} %</translation>
     </message>
 </context>
 </TS>

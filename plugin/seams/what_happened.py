@@ -40,7 +40,8 @@ def what_happened(row: WindowRecord, found: Explanation | None) -> Happening:
         (cause, words) for cause in left
         if cause not in at_seam and taken.get(cause, 0) >= _LEAST_TAKEN and (words := took_words(cause, taken[cause]))
     ]
-    whole = filled(tr("In the whole window {took}."), took=", ".join(words for _, words in took)) if took else ""
+    by_seam = sum(taken.get(cause, 0) for cause in at_seam)
+    whole = _in_the_whole([words for _, words in took], by_seam, row.sharpness or 0.0) if took else ""
     rest = [cause for cause in left if cause not in at_seam and cause not in [one for one, _ in took]]
     return Happening(seam, whole, _besides(rest, found, main in rest or not (seam or whole)))
 
@@ -60,6 +61,14 @@ def by_mixture(found: Explanation | None) -> list[str]:
     if profile.added_beside >= _MUCH_ADDED:
         return [tr("This is told by the mixture of the images, as other detail was added along the seam.")]
     return [tr("This is told by the mixture of the images, as the ground around is mixed too.")]
+
+
+def _in_the_whole(took: list[str], by_seam: float, sharpness: float) -> str:
+    """What is left in all of the window and what took the rest, of the energy of detail; sharpness is its root."""
+    if by_seam >= _LEAST_TAKEN:
+        took = [*took, filled(tr("the seam took {value} %"), value=percent(by_seam))]
+    text = tr("In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.")
+    return filled(text, left=percent(sharpness**2), sharpness=percent(sharpness), took=", ".join(took))
 
 
 def _is_softened_seam(cause: str, found: Explanation | None) -> bool:

@@ -110,10 +110,9 @@ def _by_the_seam(row: WindowRecord, happened: Happening, found: Explanation | No
     has_kept = row.kept_1 is not None and row.kept_low is not None and row.kept_high is not None
     if is_blurred or not has_kept:
         said = [] if is_blurred else [row.reason or tr("There is no seam in the window to be judged.")]
-        said += [*_sharpness(row.sharpness), *as_sentence(happened.along_the_seam)]
+        said += [*(_sharpness(row.sharpness, happened)), *as_sentence(happened.along_the_seam)]
     else:
         said = _along_the_seam(row, happened, by_mixture(found))
-    said += [happened.in_the_whole] if happened.in_the_whole else []
     if row.reason and row.reason not in said:
         said.append(row.reason)
     missing = 0.0 if row.explained is None else 1 - row.explained
@@ -125,9 +124,8 @@ def _by_the_seam(row: WindowRecord, happened: Happening, found: Explanation | No
 
 
 def _along_the_seam(row: WindowRecord, happened: Happening, by_what: list[str]) -> list[str]:
-    """What is kept there, where that is known, and how sharp the rest is unless what took of it is told."""
+    """What is kept there, where that is known, and how sharp the whole is."""
     kept, low, high, clause = row.kept_1 or 0.0, row.kept_low or 0.0, row.kept_high or 0.0, happened.along_the_seam
-    rest = [] if happened.in_the_whole else _rest(row.sharpness)
     if high < 1:
         values = {"lost": percent(1 - kept), "least": percent(1 - high), "most": percent(1 - low)}
         text = tr("Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)")
@@ -137,7 +135,7 @@ def _along_the_seam(row: WindowRecord, happened: Happening, by_what: list[str]) 
                 "In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)"
             )
         lost = filled(text, **values) + _to_an_eye(row.visibility)
-        return [f"{lost}: {clause}." if clause else f"{lost}.", *by_what, *rest]
+        return [f"{lost}: {clause}." if clause else f"{lost}.", *by_what, *_rest(row.sharpness, happened)]
     text = tr("Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)")
     if kept < _ALL_KEPT:
         text = tr("Along the seam no loss can be told from chance: {kept} % of the finest detail is left "
@@ -145,9 +143,9 @@ def _along_the_seam(row: WindowRecord, happened: Happening, by_what: list[str]) 
     text = filled(text, kept=percent(kept), low=percent(low), high=percent(high))
     along = f"{text}; {clause}." if clause else f"{text}."
     if row.verdict == "reduced" and row.sharpness is not None:  # the seam is sound, so the whole is the reason
-        whole = tr("The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.")
-        return [filled(whole, percent=percent(row.sharpness)), along, *by_what]
-    return [along, *by_what, *rest]
+        text = tr("The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.")
+        return [happened.in_the_whole or filled(text, percent=percent(row.sharpness)), along, *by_what]
+    return [along, *by_what, *_rest(row.sharpness, happened)]
 
 
 def by_the_paper(row: WindowRecord) -> list[str]:
@@ -199,16 +197,18 @@ def _to_an_eye(visibility: float | None) -> str:
     return filled(tr(", {times} times what an eye just sees at 2x"), times=shown_number(visibility, 1))
 
 
-def _rest(sharpness: float | None) -> list[str]:
+def _rest(sharpness: float | None, happened: Happening) -> list[str]:
     """How sharp the window is beside its seam."""
-    if sharpness is not None and abs(sharpness - 1) < _AS_SHARP:
+    if not happened.in_the_whole and sharpness is not None and abs(sharpness - 1) < _AS_SHARP:
         return [tr("The rest is as sharp as its sources.")]
-    return _sharpness(sharpness)
+    return _sharpness(sharpness, happened)
 
 
-def _sharpness(sharpness: float | None) -> list[str]:
-    text = tr("The whole window has {percent} % of the sharpness of its sources.")
-    return [] if sharpness is None else [filled(text, percent=percent(sharpness))]
+def _sharpness(sharpness: float | None, happened: Happening) -> list[str]:
+    """Of the whole window, with what took of it where that is known."""
+    if happened.in_the_whole or sharpness is None:
+        return [happened.in_the_whole] if happened.in_the_whole else []
+    return [filled(tr("The whole window has {percent} % of the sharpness of its sources."), percent=percent(sharpness))]
 
 
 def is_same(one: float | None, other: float | None) -> bool:

@@ -54,16 +54,13 @@ def measure_texture(
     large = [of for of in (first[whole] == i for i in np.unique(first[whole]))
              if np.count_nonzero(of) >= _FEWEST_OF_SOURCE] or [np.ones(np.count_nonzero(whole), bool)]
     energies = np.array([max(float(sums["uu"][of].sum()), 1e-9) for of in large])
-    of_sources, every = (np.array([float(sums[name][of].sum()) for of in large]) / energies for name in ("mu", "mm"))
-    lost, left_out = (
-        float(np.average(np.maximum(1 - share, 0), weights=energies)) for share in (of_sources**2, every)
-    )
+    of_sources = np.array([float(sums["mu"][of].sum()) for of in large]) / energies
     # What the sources' own compression left in them is none of the mosaic's.
     quantised = 0.0
     if noise >= MIN_COMPRESSED_DN * unit_dn:
         quantised = _quantised(mosaic / unit_dn) - _quantised(expected / unit_dn)
     ends = float(of_sources.min()), float(of_sources.max())
-    return Texture(transfer, *ends, lost, left_out, noise, loud / max(noise, 1e-6), quantised)
+    return Texture(transfer, *ends, noise, loud / max(noise, 1e-6), quantised)
 
 
 def measure_tones(

@@ -66,10 +66,6 @@ class Texture:
     least_transfer: float
     """The same of the source of which least comes over."""
     most_transfer: float
-    lost: float
-    """Share of the sources' detail energy that does not come over, source by source, those that gained apart."""
-    left_out: float
-    """The same of all energy, whatever of it is from the sources: what compression puts in counts."""
     noise_dn: float
     """Standard deviation of what is not from the sources, in weak detail."""
     noise_rise: float
@@ -178,10 +174,10 @@ class CauseEvidence:
 
     @property
     def off_seam_lost(self) -> float:
-        """Share of the window's finest detail energy that did not come over away from the seams."""
-        if self.texture is not None and not self.is_mostly_mixed:
-            return self.texture.lost
-        return max(1 - self.least_transfer**2, 0.0)
+        """Share of the window's finest detail energy that is gone and that neither the seams nor clipping took, so that
+        all that was taken adds up to what the sharpness says."""
+        told = self.lost if self.has_seam_loss else 0.0
+        return max(1 - (1.0 if self.sharpness is None else self.sharpness) ** 2 - told - self.clipped_lost, 0.0)
 
     @property
     def is_uneven(self) -> bool:
@@ -260,7 +256,7 @@ def _compressed(found: CauseEvidence) -> float | None:
     if found.texture is None or not found.is_compressed:
         return None
     is_told = found.is_resampled or found.least_transfer <= MAX_BLURRED_COMPRESSED  # by another cause
-    return 0.0 if is_told else found.texture.left_out
+    return 0.0 if is_told else found.off_seam_lost
 
 
 def _noise(found: CauseEvidence) -> float | None:

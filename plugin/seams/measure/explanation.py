@@ -134,17 +134,15 @@ def explain(
         unit_dn=unit,
         lossy_file=image.raster.is_lossy,
     )
-    unclear = cut.is_unclear
-    seen = window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster)
-    return Explanation(
-        causes=(Cause.UNCLEAR,) if unclear else _causes(evidence, detail.has_seam and profile is None),
+    found = Explanation(
+        causes=_causes(evidence, detail.has_seam and profile is None),
         evidence=evidence,
-        profile=None if unclear else profile,
+        profile=profile,
         has_seam=detail.has_seam,
-        explained=0.0 if unclear else cut.explained,
+        explained=cut.explained,
         contrast=_contrast(image, images, next(iter(against_composite.values()))),
-        sharpness=None if unclear else sharpness,
-        added=None if unclear else _added(detail.judged),
+        sharpness=sharpness,
+        added=_added(detail.judged),
         curves=curves,
         ratios={name: curve_ratios(mosaic.curves[name], curve) for name, curve in curves.items()},
         similarity={name: correlation(mosaic.coarse[name], own) for name, own in coarse.items()},
@@ -153,9 +151,18 @@ def explain(
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         shares=following.shares,
-        visibility=None if unclear else seen,
-        loss=None if unclear else loss_picture(detail, cut.around.expected.labels, cut.inside),
+        visibility=window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster),
+        loss=loss_picture(detail, cut.around.expected.labels, cut.inside),
     )
+    return _unclear(found) if cut.is_unclear else found
+
+
+def _unclear(found: Explanation) -> Explanation:
+    """Without what can't be told of a mosaic that the sources say too little of."""
+    return replace(
+        found, causes=(Cause.UNCLEAR,), profile=None, explained=0.0, sharpness=None, added=None, visibility=None,
+        loss=None,
+    )  # fmt: skip
 
 
 def _shift(image: ComparedImage, other: ComparedImage, following: FollowedSource, source: int) -> Shift | None:

@@ -5,6 +5,27 @@ from collections.abc import Sequence
 
 import numpy as np
 
+PIECE_PX = 128
+"""Rows worked on at a time, so that what lies between two passes stays in the cache."""
+
+
+def square_sums(a: np.ndarray, b: np.ndarray, side: int) -> np.ndarray:
+    """Sums of a x b, (rows, columns) each, over squares of ``side``, a power of two up to ``PIECE_PX``; without what
+    sticks out of whole squares."""
+    rows, columns = (length // side for length in a.shape)
+    whole, piece = slice(columns * side), PIECE_PX // side
+    sums = np.empty((rows, columns), np.float32)
+    for start in range(0, rows, piece):
+        own = slice(start * side, min(start + piece, rows) * side)
+        part = a[own, whole] * b[own, whole]
+        # By halves: numpy takes three times as long over runs of four. Whole rows first are fastest.
+        for _ in range(side.bit_length() - 1):
+            part = part[0::2] + part[1::2]
+        for _ in range(side.bit_length() - 1):
+            part = part[:, 0::2] + part[:, 1::2]
+        sums[start : start + piece] = part
+    return sums
+
 
 def box_means(values: np.ndarray, sides: Sequence[int], mirrored: bool = False) -> list[np.ndarray]:
     """Means over squares of odd sides around every sample (rows, columns), float32; the edges continue as they are, or

@@ -16,7 +16,7 @@ import numpy as np
 from scipy import ndimage
 
 from ..seam_cells import UNKNOWN
-from .boxes import box_means, enlarged, near_border
+from .boxes import PIECE_PX, box_means, enlarged, near_border, square_sums
 from .following_rule import LEAST_ENERGY, MIN_WINNER_LEAD, highest, is_sure, local_correlation, mixtures
 
 MIN_FOLLOWED_SHARE = 0.005  # of a window's pixels: sources that win fewer do not count
@@ -26,10 +26,11 @@ MIN_UNMIXED_SHARE = 0.05  # of the pixels: fine contrast of less is not taken fo
 Planes = Callable[[int, int], Sequence[np.ndarray]]
 
 CELL_PX = 4
-_NEAR, _WIDE = 3, 9  # cells a side that are correlated: 12 px, and 36 px where those do not decide
+NEAR_CELLS, WIDE_CELLS = 3, 9
+"""A side of what is looked at together: 12 px, in which a mixture's weights are even, and 36 px where those do not
+decide."""
 _MIXED = 2  # cells a side in which the weights of a mixture are taken as constant: 8 px, less than a feather's width
 _STRIP, _MARGIN = 1024, 32  # rows worked on at a time, and how far their neighbours matter
-_PIECE_PX = 128  # rows filtered or multiplied at a time, so that what lies between two passes stays in the cache
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +84,7 @@ class FollowedSource:
 def high_pass(band: np.ndarray) -> np.ndarray:
     """A band (rows, columns) less its smoothed self, in float32: what is finer than a Gaussian of about 2 px."""
     fine = np.empty(band.shape, np.float32)
-    for own, around, inner in _strips(len(band), _PIECE_PX, 3):
+    for own, around, inner in _strips(len(band), PIECE_PX, 3):
         smooth = part = band[around].astype(np.float32, copy=False)
         for spacing in (1, 2):  # binomials with holes: variance 1/2 and 2 px squared along each axis
             for axis in (0, 1):
@@ -123,9 +124,9 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
 
 def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:
     """By cells: winner, whether it is clear, mixture, fit, energy of the mosaic and of the winner."""
-    own = sums_over_cells(mosaic, mosaic)
-    energies = [sums_over_cells(source, source) for source in sources]
-    shared = [sums_over_cells(mosaic, source) for source in sources]
+    own = square_sums(mosaic, mosaic, CELL_PX)
+    energies = [square_sums(source, source, CELL_PX) for source in sources]
+    shared = [square_sums(mosaic, source, CELL_PX) for source in sources]
     near, wide = _correlations(own, energies, shared)
     winner, lead = highest(near)
     if len(sources) > 1:
@@ -159,20 +160,6 @@ def _binomial(band: np.ndarray, spacing: int, axis: int) -> np.ndarray:
     return pairs[:-spacing] + pairs[spacing:]
 
 
-def sums_over_cells(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Sums of a x b over cells, (rows / 4, columns / 4), without what sticks out of whole cells."""
-    rows, columns = (length // CELL_PX for length in a.shape)
-    whole = slice(columns * CELL_PX)
-    sums = np.empty((rows, columns), np.float32)
-    for cells, _, _ in _strips(rows, _PIECE_PX // CELL_PX, 0):
-        own = slice(cells.start * CELL_PX, cells.stop * CELL_PX)
-        products = a[own, whole] * b[own, whole]
-        # Added up by hand: numpy takes three times as long over runs of four. Whole rows first are fastest.
-        down = ((products[0::4] + products[1::4]) + products[2::4]) + products[3::4]
-        sums[cells] = (down[:, 0::4] + down[:, 1::4]) + (down[:, 2::4] + down[:, 3::4])
-    return sums
-
-
 def _correlations(
     own: np.ndarray, energies: Sequence[np.ndarray], shared: Sequence[np.ndarray]
 ) -> tuple[list[np.ndarray], list[np.ndarray]]:
@@ -188,7 +175,7 @@ def _correlations(
 
 def _around(products: np.ndarray) -> list[np.ndarray]:
     """Means over the near and the wide squares of cells."""
-    return box_means(products, (_NEAR, _WIDE), mirrored=True)
+    return box_means(products, (NEAR_CELLS, WIDE_CELLS), mirrored=True)
 
 
 def _of_winner(values: Sequence[np.ndarray], winner: np.ndarray) -> np.ndarray:
@@ -218,7 +205,7 @@ def _mixtures(
         _together(own) + LEAST_ENERGY,
         {i: _together(energies[i]) + LEAST_ENERGY for i in followed},
         {i: _together(shared[i]) for i in followed},
-        lambda i, j: _together(sums_over_cells(sources[i], sources[j])),
+        lambda i, j: _together(square_sums(sources[i], sources[j], CELL_PX)),
     )
 
 

@@ -15,8 +15,8 @@ from scipy import ndimage
 
 from ..profile.energy_response import EnergyResponse, fit_response, sampled
 from .best_ground import MIN_STRANGE, learn_best_ground
-from .boxes import box_means, enlarged, near_border, opened
-from .followed_source import CELL_PX, sums_over_cells
+from .boxes import box_means, enlarged, near_border, opened, square_sums
+from .followed_source import CELL_PX, NEAR_CELLS, WIDE_CELLS
 from .following_rule import LEAST_ENERGY, weights_of_two
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
@@ -32,10 +32,8 @@ _FEWEST_LEARNED_PX = 800
 _BEST = 0.6  # quantile of the squares' fit that is begun with
 _ROUNDS = 5
 _MIN_TEXTURED = 8  # times the least energy
-_NEAR_CELLS, _WIDE_CELLS = 3, 9  # a side: 12 px, in which the weights of a mixture are even, and 36 px
 _STRIP_CELLS = 4  # a side of the least part that no source explains: a seam leaves something over along itself
 _ALIKE_CELLS = 12  # the same where a source does resemble it
-_PIECE_PX = 128  # rows multiplied at a time, so that what lies between two passes stays in the cache
 
 
 @dataclass(frozen=True)
@@ -51,7 +49,7 @@ class Sampling:
 
     def sums(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """Of the products over the squares, (rows, columns)."""
-        return _sums(a, b) if self.grid_px == 2 else sums_over_cells(a, b)
+        return square_sums(a, b, self.grid_px)
 
     def squares(self, pixels: int) -> int:
         """So many pixels."""
@@ -60,7 +58,7 @@ class Sampling:
 
 FINE = Sampling(2, 7, 17)
 """14 and 34 px."""
-QUICK = Sampling(CELL_PX, 3, 9)
+QUICK = Sampling(CELL_PX, NEAR_CELLS, WIDE_CELLS)
 """12 and 36 px, a third of the time: for labels whose borders are then moved to the pixel."""
 
 
@@ -138,7 +136,7 @@ def _unexplained(
         np.copyto(energy, gain**2 * energies[i], where=of)
         np.copyto(product, gain * products[i], where=of)
     least = np.float32(LEAST_ENERGY * CELL_PX**2)
-    wide, energy, product = (box_means(one, (_WIDE_CELLS,))[0] for one in (own, energy, product))
+    wide, energy, product = (box_means(one, (WIDE_CELLS,))[0] for one in (own, energy, product))
     wide += least
     energy += least
     # Where the mosaic shows nothing of a source's texture it was clipped, or blurred away.
@@ -148,7 +146,7 @@ def _unexplained(
     if not found.any():
         return found
     for i, j in combinations(sources, 2):  # a mixture of two that are given is nothing strange
-        common = sums_over_cells(sources[i], sources[j])
+        common = square_sums(sources[i], sources[j], CELL_PX)
         np.minimum(left, _left_by_two(own, energies[i], energies[j], products[i], products[j], common), out=left)
     return _strange_parts(wide, left, textured, sampling) if len(sources) > 1 else found
 
@@ -189,10 +187,10 @@ def _left_by_two(
     within the near ones."""
     least = np.float32(LEAST_ENERGY * CELL_PX**2)
     sums = (own, energy_i, energy_j, product_i, product_j, common)
-    own, energy_i, energy_j, product_i, product_j, common = (box_means(one, (_NEAR_CELLS,))[0] for one in sums)
+    own, energy_i, energy_j, product_i, product_j, common = (box_means(one, (NEAR_CELLS,))[0] for one in sums)
     a, b = weights_of_two(energy_i + least, energy_j + least, product_i, product_j, common)
     left = np.where(np.minimum(a, b) > 0, np.maximum(own - (a * product_i + b * product_j), 0), own)
-    return box_means(left, (_WIDE_CELLS - _NEAR_CELLS + 1,))[0]
+    return box_means(left, (WIDE_CELLS - NEAR_CELLS + 1,))[0]
 
 
 def _in_cells(sums: np.ndarray, times: int) -> np.ndarray:
@@ -282,14 +280,3 @@ def filled_in(labels: np.ndarray, open_to: np.ndarray) -> np.ndarray:
         nearest = ndimage.distance_transform_edt(small[around], return_distances=False, return_indices=True)
         np.copyto(found[around], labels[around][tuple(nearest)], where=islands[around] == number)
     return found
-
-
-def _sums(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Of the products over squares of 2 px, (rows / 2, columns / 2)."""
-    sums = np.empty(tuple(length // 2 for length in a.shape), np.float32)
-    for start in range(0, len(a), _PIECE_PX):
-        part = slice(start, start + _PIECE_PX)
-        product = a[part] * b[part]
-        down = product[0::2] + product[1::2]
-        np.add(down[:, 0::2], down[:, 1::2], out=sums[start // 2 : (start + _PIECE_PX) // 2])
-    return sums

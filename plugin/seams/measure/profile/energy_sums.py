@@ -53,16 +53,15 @@ class EnergySums:
             if one is not None:
                 self._add_level(near, level, one, whole.energy(level)[cells], place, piece)
 
-    def kept(self, edge: np.ndarray) -> tuple[Kept, np.ndarray]:
-        """kept_1 of every piece, and kept_r (levels, count), NaN where nothing can be told.
-
-        ``edge``: (levels, count), energy in the strip that is the cut's own edge.
-        """
+    def kept(self) -> tuple[Kept, np.ndarray]:
+        """kept_1 of every piece, and kept_r (levels, count), NaN where nothing can be told."""
         own, expected = (self.in_strip(one) for one in (self.own, self.expected))
-        levels = np.divide(
-            np.maximum(own - edge, 0), expected, out=np.full(own.shape, np.nan), where=expected > 0
-        )
+        levels = np.divide(np.maximum(own, 0), expected, out=np.full(own.shape, np.nan), where=expected > 0)
         return self.with_interval(levels[0], self.in_strip(self.area)[0]), levels
+
+    def take_out(self, edge: np.ndarray) -> None:
+        """What the mosaic's detail has of the cut's own edge, energy by (levels, some bins, count), DN squared."""
+        self.own[:, : edge.shape[1]] -= edge
 
     def with_interval(self, kept: np.ndarray, area_px: np.ndarray) -> Kept:
         """Shares of an area, (..., count) each, as sure as the scatter of the ground around lets them be."""

@@ -44,8 +44,8 @@ class Kept:
         return np.log(np.maximum(self.high, 1e-6) / np.maximum(self.low, 1e-6))
 
 
-def together(energy: Kept, mixture: Kept, left: np.ndarray) -> tuple[Kept, np.ndarray, np.ndarray]:
-    """What judges, and where that is the energy and where the mixture, (n,) bool each: both where they agree.
+def together(energy: Kept, mixture: Kept, left: np.ndarray) -> tuple[Kept, np.ndarray]:
+    """What judges, and how much of it is the energy, (n,): 1 where it judges alone, 0 where the mixture does.
 
     They agree where their intervals meet; then their mean counts, weighted by their precision. Else the lower one
     does, unless the mixture does not explain the mosaic. ``left``: what it leaves over, as ``MOST_LEFT`` has it.
@@ -55,14 +55,17 @@ def together(energy: Kept, mixture: Kept, left: np.ndarray) -> tuple[Kept, np.nd
     both = has_energy & has_mixture
     agree = both & (energy.low <= mixture.high) & (mixture.low <= energy.high)
     by_mixture = has_mixture & ~has_energy | both & ~agree & (mixture.value < energy.value) & (left <= MOST_LEFT)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        weights = [1 / np.maximum(one.width, 1e-3) ** 2 for one in (energy, mixture)]
-        logs = [[np.log(np.maximum(end, 1e-6)) for end in (one.value, one.low, one.high)] for one in (energy, mixture)]
-        means = [np.exp((weights[0] * a + weights[1] * b) / sum(weights)) for a, b in zip(*logs)]
-    parts = [
-        np.where(agree, mean, np.where(by_mixture, mixed, plain))
-        for mean, plain, mixed in zip(
-            means, (energy.value, energy.low, energy.high), (mixture.value, mixture.low, mixture.high)
-        )
-    ]
-    return Kept(*parts), agree | has_energy & ~by_mixture, agree | by_mixture
+    precise, other = (1 / np.maximum(one.width, 1e-3) ** 2 for one in (energy, mixture))
+    share = np.where(agree, precise / (precise + other), np.where(by_mixture, 0.0, 1.0))
+    return Kept(*(weighted(share, *ends) for ends in zip(_ends(energy), _ends(mixture)))), share
+
+
+def weighted(share: np.ndarray, first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """The geometric mean of two, of which ``share`` is the first's; the one alone that has all of it."""
+    with np.errstate(invalid="ignore"):
+        mean = np.maximum(first, 1e-6) ** share * np.maximum(second, 1e-6) ** (1 - share)
+    return np.asarray(np.where(share >= 1, first, np.where(share <= 0, second, mean)))
+
+
+def _ends(one: Kept) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    return one.value, one.low, one.high

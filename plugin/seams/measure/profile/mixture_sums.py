@@ -69,8 +69,13 @@ class MixedStrips:
         fitted = [fit_mixtures(self._whole[:, level]) for level in levels]
         self._other = fitted[0].other if len(piece) else np.zeros((0, SLOTS))
         strips = [_in_strip(level) for level in levels]
-        self.edge = np.stack([self._by_piece(one.edge[:, strip].sum(axis=1)) for one, strip in zip(fitted, strips)])
-        """(levels, count): energy in the strip that is the cut's own edge, DN squared."""
+        self.edge, self.left, self.soft_left = (
+            np.stack([self._both_sides(values) for values in parts]) for parts in zip(
+                *((one.edge, one.left, one.left * fitted[0].soft) for one in fitted)
+            )
+        )
+        """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
+        the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
         own, plain = (
             np.stack([self._by_piece(values[:, level][:, strip].sum(axis=1)) for level, strip in zip(levels, strips)])
             for values in (way(self._whole, self._other[:, np.newaxis]) for way in (mixed_energy, followed_energy))
@@ -81,13 +86,6 @@ class MixedStrips:
         """kept_r (levels, count), NaN where nothing can be told."""
         self.plain = plain
         """(levels, count): energy of the sources' detail in the strip, DN squared."""
-        self.left, soft = (
-            np.stack([self._by_piece(values[:, strip].sum(axis=1)) for values, strip in zip(parts, strips)])
-            for parts in ([one.left for one in fitted], [one.left * fitted[0].soft for one in fitted])
-        )
-        """(levels, count): energy in the strip that the mixture leaves over, DN squared."""
-        self.soft = soft / np.maximum(self.left, 1e-12)
-        """(levels, count): whether that is what a feather's ramp makes of what the sources differ by, 0 to 1."""
         self.kept = self._kept(finest, strips[0])
 
     def feather_widths_px(self) -> np.ndarray:

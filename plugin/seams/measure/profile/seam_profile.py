@@ -27,11 +27,9 @@ class Measure(str, Enum):
     """Of the sources: there is too little ground to compare energies with, or other detail came along the seam."""
 
     @classmethod
-    def of(cls, has_energy: bool, has_mixture: bool) -> Measure:
-        """By what judged."""
-        if has_energy and has_mixture:
-            return cls.BOTH
-        return cls.ENERGY if has_energy else cls.MIXTURE
+    def of(cls, share: float) -> Measure:
+        """By how much of what judged is the energy."""
+        return cls.MIXTURE if share <= 0 else cls.ENERGY if share >= 1 else cls.BOTH
 
 
 @dataclass(frozen=True)

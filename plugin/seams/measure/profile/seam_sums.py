@@ -14,7 +14,7 @@ import numpy as np
 from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells
 from .energy_sums import EnergySums
 from .ground import LevelGround
-from .intervals import Kept, together
+from .intervals import Kept, together, weighted
 from .mixture import UNMIXED_SHARE
 from .mixture_sums import MixedStrips, MixtureSums
 from .seam_profile import BAND_KEPT, MIN_STRIP_PX, Measure, ProfileBin, SeamProfile, band_width_px
@@ -56,22 +56,24 @@ class SeamSums:
         """Of every piece, in their order; with the bins of so many ``levels``, all where None."""
         energy, mixed = self._energy, self._mixture.result()
         # Beyond what the ground leaves over as well. A soft feather's ramp makes that of what the sources differ by.
-        more_left = np.maximum(mixed.left - energy.left_by_ground, 0)
-        by_energy, energy_levels = energy.kept(mixed.edge + mixed.soft * more_left)
+        left_over = energy.in_strip(mixed.left)
+        more_left = np.maximum(left_over - energy.left_by_ground, 0)
+        own = energy.in_strip(energy.own)  # with all that was added
+        energy.take_out(mixed.edge + mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
+        by_energy, energy_levels = energy.kept()
         left = more_left[0] / np.maximum(mixed.plain[0], 1e-12)
-        judged, has_energy, has_mixture = together(by_energy, mixed.kept, left)
-        takes_mixture = has_mixture & ~has_energy
-        kept = np.where(takes_mixture, mixed.levels, energy_levels)
+        judged, share = together(by_energy, mixed.kept, left)
+        kept = np.where(share > 0, energy_levels, mixed.levels)
         kept[0] = judged.value
-        area, plain, own, shared = map(energy.in_strip, (energy.area, energy.plain, energy.own, energy.shared))
+        area, plain, shared = map(energy.in_strip, (energy.area, energy.plain, energy.shared))
         expected, expected_shared = energy.in_strip(energy.expected)[0], energy.in_strip(energy.expected_shared)[0]
         fit = np.maximum(shared[0], 0) ** 2 / np.maximum(own[0] * plain[0], 1e-12)
         texture = own[0] / np.maximum(plain[0], 1e-12)
         gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (own[0], expected)))
         added = np.where(before > 0, np.maximum(1 - gain**2 / np.maximum(before, 1e-12), 0), 0)
         width = mixed.feather_widths_px()
-        bins = self._bins(mixed, takes_mixture, judged, self._levels if levels is None else levels)
-        lost = self._lost(mixed, takes_mixture)
+        bins = self._bins(mixed, share, judged, self._levels if levels is None else levels)
+        lost = self._lost(mixed, share)
         found = []
         for number in range(self._count):
             profile = None
@@ -81,7 +83,7 @@ class SeamSums:
                 profile = SeamProfile(
                     tuple(map(_known, kept[:, number])), float(judged.low[number]), float(judged.high[number]),
                     band_width_px(finest) if kept[0, number] < BAND_KEPT else 0.0, float(added[number]), own_bins,
-                    _known(width[number]), Measure.of(bool(has_energy[number]), bool(has_mixture[number])),
+                    _known(width[number]), Measure.of(float(share[number])),
                     _known(by_energy.value[number]), _known(mixed.kept.value[number]), float(left[number]),
                     float(lost[number]),
                     tuple((plain / np.maximum(area, 1))[:, number].tolist()),
@@ -90,7 +92,7 @@ class SeamSums:
         return found
 
     def _bins(
-        self, mixed: MixedStrips, takes_mixture: np.ndarray, judged: Kept, levels: int
+        self, mixed: MixedStrips, share: np.ndarray, judged: Kept, levels: int
     ) -> list[list[ProfileBin | None]]:
         """By level and distance those of every piece, None where there is nothing."""
         energy, ends = self._energy, [*zip(EDGES_PX, (*EDGES_PX[1:], np.inf))]
@@ -99,29 +101,31 @@ class SeamSums:
         found = []
         for level in range(levels):
             area, expected = energy.area[level], energy.expected[level]
-            kept = np.divide(energy.own[level], expected, out=np.full(area.shape, np.nan), where=expected > 0)
-            kept[:, takes_mixture] = np.nan
-            ways = energy.with_interval(kept, area)
-            low, high = ways.low, ways.high
-            if takes_mixture.any():
+            own, nothing = np.maximum(energy.own[level], 0), np.full(area.shape, np.nan)
+            kept = np.divide(own, expected, out=nothing, where=expected > 0)
+            ways, mixture = energy.with_interval(kept, area), np.full(area.shape, np.nan)
+            if not (share >= 1).all():
                 left, plain = mixed.by_bins(level)
-                mixture = np.full(area.shape, np.nan)
                 np.divide(left, plain, out=mixture[:MIXED_BINS], where=plain > 0)
-                kept, low, high = (
-                    np.where(takes_mixture, factor * mixture, old) for factor, old in
-                    ((1, kept), (judged.low / judged.value, low), (judged.high / judged.value, high))
-                )
+            # As kept itself is taken; there is energy alone beyond where a mixture is looked for.
+            of_energy = np.where(share > 0, 1.0, 0.0) if level else np.where(
+                np.isnan(mixture) & (share > 0), 1.0, share
+            )
+            kept, low, high = (
+                weighted(of_energy, one, factor * mixture) for factor, one in
+                ((1, kept), (judged.low / judged.value, ways.low), (judged.high / judged.value, ways.high))
+            )
             gain = energy.shared[level] / np.maximum(energy.expected_shared[level], 1e-12)
             columns = (kept, low, high, gain, area, shares if not level else np.full(area.shape, np.nan))
             for place, numbers in enumerate(zip(*(column.tolist() for column in columns))):
                 found.append([
                     None if number != number or not pixels else
-                    ProfileBin(level + 1, *ends[place], number, bottom, top, beside, pixels, _known(share))
-                    for number, bottom, top, beside, pixels, share in zip(*numbers)
+                    ProfileBin(level + 1, *ends[place], number, bottom, top, beside, pixels, _known(other))
+                    for number, bottom, top, beside, pixels, other in zip(*numbers)
                 ])
         return found
 
-    def _lost(self, mixed: MixedStrips, takes_mixture: np.ndarray) -> np.ndarray:
+    def _lost(self, mixed: MixedStrips, share: np.ndarray) -> np.ndarray:
         """Energy of the finest detail that the seams took, DN squared of the sources, (count,)."""
         energy = self._energy
         left, plain = mixed.by_bins(0)
@@ -134,7 +138,7 @@ class SeamSums:
         kept = np.divide(own, expected, out=np.ones(own.shape), where=expected > 0)
         within = np.logical_and.accumulate(kept < BAND_KEPT, axis=0)
         by_energy = np.where(within, source * (1 - kept), 0).sum(axis=0)
-        return np.asarray(np.where(takes_mixture, by_mixture, np.maximum(by_energy, by_mixture)))
+        return np.asarray(np.where(share > 0, np.maximum(by_energy, by_mixture), by_mixture))
 
 
 def _known(value: float) -> float | None:

@@ -12,6 +12,7 @@ from seam_inspector.plugin.seams.measure.following.boxes import (
     near_border,
     opened,
     runs,
+    square_sums,
     widened,
 )
 
@@ -65,3 +66,11 @@ def test_every_sample_becomes_a_square(times: int) -> None:
     found = enlarged(samples, times)
     np.testing.assert_array_equal(found, np.kron(samples, np.ones((times, times), np.uint8)))
     assert found.dtype == samples.dtype
+
+
+@given(shape=SHAPES, side=st.sampled_from([2, 4]), seed=st.integers(0, 99))
+def test_sums_over_squares_are_those_of_numpy(shape: tuple[int, int], side: int, seed: int) -> None:
+    a, b = np.random.default_rng(seed).normal(size=(2, *shape)).astype(np.float32)
+    rows, columns = (length // side for length in shape)
+    whole = (a * b)[: rows * side, : columns * side].reshape(rows, side, columns, side)
+    np.testing.assert_allclose(square_sums(a, b, side), whole.sum(axis=(1, 3)), atol=1e-4)

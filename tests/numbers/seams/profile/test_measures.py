@@ -156,8 +156,8 @@ NOTHING = kept(np.nan, np.nan, np.nan)
 
 
 def judged(energy: Kept, mixture: Kept, left: float = 0.0) -> tuple[float, Measure]:
-    found, by_energy, by_mixture = together(energy, mixture, np.array([left]))
-    return float(found.value[0]), Measure.of(bool(by_energy[0]), bool(by_mixture[0]))
+    found, share = together(energy, mixture, np.array([left]))
+    return float(found.value[0]), Measure.of(float(share[0]))
 
 
 def test_where_one_says_nothing_the_other_judges() -> None:

@@ -244,11 +244,19 @@ def test_detail_that_was_added_beside_the_seam_is_told_from_what_was_kept() -> N
     found = profile_of(made, np.where(band, made.made + noise, made.made))
     plain = profile_of(made)
     near, before = found.bins[1], plain.bins[1]
-    assert near.kept > before.kept + 0.3
+    assert near.kept == pytest.approx(before.kept, abs=0.06)
     assert near.gain == pytest.approx(before.gain, abs=0.06)
     assert plain.added_beside == pytest.approx(1 - before.gain**2 / before.kept, abs=0.1)
     assert found.added_beside > plain.added_beside + 0.15
     assert found.kept == pytest.approx(plain.kept, abs=0.03)  # of its sources, which is what is judged
+
+
+@pytest.mark.parametrize("width", [0, 13, 33, 66, 256])
+def test_the_bins_beside_the_seam_add_up_to_what_is_kept(width: int) -> None:
+    found = profile_of(blend(width))
+    beside = [one for one in found.bins if one.level == 1 and one.far_px <= STRIP_PX]
+    mean = np.average([one.kept for one in beside], weights=[one.area_px for one in beside])
+    assert mean == pytest.approx(found.kept[0], abs=0.02)
 
 
 def test_added_everywhere_is_not_added_beside() -> None:
