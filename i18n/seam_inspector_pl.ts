@@ -11529,7 +11529,7 @@
     <message>
         <location filename="../plugin/seams/what_happened.py" line="69"/>
         <source>the seam took {value} %</source>
-        <translation>szew zabrał {value} %</translation>
+        <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
 </context>
 </TS>
