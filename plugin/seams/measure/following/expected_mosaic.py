@@ -16,11 +16,11 @@ from .boxes import near_border
 from .followed_source import FollowedSource
 from .levelling import SQUARE_PX, Levelled, levelled, square_means
 from .likely_source import FINE, LikelySource, Sampling, likely_source
-from .mosaic_filter import filtered, fit_filter
+from .mosaic_filter import FEWEST_PIXELS, filtered, fit_filter
 
 MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain more to be applied
 MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, labels are as sure without a filter
-MIN_SINGLE_GAIN = 0.02  # that filters of their own have to explain more than one for all sources
+MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has to explain more than one for all
 
 _FEWEST_SAMPLES = 300
 _ROUNDS = 3
@@ -118,24 +118,29 @@ def _likely(
     filters: Filters | None, sampling: Sampling,
 ) -> LikelySource:
     """The most likely source of every pixel. What came over each is learned where it is followed, and as that is told
-    better with it, learned anew as long as less and less changes."""
+    better with it, learned anew until it settles; what leaves least of the mosaic over counts."""
     if filters is not None:
         shown = {i: filters.applied(i, one) for i, one in sources.items()}
         return likely_source(own, shown, following.labels, following.clear, valid, sampling)
-    labels, clear, before, found = following.labels, following.clear, 1.0, None
+    labels, clear, best = following.labels, following.clear, None
     for _ in range(_ROUNDS):
         present = {i: one for i, one in sources.items() if (labels == i).any()}
-        shown = {i: _through_filter(own, one, (labels == i) & clear) for i, one in present.items()}
+        shown = {i: _through_filter(own, one, _surest(labels == i, clear)) for i, one in present.items()}
         likely = likely_source(own, shown, labels, clear, valid, sampling)
-        changed = np.count_nonzero(likely.labels != labels) / labels.size
-        if found is not None and changed > before:
-            break
-        found, before, labels = likely, changed, likely.labels
+        changed, labels = np.count_nonzero(likely.labels != labels) / labels.size, likely.labels
+        if best is None or likely.left < best.left:
+            best = likely
         if changed < _SETTLED or len(present) < 2 or all(shown[i] is present[i] for i in present):
             break
         clear = ~(likely.unexplained | near_border(labels, _UNSURE_PX))
-    assert found is not None
-    return found
+    assert best is not None
+    return best
+
+
+def _surest(part: np.ndarray, clear: np.ndarray) -> np.ndarray:
+    """What is clear of a part, or all of it where that is too little to learn from."""
+    sure = part & clear
+    return sure if np.count_nonzero(sure) >= FEWEST_PIXELS else part
 
 
 def mosaic_of(
@@ -219,11 +224,12 @@ def _fitted_filters(
         return Filters({}, False)
     numbers = _present(labels)
     if len(numbers) > 1:
-        fitted = {i: fit_filter(fine, reference, sure & (labels == i), gain=1.0) for i in numbers}
+        parts = {i: sure & (labels == i) for i in numbers}
+        fitted = {i: fit_filter(fine, reference, part, gain=1.0) for i, part in parts.items()}
         single = {i: one for i, one in fitted.items() if one is not None}
-        planes = {i: filtered(reference, one) for i, one in single.items()}
-        if len(single) == len(numbers) and _explains_more(
-            fine, common, _cut(fine, planes, labels), sure, MIN_SINGLE_GAIN
+        if len(single) == len(numbers) and any(
+            _explains_more(fine, common, filtered(reference, single[i]), part, MIN_SINGLE_GAIN)
+            for i, part in parts.items()
         ):
             return Filters(single, False)
     return Filters(dict.fromkeys(numbers, taps), True)

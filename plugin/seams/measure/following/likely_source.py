@@ -14,7 +14,7 @@ import numpy as np
 from scipy import ndimage
 
 from ..profile.energy_response import EnergyResponse, fit_response, sampled
-from .best_ground import MIN_STRANGE, learn_best_ground
+from .best_ground import MIN_ALIKE_STRANGE, MIN_EVEN_LEFT, MIN_STRANGE, learn_best_ground
 from .boxes import box_means, enlarged, near_border, opened, square_sums
 from .followed_source import CELL_PX, NEAR_CELLS, WIDE_CELLS
 from .following_rule import LEAST_ENERGY, weights_of_two
@@ -70,6 +70,8 @@ class LikelySource:
     """(rows, columns) uint8"""
     unexplained: np.ndarray
     """(rows, columns) bool: where not even that one explains the mosaic's fine detail."""
+    left: float
+    """Share of the mosaic's fine detail that it leaves over, the less the better."""
 
 
 def likely_source(
@@ -109,12 +111,14 @@ def likely_source(
         if i in valid:
             cost[~valid[i][grid]] = np.inf
         costs.append(cost)
-    found = without_islands(_least(list(sources), costs), sampling.squares(SMALLEST_PART_PX))
+    nearest, cost = _least(list(sources), costs)
+    found = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
     cells = _unexplained(own, energies, products, found, sources, sampling)
     unexplained = _as_large(enlarged(cells, CELL_PX // step), found.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
-    return LikelySource(enlarged(found, step), enlarged(unexplained, step))
+    left = float(cost[np.isfinite(cost)].sum()) / max(float(near.sum()), 1e-9)
+    return LikelySource(enlarged(found, step), enlarged(unexplained, step), left)
 
 
 def _unexplained(
@@ -153,6 +157,8 @@ def _unexplained(
 
 def _strange_parts(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, sampling: Sampling) -> np.ndarray:
     """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool."""
+    if _is_explained(wide, left, textured):
+        return np.zeros_like(textured)
     ground = learn_best_ground(wide[textured], left[textured])
     if ground is None:
         return np.zeros_like(textured)
@@ -164,6 +170,14 @@ def _strange_parts(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, sam
         return found
     found = _to_borders(found, strange)
     return without_islands(found.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
+
+
+def _is_explained(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> bool:
+    """Whether nothing could be strange, whatever true sources leave over: the usual window, in a tenth of the time."""
+    much = (textured & (left > least * wide) for least in (MIN_STRANGE, MIN_ALIKE_STRANGE))
+    if any(opened(one, side).any() for one, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
+        return False
+    return np.count_nonzero(textured & (left > MIN_EVEN_LEFT / 2 * wide)) * 2 < np.count_nonzero(textured)
 
 
 def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:
@@ -244,13 +258,13 @@ def _left_over(
     return rest, stranger
 
 
-def _least(numbers: list[int], costs: list[np.ndarray]) -> np.ndarray:
-    """The source of least cost, (rows, columns) uint8."""
+def _least(numbers: list[int], costs: list[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """The source of least cost, uint8, and that; (rows, columns) each."""
     found, cost = np.full(costs[0].shape, numbers[0], np.uint8), costs[0]
     for number, other in zip(numbers[1:], costs[1:]):
         np.copyto(found, np.uint8(number), where=other < cost)
         cost = np.minimum(cost, other)
-    return found
+    return found, cost
 
 
 def without_islands(labels: np.ndarray, least: int) -> np.ndarray:

@@ -11,9 +11,10 @@ from ....imagery.filters.kernels import correlated
 
 REACH_PX = 2
 """The filter has 5 x 5 taps."""
+FEWEST_PIXELS = 2000
+"""That a filter is learned from."""
 
 _SIDE = 2 * REACH_PX + 1
-_FEWEST_PIXELS = 2000
 _MOST_PIXELS = 12000
 _AT_A_TIME = 384  # in float32, their sums in float64
 _RIDGE = 1e-5
@@ -29,7 +30,7 @@ def fit_filter(
     where too few pixels count.
     """
     inside = np.flatnonzero(where[_MARGIN_PX:-_MARGIN_PX, _MARGIN_PX:-_MARGIN_PX])
-    if len(inside) < _FEWEST_PIXELS:
+    if len(inside) < FEWEST_PIXELS:
         return None
     columns, values = image.shape[1], reference.ravel()
     down, across = np.divmod(inside[:: max(1, len(inside) // _MOST_PIXELS)], columns - 2 * _MARGIN_PX)

@@ -14,7 +14,7 @@ import numpy as np
 from .cell_table import CELL_PX, EDGES_PX, CellTable, WholeCells
 from .ground import LevelGround
 from .intervals import Kept
-from .seam_profile import strip_bins
+from .seam_profile import in_strip, strip_bins
 
 LABEL_ERROR = 0.13
 """Of one block: pixels beside a seam that are given to the wrong source."""
@@ -55,9 +55,9 @@ class EnergySums:
 
     def kept(self) -> tuple[Kept, np.ndarray]:
         """kept_1 of every piece, and kept_r (levels, count), NaN where nothing can be told."""
-        own, expected = (self.in_strip(one) for one in (self.own, self.expected))
+        own, expected = (in_strip(one) for one in (self.own, self.expected))
         levels = np.divide(np.maximum(own, 0), expected, out=np.full(own.shape, np.nan), where=expected > 0)
-        return self.with_interval(levels[0], self.in_strip(self.area)[0]), levels
+        return self.with_interval(levels[0], in_strip(self.area)[0]), levels
 
     def take_out(self, edge: np.ndarray) -> None:
         """What the mosaic's detail has of the cut's own edge, energy by (levels, some bins, count), DN squared."""
@@ -65,11 +65,11 @@ class EnergySums:
 
     def with_interval(self, kept: np.ndarray, area_px: np.ndarray) -> Kept:
         """Shares of an area, (..., count) each, as sure as the scatter of the ground around lets them be."""
-        expected = np.maximum(self.in_strip(self.expected)[0], 1e-12)
+        expected = np.maximum(in_strip(self.expected)[0], 1e-12)
         scatter, blocks, reach = self._noise / expected
         blocks, area_px = np.maximum(blocks, 1), np.maximum(area_px, 1)
         # Texture is uneven: blocks of one weight that a strip is as good as, by its area.
-        density = expected**2 / np.maximum(self._squares, 1e-12) / np.maximum(self.in_strip(self.area)[0], 1)
+        density = expected**2 / np.maximum(self._squares, 1e-12) / np.maximum(in_strip(self.area)[0], 1)
         own_blocks = np.maximum(density * area_px, 1)
         error = np.sqrt(
             scatter * (1 / own_blocks + 1 / blocks) + LABEL_ERROR**2 * (BLOCK_CELLS * CELL_PX) ** 2 / area_px
@@ -81,10 +81,6 @@ class EnergySums:
     def left_by_ground(self) -> np.ndarray:
         """Energy in the strips that sources leave over as they do on the ground around, DN squared, (levels, count)."""
         return self._left
-
-    def in_strip(self, sums: np.ndarray) -> np.ndarray:
-        """Of sums by bins those in the strip, (levels, count)."""
-        return np.stack([sums[level, strip_bins(level)].sum(axis=0) for level in range(self._levels)])
 
     def _add_level(
         self, near: CellTable, level: int, ground: LevelGround, energy: np.ndarray, place: np.ndarray,

@@ -7,7 +7,7 @@ from .cell_table import MIXED_BINS, PRODUCTS, MixtureTable, WholeCells
 from .energy_sums import BLOCK_CELLS
 from .intervals import Kept
 from .mixture import SLOTS, feather_width_px, fit_mixtures, followed_energy, mixed_energy
-from .seam_profile import strip_bins
+from .seam_profile import in_strip, strip_bins
 
 GROUPS = 8
 """Of blocks of 32 px, each left out in turn: the jackknife (Tukey 1958)."""
@@ -15,7 +15,7 @@ LEAST_ERROR = 0.02
 """Of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's noise."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
-_AREA, _MM, _SS = (PRODUCTS.index(name) for name in ("area", "mm", "ss"))
+_AREA = PRODUCTS.index("area")
 
 
 class MixtureSums:
@@ -64,60 +64,48 @@ class MixedStrips:
     def __init__(self, piece: np.ndarray, sums: np.ndarray, count: int) -> None:
         self._piece, self._count = piece, count
         finest = sums[:, :GROUPS]
-        self._whole = np.concatenate([finest.sum(axis=1, keepdims=True), sums[:, GROUPS:]], axis=1)
-        levels = range(self._whole.shape[1])
-        fitted = [fit_mixtures(self._whole[:, level]) for level in levels]
-        self._other = fitted[0].other if len(piece) else np.zeros((0, SLOTS))
-        strips = [_in_strip(level) for level in levels]
-        self.edge, self.left, self.soft_left = (
-            np.stack([self._both_sides(values) for values in parts]) for parts in zip(
-                *((one.edge, one.left, one.left * fitted[0].soft) for one in fitted)
-            )
+        whole = np.concatenate([finest.sum(axis=1, keepdims=True), sums[:, GROUPS:]], axis=1)
+        fitted = [fit_mixtures(whole[:, level]) for level in range(whole.shape[1])]
+        self._other = fitted[0].other
+        self._area = whole[:, 0, :, _AREA]
+        edge, left = (np.stack([getattr(one, name) for one in fitted], axis=1) for name in ("edge", "left"))
+        self.edge, self.left, self.soft_left = map(
+            self._both_sides, (edge, left, left * fitted[0].soft[:, np.newaxis])
         )
         """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
         the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
-        own, plain = (
-            np.stack([self._by_piece(values[:, level][:, strip].sum(axis=1)) for level, strip in zip(levels, strips)])
-            for values in (way(self._whole, self._other[:, np.newaxis]) for way in (mixed_energy, followed_energy))
+        self.mixed, self.plain = (
+            self._both_sides(way(whole, self._other[:, np.newaxis])) for way in (mixed_energy, followed_energy)
         )
-        enough = self._by_piece(self._whole[:, 0, strips[0], _AREA].sum(axis=1)) >= MIN_BESIDE_PX
-        known = enough & (plain > 0)
-        self.levels = np.divide(own, plain, out=np.full(own.shape, np.nan), where=known)
+        """(levels, MIXED_BINS, count) each, DN squared: energy of the detail that is left, and of the sources'."""
+        own, plain = in_strip(self.mixed), in_strip(self.plain)
+        enough = self._both_sides(self._area)[strip_bins(0)].sum(axis=0) >= MIN_BESIDE_PX
+        self.levels = np.divide(own, plain, out=np.full(own.shape, np.nan), where=enough & (plain > 0))
         """kept_r (levels, count), NaN where nothing can be told."""
-        self.plain = plain
-        """(levels, count): energy of the sources' detail in the strip, DN squared."""
-        self.kept = self._kept(finest, strips[0])
+        self.kept = self._kept(finest)
 
     def feather_widths_px(self) -> np.ndarray:
         """(count,): of the seam between two sources that is longest in each piece; NaN where there is none."""
         found = np.full(self._count, np.nan)
         longest = np.zeros(self._count)
         for number, piece in enumerate(self._piece.tolist()):
-            area = float(self._whole[number, 0, :, _AREA].sum())
+            area = float(self._area[number].sum())
             if area > longest[piece]:
                 found[piece], longest[piece] = feather_width_px(self._other[number]), area
         return found
 
     def shares(self) -> np.ndarray:
         """Of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
-        area = self._whole[:, 0, :, _AREA]
-        own, every = map(self._both_sides, (self._other * area, area))
+        own, every = map(self._both_sides, (self._other * self._area, self._area))
         return np.divide(own, every, out=np.full(own.shape, np.nan), where=every > 0)
 
-    def by_bins(self, level: int) -> tuple[np.ndarray, np.ndarray]:
-        """Energy of the detail that is left, and of the sources', DN squared: (MIXED_BINS, count) each."""
-        products = self._whole[:, level]
-        mixed, plain = mixed_energy(products, self._other), followed_energy(products, self._other)
-        return self._both_sides(mixed), self._both_sides(plain)
-
-    def _kept(self, sums: np.ndarray, strip: np.ndarray) -> Kept:
+    def _kept(self, sums: np.ndarray) -> Kept:
         """``sums``: (n, groups, SLOTS, products) of level 1."""
-        whole = sums.sum(axis=1)
-        left_out = whole[:, np.newaxis] - sums  # (n, groups, SLOTS, products)
+        left_out = sums.sum(axis=1, keepdims=True) - sums
         other = fit_mixtures(left_out.reshape(-1, SLOTS, len(PRODUCTS))).other.reshape(left_out.shape[:3])
         own, plain = (
-            np.stack([self._by_piece(one[:, group][:, strip].sum(axis=1)) for group in range(GROUPS)])
-            for one in (way(left_out, other) for way in (mixed_energy, followed_energy))
+            self._both_sides(way(left_out, other))[:, strip_bins(0)].sum(axis=1)
+            for way in (mixed_energy, followed_energy)
         )
         estimates = own / np.maximum(plain, 1e-12)
         deviations = estimates - estimates.mean(axis=0)
@@ -130,13 +118,8 @@ class MixedStrips:
         return Kept.of(value, total, freedom)
 
     def _both_sides(self, values: np.ndarray) -> np.ndarray:
-        """Of (n, SLOTS) the sums of both sides, (MIXED_BINS, count)."""
-        return np.stack([self._by_piece(values[:, bin_::MIXED_BINS].sum(axis=1)) for bin_ in range(MIXED_BINS)])
-
-    def _by_piece(self, values: np.ndarray) -> np.ndarray:
-        return np.bincount(self._piece, values, self._count) if len(values) else np.zeros(self._count)
-
-
-def _in_strip(level: int) -> np.ndarray:
-    """Which slots lie in the strip, (SLOTS,) bool."""
-    return np.asarray(np.arange(SLOTS) % MIXED_BINS < strip_bins(level).stop)
+        """Of (n, ..., SLOTS) the sums of both sides and all seams of a piece, (..., MIXED_BINS, count)."""
+        sides = values.reshape(*values.shape[:-1], 2, MIXED_BINS).sum(axis=-2)
+        found = np.zeros((self._count, *sides.shape[1:]))
+        np.add.at(found, self._piece, sides)
+        return np.moveaxis(found, 0, -1)

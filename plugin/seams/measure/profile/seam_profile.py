@@ -92,6 +92,11 @@ def strip_bins(level: int) -> slice:
     return slice(0, EDGES_PX.index(STRIP_PX * 2**level) if STRIP_PX * 2**level in EDGES_PX else len(EDGES_PX) - 1)
 
 
+def in_strip(sums: np.ndarray) -> np.ndarray:
+    """Of sums by bins, (levels, bins, count), those in the strip, (levels, count)."""
+    return np.stack([one[strip_bins(level)].sum(axis=0) for level, one in enumerate(sums)])
+
+
 def band_width_px(bins: Sequence[ProfileBin]) -> float:
     """Twice the distance at which BAND_KEPT is reached, linear between the middles of the bins, which have ends."""
     last: tuple[float, float] | None = None

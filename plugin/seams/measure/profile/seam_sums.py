@@ -17,7 +17,7 @@ from .ground import LevelGround
 from .intervals import Kept, together, weighted
 from .mixture import UNMIXED_SHARE
 from .mixture_sums import MixedStrips, MixtureSums
-from .seam_profile import BAND_KEPT, MIN_STRIP_PX, Measure, ProfileBin, SeamProfile, band_width_px
+from .seam_profile import BAND_KEPT, MIN_STRIP_PX, Measure, ProfileBin, SeamProfile, band_width_px, in_strip
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,17 +56,17 @@ class SeamSums:
         """Of every piece, in their order; with the bins of so many ``levels``, all where None."""
         energy, mixed = self._energy, self._mixture.result()
         # Beyond what the ground leaves over as well. A soft feather's ramp makes that of what the sources differ by.
-        left_over = energy.in_strip(mixed.left)
+        left_over = in_strip(mixed.left)
         more_left = np.maximum(left_over - energy.left_by_ground, 0)
-        own = energy.in_strip(energy.own)  # with all that was added
+        own = in_strip(energy.own)  # with all that was added
         energy.take_out(mixed.edge + mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
-        left = more_left[0] / np.maximum(mixed.plain[0], 1e-12)
+        left = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
         judged, share = together(by_energy, mixed.kept, left)
         kept = np.where(share > 0, energy_levels, mixed.levels)
         kept[0] = judged.value
-        area, plain, shared = map(energy.in_strip, (energy.area, energy.plain, energy.shared))
-        expected, expected_shared = energy.in_strip(energy.expected)[0], energy.in_strip(energy.expected_shared)[0]
+        area, plain, shared = map(in_strip, (energy.area, energy.plain, energy.shared))
+        expected, expected_shared = in_strip(energy.expected)[0], in_strip(energy.expected_shared)[0]
         fit = np.maximum(shared[0], 0) ** 2 / np.maximum(own[0] * plain[0], 1e-12)
         texture = own[0] / np.maximum(plain[0], 1e-12)
         gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (own[0], expected)))
@@ -105,8 +105,8 @@ class SeamSums:
             kept = np.divide(own, expected, out=nothing, where=expected > 0)
             ways, mixture = energy.with_interval(kept, area), np.full(area.shape, np.nan)
             if not (share >= 1).all():
-                left, plain = mixed.by_bins(level)
-                np.divide(left, plain, out=mixture[:MIXED_BINS], where=plain > 0)
+                plain = mixed.plain[level]
+                np.divide(mixed.mixed[level], plain, out=mixture[:MIXED_BINS], where=plain > 0)
             # As kept itself is taken; there is energy alone beyond where a mixture is looked for.
             of_energy = np.where(share > 0, 1.0, 0.0) if level else np.where(
                 np.isnan(mixture) & (share > 0), 1.0, share
@@ -128,7 +128,7 @@ class SeamSums:
     def _lost(self, mixed: MixedStrips, share: np.ndarray) -> np.ndarray:
         """Energy of the finest detail that the seams took, DN squared of the sources, (count,)."""
         energy = self._energy
-        left, plain = mixed.by_bins(0)
+        left, plain = mixed.mixed[0], mixed.plain[0]
         by_mixture = (plain - left).sum(axis=0)
         # A mixture that does not end where it is looked for goes on beyond.
         shares, farther = mixed.shares()[-1], energy.plain[0, MIXED_BINS:].sum(axis=0)
