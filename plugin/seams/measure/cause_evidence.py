@@ -1,7 +1,7 @@
 """What was measured in a window -> the evidence that causes are judged by."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from scipy import fft
@@ -42,25 +42,29 @@ def measure_texture(
     sums = {
         name: _block_sums(np.einsum("dij,dij->ij", a, b), side)[whole]
         for name, a, b in (
-            ("mm", own, own), ("cc", predicted, predicted), ("mc", own, predicted), ("mu", own, plain),
-            ("uu", plain, plain),
+            ("mm", own, own), ("cc", predicted, predicted), ("mc", own, predicted), ("uu", plain, plain),
         )
     }
     left = np.clip(sums["mm"] - 2 * sums["mc"] + sums["cc"], 0, None) / (3 * side**2)
     weak, strong = np.quantile(sums["cc"], (_WEAK, _STRONG))
     noise = float(np.sqrt(left[sums["cc"] <= weak].mean()))
     loud = float(np.sqrt(left[sums["cc"] >= strong].mean()))
-    transfer = float(sums["mu"].sum() / max(float(sums["uu"].sum()), 1e-9))
+    transfer = _transfer(sums, np.ones(np.count_nonzero(whole), bool))
     large = [of for of in (first[whole] == i for i in np.unique(first[whole]))
              if np.count_nonzero(of) >= _FEWEST_OF_SOURCE] or [np.ones(np.count_nonzero(whole), bool)]
-    energies = np.array([max(float(sums["uu"][of].sum()), 1e-9) for of in large])
-    of_sources = np.array([float(sums["mu"][of].sum()) for of in large]) / energies
+    of_sources = [_transfer(sums, of) for of in large]
     # What the sources' own compression left in them is none of the mosaic's.
     quantised = 0.0
     if noise >= MIN_COMPRESSED_DN * unit_dn:
         quantised = _quantised(mosaic / unit_dn) - _quantised(expected / unit_dn)
-    ends = float(of_sources.min()), float(of_sources.max())
-    return Texture(transfer, *ends, noise, loud / max(noise, 1e-6), quantised)
+    return Texture(transfer, min(of_sources), max(of_sources), noise, loud / max(noise, 1e-6), quantised)
+
+
+def _transfer(sums: Mapping[str, np.ndarray], where: np.ndarray) -> float:
+    """Amplitude of the detail that comes over, wherever its pixels lie: the mosaic's share of what is expected, times
+    what the filter that came over it leaves of the sources'."""
+    mc, cc, uu = (float(sums[name][where].sum()) for name in ("mc", "cc", "uu"))
+    return mc / max(float(np.sqrt(cc * uu)), 1e-9)
 
 
 def measure_tones(

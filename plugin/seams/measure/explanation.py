@@ -50,7 +50,7 @@ class Explanation:
     profile: SeamProfile | None
     """None without a seam, or with too little ground around it."""
     has_seam: bool
-    """Whether two sources meet in the window."""
+    """Whether the window follows two sources, so that they meet in it."""
     explained: float
     """Share of the pixels whose fine detail the given sources explain."""
     contrast: float | None
@@ -138,7 +138,7 @@ def explain(
         causes=_causes(evidence, detail.has_seam and profile is None),
         evidence=evidence,
         profile=profile,
-        has_seam=detail.has_seam,
+        has_seam=detail.has_seam or _follows_several(cut.labels),
         explained=cut.explained,
         contrast=_contrast(image, images, next(iter(against_composite.values()))),
         sharpness=sharpness,
@@ -155,6 +155,11 @@ def explain(
         loss=loss_picture(detail, cut.around.expected.labels, cut.inside),
     )
     return _unclear(found) if cut.is_unclear else found
+
+
+def _follows_several(labels: np.ndarray) -> bool:
+    """Whether a seam runs somewhere, be it under ground that no source explains."""
+    return np.count_nonzero(np.bincount(labels[labels != UNKNOWN], minlength=1)) > 1
 
 
 def _unclear(found: Explanation) -> Explanation:

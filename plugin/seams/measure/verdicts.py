@@ -14,6 +14,7 @@ from .limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED
 from .profile.seam_profile import SeamProfile
 
 MIN_EXPLAINED = 0.9  # of the pixels: else a seam may lie where no given source explains the mosaic
+MAY_HIDE_SEAM = 0.98  # the same of a window whose sources meet nowhere that is explained
 MAX_KEPT_LOW = 1.15  # lower end of kept_1: no seam adds detail, so the sources that are followed are not the mosaic's
 MAX_INTERVAL_FACTOR = 2.0  # from the lower to the upper end of kept_1: wider ones say nothing
 SHARPNESS_TOLERANCE = 0.02  # what a sound hard cut may miss: 0.998 to 1.004 were found on real imagery
@@ -103,7 +104,8 @@ def _without_profile(has_seam: bool, is_blurred: bool, explained: float) -> tupl
     if explained < MIN_EXPLAINED:
         return Verdict.NOT_COMPARABLE, messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
     if has_seam:
-        return Verdict.NOT_COMPARABLE, messages.TOO_LITTLE_GROUND()
+        hidden = messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
+        return Verdict.NOT_COMPARABLE, hidden if explained < MAY_HIDE_SEAM else messages.TOO_LITTLE_GROUND()
     return Verdict.REDUCED if is_blurred else Verdict.PRESERVED, messages.NO_SEAM()
 
 

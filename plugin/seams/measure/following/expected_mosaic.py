@@ -80,6 +80,7 @@ def expected_mosaic(
     sampling: Sampling = FINE,
     patch_px: int = 0,
     has_warped: bool = False,
+    given: Sequence[np.ndarray] | None = None,
 ) -> ExpectedMosaic:
     """Planes (rows, columns) float32 of the mosaic and its sources, ``following`` a first estimate.
 
@@ -90,6 +91,7 @@ def expected_mosaic(
     ``filters``: what came over the mosaic, where that is known from more ground than there is here. ``sampling``: how
     closely sources are told from each other. ``patch_px``: as for ``mosaic_of``, whose ground this is compared with.
     ``has_warped``: whether a source was warped to the mosaic's grid, which explains it no better than another image.
+    ``given``: the planes before any of them was moved, where that was done.
     """
     own, sources = fine[0], {i: fine[1 + i] for i in sorted(following.followed)}
     likely = _likely(own, sources, following, valid, filters, sampling)
@@ -104,12 +106,16 @@ def expected_mosaic(
     shown = {i: found.applied(i, plane) for i, plane in toned.items()}
     if known is None and len(toned) > 1:
         labels = smooth_border(to_the_pixel(mosaic, shown, labels, valid))
-    unfiltered = _cut(mosaic, toned, labels)
+    cut = _cut(mosaic, toned, labels)
+    unfiltered = cut
+    if given is not None:  # to be moved by parts of a pixel costs detail as well
+        unmoved = {i: one.plane + one.gain * (given[i] - planes[i]) for i, one in in_tone.items()}
+        unfiltered = _cut(mosaic, unmoved, labels)
     if not found.taps:
-        return ExpectedMosaic(unfiltered, unfiltered, labels, shown)
+        return ExpectedMosaic(cut, unfiltered, labels, shown)
     if not found.came_over_cuts:
         return ExpectedMosaic(_cut(mosaic, shown, labels), unfiltered, labels, shown)
-    plane = filtered(unfiltered, next(iter(found.taps.values())))
+    plane = filtered(cut, next(iter(found.taps.values())))
     return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown)
 
 

@@ -1,9 +1,10 @@
 """kept by energy: what the mosaic has of its sources' detail along seams, relative to the ground around.
 
-    kept_r(d) = sum over cells at distance d of (mm - the cut's own edge) / sum of ss a0(ss)^2
+    sum over cells at distance d of (mm - the cut's own edge) = sum of kept_r(d) ss a0(kept_r(d) ss)^2
 
 with a0^2 the share mm / ss that cells far from any seam have at their energy. It does not change with anything that was
-done to the whole mosaic, since that was done to the ground around, too.
+done to the whole mosaic, since that was done to the ground around, too; and what a seam left is weaker detail, to which
+noise adds more and of which compression takes more.
 """
 from __future__ import annotations
 
@@ -12,6 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from .cell_table import CELL_PX, EDGES_PX, CellTable, WholeCells
+from .energy_response import log_energies
 from .ground import LevelGround
 from .intervals import Kept
 from .seam_profile import in_strip, strip_bins
@@ -20,6 +22,11 @@ LABEL_ERROR = 0.13
 """Of one block: pixels beside a seam that are given to the wrong source."""
 LEAST_ERROR = 0.025
 """Of kept, however long the seam: borders that are drawn where the mosaic fits best."""
+TRIED = np.array([0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.3])
+"""Values of kept that energies are worked out for; those between follow."""
+LEAST_SLOPE = 0.2
+"""Of that: where noise hides more, nothing can be told."""
+_ALL = int(np.flatnonzero(TRIED == 1)[0])
 BLOCK_CELLS = 2
 """A side of the blocks whose scatter the interval follows from: as much ground as 64 px of strip."""
 
@@ -29,8 +36,9 @@ class EnergySums:
 
     def __init__(self, count: int, levels: int) -> None:
         self._count, self._levels = count, levels
-        self.own, self.expected, self.shared, self.expected_shared = np.zeros((4, levels, len(EDGES_PX), count))
-        """mm, what is expected of it, mc and what is expected of that: (levels, bins, count)."""
+        self.own, self.shared, self.expected_shared = np.zeros((3, levels, len(EDGES_PX), count))
+        """mm, mc and what is expected of that: (levels, bins, count)."""
+        self._by_kept = np.zeros((len(TRIED), levels, len(EDGES_PX), count))
         self.area, self.plain = np.zeros((2, levels, len(EDGES_PX), count))
         """Pixels and ss, with ground or without."""
         self._squares = np.zeros(count)  # of what is expected of blocks of 32 px in the strip
@@ -53,18 +61,29 @@ class EnergySums:
             if one is not None:
                 self._add_level(near, level, one, whole.energy(level)[cells], place, piece)
 
+    @property
+    def expected(self) -> np.ndarray:
+        """mm where all is kept, (levels, bins, count)."""
+        return self._by_kept[_ALL]
+
     def kept(self) -> tuple[Kept, np.ndarray]:
         """kept_1 of every piece, and kept_r (levels, count), NaN where nothing can be told."""
-        own, expected = (in_strip(one) for one in (self.own, self.expected))
-        levels = np.divide(np.maximum(own, 0), expected, out=np.full(own.shape, np.nan), where=expected > 0)
-        return self.with_interval(levels[0], in_strip(self.area)[0]), levels
+        expected = np.stack([in_strip(one) for one in self._by_kept])
+        levels = _kept(in_strip(self.own), expected)
+        return self._with_interval(levels[0], in_strip(self.area)[0], expected[:, 0]), levels
+
+    def by_bins(self, level: int) -> Kept:
+        """The same at every distance, (bins, count)."""
+        expected, area = self._by_kept[:, level], self.area[level]
+        return self._with_interval(_kept(self.own[level], expected), area, expected)
 
     def take_out(self, edge: np.ndarray) -> None:
         """What the mosaic's detail has of the cut's own edge, energy by (levels, some bins, count), DN squared."""
         self.own[:, : edge.shape[1]] -= edge
 
-    def with_interval(self, kept: np.ndarray, area_px: np.ndarray) -> Kept:
-        """Shares of an area, (..., count) each, as sure as the scatter of the ground around lets them be."""
+    def _with_interval(self, kept: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:
+        """Shares of an area, (..., count) each, as sure as the scatter of the ground around lets them be, and as what
+        is kept shows in the energies ``by_kept``."""
         expected = np.maximum(in_strip(self.expected)[0], 1e-12)
         scatter, blocks, reach = self._noise / expected
         blocks, area_px = np.maximum(blocks, 1), np.maximum(area_px, 1)
@@ -75,6 +94,7 @@ class EnergySums:
             scatter * (1 / own_blocks + 1 / blocks) + LABEL_ERROR**2 * (BLOCK_CELLS * CELL_PX) ** 2 / area_px
             + reach + LEAST_ERROR**2
         )
+        error = error / _slope(kept, by_kept)
         return Kept.of(kept, error, np.broadcast_to(blocks - 1, error.shape))
 
     @property
@@ -86,10 +106,15 @@ class EnergySums:
         self, near: CellTable, level: int, ground: LevelGround, energy: np.ndarray, place: np.ndarray,
         piece: np.ndarray,
     ) -> None:
-        amplitude, gain = ground.amplitude(energy), ground.gain(energy)
-        expected, mm, ss = near.cc[level] * amplitude, near.mm[level], near.cc[level]
+        logs, ss = log_energies(energy), near.cc[level]
+        for total, kept in zip(self._by_kept, TRIED.tolist()):
+            if kept != 1:
+                self._sum(total[level], place, kept * ss * ground.amplitude.at(logs + np.log(kept)))
+        amplitude, gain = ground.amplitude.at(logs), ground.gain.at(logs)
+        expected = ss * amplitude
         for total, values in (
-            (self.own, mm), (self.expected, expected), (self.shared, near.mc[level]), (self.expected_shared, ss * gain)
+            (self.own, near.mm[level]), (self.expected, expected), (self.shared, near.mc[level]),
+            (self.expected_shared, ss * gain),
         ):
             self._sum(total[level], place, values)
         strip = near.bin < strip_bins(level).stop
@@ -108,3 +133,31 @@ class EnergySums:
 
     def _sum(self, total: np.ndarray, place: np.ndarray, values: np.ndarray) -> None:
         total += np.bincount(place, values, total.size).reshape(total.shape)
+
+
+def _kept(own: np.ndarray, by_kept: np.ndarray) -> np.ndarray:
+    """The share of which such an energy is left, (...), NaN where nothing is expected; ``by_kept`` (TRIED, ...)."""
+    at, first, last = _between(own, by_kept)
+    known = by_kept[_ALL] > 0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        part = (np.maximum(own, 0) - first) / (last - first)
+    lower, upper = np.append(0, TRIED)[at], TRIED[at]
+    return np.where(known, lower + part * (upper - lower), np.nan)
+
+
+def _slope(kept: np.ndarray, by_kept: np.ndarray) -> np.ndarray:
+    """By how much an energy changes with what is kept, both as shares: 1 without noise."""
+    at = np.clip(np.searchsorted(TRIED, np.nan_to_num(kept, nan=1.0)), 1, len(TRIED) - 1)
+    first, last = (np.take_along_axis(by_kept, place[np.newaxis], 0)[0] for place in (at - 1, at))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        slope = np.log(last / first) / np.log(TRIED[at] / TRIED[at - 1])
+    return np.asarray(np.clip(np.nan_to_num(slope, nan=1.0), LEAST_SLOPE, 1))
+
+
+def _between(own: np.ndarray, by_kept: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The value tried above an energy, the energy of the one below, 0 for the first, and its own."""
+    rising = np.maximum.accumulate(by_kept, axis=0)
+    at = np.minimum((rising < own).sum(axis=0), len(TRIED) - 1)
+    last = np.take_along_axis(rising, at[np.newaxis], 0)[0]
+    first = np.where(at > 0, np.take_along_axis(rising, np.maximum(at - 1, 0)[np.newaxis], 0)[0], 0)
+    return at, first, last

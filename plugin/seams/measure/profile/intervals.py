@@ -50,7 +50,8 @@ def together(energy: Kept, mixture: Kept, left: np.ndarray) -> tuple[Kept, np.nd
     They agree where their intervals meet; then their mean counts, weighted by their precision. Else the lower one
     does, unless the mixture does not explain the mosaic. ``left``: what it leaves over, as ``MOST_LEFT`` has it.
     """
-    has_energy, has_mixture = ~np.isnan(energy.value), ~np.isnan(mixture.value)
+    has_energy, has_mixture = ~np.isnan(energy.value), mixture.low <= MOST_KEPT  # never of NaN
+    mixture = Kept(*(np.where(has_mixture, end, np.nan) for end in _ends(mixture)))
     has_energy &= ~has_mixture | (energy.low <= MOST_KEPT) & (energy.width <= WIDEST)
     both = has_energy & has_mixture
     agree = both & (energy.low <= mixture.high) & (mixture.low <= energy.high)

@@ -100,10 +100,8 @@ class SeamSums:
         shares[:MIXED_BINS] = mixed.shares()
         found = []
         for level in range(levels):
-            area, expected = energy.area[level], energy.expected[level]
-            own, nothing = np.maximum(energy.own[level], 0), np.full(area.shape, np.nan)
-            kept = np.divide(own, expected, out=nothing, where=expected > 0)
-            ways, mixture = energy.with_interval(kept, area), np.full(area.shape, np.nan)
+            area, ways = energy.area[level], energy.by_bins(level)
+            mixture = np.full(area.shape, np.nan)
             if not (share >= 1).all():
                 plain = mixed.plain[level]
                 np.divide(mixed.mixed[level], plain, out=mixture[:MIXED_BINS], where=plain > 0)
@@ -113,7 +111,7 @@ class SeamSums:
             )
             kept, low, high = (
                 weighted(of_energy, one, factor * mixture) for factor, one in
-                ((1, kept), (judged.low / judged.value, ways.low), (judged.high / judged.value, ways.high))
+                ((1, ways.value), (judged.low / judged.value, ways.low), (judged.high / judged.value, ways.high))
             )
             gain = energy.shared[level] / np.maximum(energy.expected_shared[level], 1e-12)
             columns = (kept, low, high, gain, area, shares if not level else np.full(area.shape, np.nan))
@@ -134,8 +132,7 @@ class SeamSums:
         shares, farther = mixed.shares()[-1], energy.plain[0, MIXED_BINS:].sum(axis=0)
         last = np.where(shares >= UNMIXED_SHARE, 1 - left[-1] / np.maximum(plain[-1], 1e-12), 0)
         by_mixture += farther * last
-        own, expected, source = (one[0, :MIXED_BINS] for one in (energy.own, energy.expected, energy.plain))
-        kept = np.divide(own, expected, out=np.ones(own.shape), where=expected > 0)
+        kept, source = np.nan_to_num(energy.by_bins(0).value[:MIXED_BINS], nan=1.0), energy.plain[0, :MIXED_BINS]
         within = np.logical_and.accumulate(kept < BAND_KEPT, axis=0)
         by_energy = np.where(within, source * (1 - kept), 0).sum(axis=0)
         return np.asarray(np.where(share > 0, np.maximum(by_energy, by_mixture), by_mixture))
