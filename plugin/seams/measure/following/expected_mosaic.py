@@ -42,17 +42,26 @@ class ExpectedMosaic:
     """(rows, columns) uint8: the source of every pixel, ``UNKNOWN`` where none explains it."""
     shown: Mapping[int, np.ndarray]
     """(rows, columns) float32: each source that is followed, everywhere as this mosaic would show it."""
+    toned: Mapping[int, np.ndarray]
+    """The same before anything came over the whole mosaic; the very same where nothing did."""
+
+    @property
+    def is_filtered(self) -> bool:
+        """Whether something came over it."""
+        return any(self.toned[i] is not plane for i, plane in self.shown.items())
 
     def of_sources(self, source_of: Sequence[int]) -> ExpectedMosaic:
         """With the numbers of sources for those of planes, several of which may be of one source."""
         numbers = np.full(UNKNOWN + 1, UNKNOWN, np.uint8)
         numbers[: len(source_of)] = source_of
-        shown: dict[int, np.ndarray] = {}
         most_first = sorted(self.shown, key=lambda plane: -np.count_nonzero(self.labels == plane))
+        shown: dict[int, np.ndarray] = {}
+        toned: dict[int, np.ndarray] = {}
         for plane in most_first:
-            pixels, before = self.shown[plane], shown.get(source_of[plane])
-            shown[source_of[plane]] = pixels if before is None else np.where(self.labels == plane, pixels, before)
-        return replace(self, labels=numbers[self.labels], shown=shown)
+            for pixels, found in ((self.shown[plane], shown), (self.toned[plane], toned)):
+                before = found.get(source_of[plane])
+                found[source_of[plane]] = pixels if before is None else np.where(self.labels == plane, pixels, before)
+        return replace(self, labels=numbers[self.labels], shown=shown, toned=toned)
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,11 +107,12 @@ def expected_mosaic(
     labels = likely.labels if has_warped else likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
     if known is not None:
         labels = np.where(known == UNKNOWN, labels, known)
-    in_tone = _in_tone(mosaic, dict(enumerate(planes)), labels, following.clear, patch_px)
+    unmixed = _sure(labels, ~following.mixed, following.clear)
+    in_tone = _in_tone(mosaic, dict(enumerate(planes)), labels, _sure(labels, labels != UNKNOWN, unmixed), patch_px)
     toned = {i: one.plane for i, one in in_tone.items()}
     found = filters
     if found is None:
-        found = _find_filters(own, dict(enumerate(fine[1:])), in_tone, labels, following.clear & (labels != UNKNOWN))
+        found = _find_filters(own, dict(enumerate(fine[1:])), in_tone, labels, unmixed)
     shown = {i: found.applied(i, plane) for i, plane in toned.items()}
     if known is None and len(toned) > 1:
         labels = smooth_border(to_the_pixel(mosaic, shown, labels, valid))
@@ -112,11 +122,11 @@ def expected_mosaic(
         unmoved = {i: one.plane + one.gain * (given[i] - planes[i]) for i, one in in_tone.items()}
         unfiltered = _cut(mosaic, unmoved, labels)
     if not found.taps:
-        return ExpectedMosaic(cut, unfiltered, labels, shown)
+        return ExpectedMosaic(cut, unfiltered, labels, shown, shown)
     if not found.came_over_cuts:
-        return ExpectedMosaic(_cut(mosaic, shown, labels), unfiltered, labels, shown)
+        return ExpectedMosaic(_cut(mosaic, shown, labels), unfiltered, labels, shown, toned)
     plane = filtered(cut, next(iter(found.taps.values())))
-    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown)
+    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned)
 
 
 def _likely(
@@ -141,6 +151,12 @@ def _likely(
         clear = ~(likely.unexplained | near_border(labels, _UNSURE_PX))
     assert best is not None
     return best
+
+
+def _sure(labels: np.ndarray, among: np.ndarray, clear: np.ndarray) -> np.ndarray:
+    """``among`` some pixels those that are clear, or all of a source of which that is too little, (rows, columns)."""
+    parts = (_surest((labels == i) & among, clear) for i in _present(labels))
+    return np.logical_or.reduce([np.zeros(labels.shape, bool), *parts])
 
 
 def _surest(part: np.ndarray, clear: np.ndarray) -> np.ndarray:

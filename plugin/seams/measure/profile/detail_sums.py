@@ -16,7 +16,7 @@ from scipy import ndimage
 from ..following.boxes import widened
 from ..following.expected_mosaic import ExpectedMosaic
 from ..seam_cells import UNKNOWN
-from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, CellTable, MixtureTable
+from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, PRODUCTS, CellTable, MixtureTable
 
 MOSAIC, CUT, FIRST_SOURCE = range(3)
 """Planes of details."""
@@ -27,9 +27,10 @@ _UNKNOWN_MARGIN_PX = 8  # what is not explained reaches into its neighbours' coe
 
 def compared_planes(mosaic: np.ndarray, expected: ExpectedMosaic) -> np.ndarray:
     """Planes (planes, rows, columns) whose details are compared: the mosaic, its hard cut, and where sources meet each
-    of them as the mosaic shows it, in the order of their numbers."""
-    sources = [expected.shown[number] for number in numbers_of(expected)]
-    return np.stack([mosaic, expected.plane, *sources])
+    of them as the mosaic shows it, in the order of their numbers; then, if that differs, before anything came over the
+    mosaic."""
+    ways = (expected.shown, expected.toned) if expected.is_filtered else (expected.shown,)
+    return np.stack([mosaic, expected.plane, *(way[number] for way in ways for number in numbers_of(expected))])
 
 
 def numbers_of(expected: ExpectedMosaic) -> tuple[int, ...]:
@@ -53,20 +54,20 @@ class SeamGeometry:
 
 def detail_sums(
     details: Sequence[np.ndarray], labels: np.ndarray, numbers: Sequence[int] = (),
-    valid: Mapping[int, np.ndarray] | None = None,
+    valid: Mapping[int, np.ndarray] | None = None, is_filtered: bool = False,
 ) -> tuple[CellTable, MixtureTable]:
     """The cells of one window from the details of ``compared_planes``, level by level as ``detail_components`` gives
     them: (3, 2 + sources or more, rows / 2^r, columns / 2^r).
 
     ``labels``, (rows, columns): the source that each pixel follows, ``UNKNOWN`` where none explains it; those pixels
     take no part. ``numbers``: of the sources among the planes. ``valid``: (rows, columns) bool, pixels that a source
-    has, of those that don't have all.
+    has, of those that don't have all. ``is_filtered``: whether each source is there in both ways.
     """
     place = seam_geometry(labels)
     rows, columns = (length // CELL_PX for length in labels.shape)
     levels, beside = len(details), _pairs(place, numbers, valid or {})
     sums = np.zeros((4, levels, rows * columns * len(EDGES_PX)))
-    mixed = np.zeros((11, levels, rows * columns * MIXED_BINS * max(len(beside.pairs), 1)))
+    mixed = np.zeros((len(PRODUCTS), levels, rows * columns * MIXED_BINS * max(len(beside.pairs), 1)))
     for level, one in enumerate(details):
         pixels = 2 ** (level + 1)
         counted = CELL_PX // pixels
@@ -91,13 +92,16 @@ def detail_sums(
         at = np.flatnonzero(pair.ravel() < len(beside.pairs))
         index = ((cell * MIXED_BINS + bins) * len(beside.pairs) + pair).ravel()[at]
         down, across = np.divmod(at, columns * counted)
-        other = place.other[coarse][inside].ravel()[at]
         m, c, s = (plane.reshape(3, -1)[:, at] for plane in (m, c, s))
-        o = one[:, FIRST_SOURCE + np.searchsorted(numbers, other), down, across]
+        here, there = (FIRST_SOURCE + np.searchsorted(numbers, of.ravel()[at]) for of in (
+            place.labels[coarse][inside], place.other[coarse][inside]
+        ))
+        o = one[:, there, down, across]
+        p, q = (one[:, of + len(numbers), down, across] for of in (here, there)) if is_filtered else (s, o)
         k = c - s
         mixed[0, level] = np.bincount(index, minlength=mixed.shape[2]) * pixels**2
         for target, (a, b) in zip(mixed[1:, level], (
-            (m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)
+            (m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k), (p, p), (p, q), (q, q)
         )):
             target += np.bincount(index, np.einsum("dn,dn->n", a, b), len(target))
     return _cell_table(sums, columns), _mixture_table(mixed, columns, beside.pairs)
@@ -192,7 +196,7 @@ def _cell_table(sums: np.ndarray, columns: int) -> CellTable:
 
 
 def _mixture_table(sums: np.ndarray, columns: int, pairs: np.ndarray) -> MixtureTable:
-    """``sums``: products, (11, levels, cells x bins x pairs)."""
+    """``sums``: products, (PRODUCTS, levels, cells x bins x pairs)."""
     if not len(pairs):
         return MixtureTable.empty(sums.shape[1])
     held = np.flatnonzero(sums[0, 0])

@@ -38,6 +38,11 @@ class Kept:
         factor = np.exp(np.minimum(ends, _WIDEST))
         return cls(value, value / factor, value * factor)
 
+    def times(self, factor: np.ndarray) -> Kept:
+        """So many times as much; as much where that is not known."""
+        factor = np.nan_to_num(factor, nan=1.0)
+        return Kept(self.value * factor, self.low * factor, self.high * factor)
+
     @property
     def width(self) -> np.ndarray:
         """Of the logarithm's interval."""

@@ -7,8 +7,9 @@ of o is alpha = w_o / (w_s + w_o), and the share of the source of the higher num
 seam to the other (isotonic regression, Barlow et al. 1972). That is the feather itself. What such a mixture leaves of
 the detail follows from the sources alone,
 
-    kept = sum |(1 - alpha) s + alpha o|^2 / sum |s|^2
+    kept = sum |(1 - alpha) p + alpha q|^2 / sum |p|^2
 
+with p and q the same sources before anything came over the whole mosaic, which may have left only what they agree in,
 without any ground to compare with. All functions take many seams at once.
 """
 from __future__ import annotations
@@ -24,8 +25,9 @@ SLOTS = 2 * MIXED_BINS
 UNMIXED_SHARE = 0.1
 """A width is taken from this share of either source to the other: less is what noise makes."""
 
-_AREA, _MM, _MS, _MO, _MK, _SS, _SO, _SK, _OO, _OK, _KK = range(len(PRODUCTS))
+_AREA, _MM, _MS, _MO, _MK, _SS, _SO, _SK, _OO, _OK, _KK, _PP, _PQ, _QQ = range(len(PRODUCTS))
 _NORMAL = np.array([[_SS, _SO, _SK], [_SO, _OO, _OK], [_SK, _OK, _KK]])
+_ENERGIES = {False: (_SS, _SO, _OO), True: (_PP, _PQ, _QQ)}
 _RIGHT = np.array([_MS, _MO, _MK])
 _RIDGE = 1e-4
 _LEAST_EDGE = 1e-3  # of the energy: less is no edge, and says nothing of t
@@ -61,7 +63,7 @@ class Mixtures:
 
 
 def fit_mixtures(products: np.ndarray) -> Mixtures:
-    """From ``PRODUCTS`` of one level, (n, SLOTS, 11)."""
+    """From ``PRODUCTS`` of one level, (n, SLOTS, PRODUCTS)."""
     with_edge, without = _weights(products, True), _weights(products, False)
     near = np.zeros(SLOTS, bool)
     near[np.arange(SLOTS) % MIXED_BINS < _EDGE_BINS] = True
@@ -81,17 +83,18 @@ def fit_mixtures(products: np.ndarray) -> Mixtures:
     return Mixtures(softness * other, of_edge, np.maximum(products[..., _MM] + fitted, 0), soft)
 
 
-def mixed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Of the detail of sources mixed so, DN squared; (..., SLOTS, 11) and (..., SLOTS)."""
-    own = 1 - other
-    mixed = own**2 * products[..., _SS] + 2 * own * other * products[..., _SO] + other**2 * products[..., _OO]
-    return np.asarray(mixed)
+def mixed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
+    """Of the detail of sources mixed so, DN squared; (..., SLOTS, PRODUCTS) and (..., SLOTS). ``before``: anything came
+    over the whole mosaic."""
+    own, (ss, so, oo) = 1 - other, (products[..., of] for of in _ENERGIES[before])
+    return np.asarray(own**2 * ss + 2 * own * other * so + other**2 * oo)
 
 
-def followed_energy(products: np.ndarray, other: np.ndarray) -> np.ndarray:
+def followed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
     """Of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the wrong place
     that is the other one."""
-    return np.asarray(np.where(other > _FOLLOWED, products[..., _OO], products[..., _SS]))
+    ss, _, oo = (products[..., of] for of in _ENERGIES[before])
+    return np.asarray(np.where(other > _FOLLOWED, oo, ss))
 
 
 def feather_width_px(other: np.ndarray) -> float:

@@ -74,13 +74,18 @@ class MixedStrips:
         )
         """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
         the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
-        self.mixed, self.plain = (
-            self._both_sides(way(whole, self._other[:, np.newaxis])) for way in (mixed_energy, followed_energy)
-        )
-        """(levels, MIXED_BINS, count) each, DN squared: energy of the detail that is left, and of the sources'."""
-        own, plain = in_strip(self.mixed), in_strip(self.plain)
+        other = self._other[:, np.newaxis]
+        mixed, plain = (self._both_sides(way(whole, other)) for way in (mixed_energy, followed_energy))
+        shown, self.plain = (self._both_sides(way(whole, other, False)) for way in (mixed_energy, followed_energy))
+        """(levels, MIXED_BINS, count), DN squared: energy of the sources' detail as the mosaic shows it."""
+        self.bins, self.before = _ratio(mixed, plain), _ratio(mixed * self.plain, plain * shown)
+        """(levels, MIXED_BINS, count) each: kept, and that as a multiple of what is kept of the sources as the mosaic
+        shows them; NaN where nothing is known."""
+        own, plain, shown, source = map(in_strip, (mixed, plain, shown, self.plain))
+        self.before_in_strip = _ratio(own * source, plain * shown)
+        """(levels, count): the same of the strip."""
         enough = self._both_sides(self._area)[strip_bins(0)].sum(axis=0) >= MIN_BESIDE_PX
-        self.levels = np.divide(own, plain, out=np.full(own.shape, np.nan), where=enough & (plain > 0))
+        self.levels = np.where(enough, _ratio(own, plain), np.nan)
         """kept_r (levels, count), NaN where nothing can be told."""
         self.kept = self._kept(finest)
 
@@ -96,8 +101,7 @@ class MixedStrips:
 
     def shares(self) -> np.ndarray:
         """Of the other source, (MIXED_BINS, count): the mean of both sides, NaN where there is nothing."""
-        own, every = map(self._both_sides, (self._other * self._area, self._area))
-        return np.divide(own, every, out=np.full(own.shape, np.nan), where=every > 0)
+        return _ratio(*map(self._both_sides, (self._other * self._area, self._area)))
 
     def _kept(self, sums: np.ndarray) -> Kept:
         """``sums``: (n, groups, SLOTS, products) of level 1."""
@@ -123,3 +127,7 @@ class MixedStrips:
         found = np.zeros((self._count, *sides.shape[1:]))
         np.add.at(found, self._piece, sides)
         return np.moveaxis(found, 0, -1)
+
+
+def _ratio(own: np.ndarray, plain: np.ndarray) -> np.ndarray:
+    return np.divide(own, plain, out=np.full(own.shape, np.nan), where=plain > 0)

@@ -61,6 +61,9 @@ class SeamSums:
         own = in_strip(energy.own)  # with all that was added
         energy.take_out(mixed.edge + mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
+        # Of the sources before anything came over the mosaic, which may have left what they agree in.
+        by_energy = by_energy.times(mixed.before_in_strip[0])
+        energy_levels *= np.nan_to_num(mixed.before_in_strip, nan=1.0)
         left = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
         judged, share = together(by_energy, mixed.kept, left)
         kept = np.where(share > 0, energy_levels, mixed.levels)
@@ -100,11 +103,10 @@ class SeamSums:
         shares[:MIXED_BINS] = mixed.shares()
         found = []
         for level in range(levels):
-            area, ways = energy.area[level], energy.by_bins(level)
-            mixture = np.full(area.shape, np.nan)
-            if not (share >= 1).all():
-                plain = mixed.plain[level]
-                np.divide(mixed.mixed[level], plain, out=mixture[:MIXED_BINS], where=plain > 0)
+            area = energy.area[level]
+            before, mixture = np.full((2, *area.shape), np.nan)
+            before[:MIXED_BINS], mixture[:MIXED_BINS] = mixed.before[level], mixed.bins[level]
+            ways = energy.by_bins(level).times(before)
             # As kept itself is taken; there is energy alone beyond where a mixture is looked for.
             of_energy = np.where(share > 0, 1.0, 0.0) if level else np.where(
                 np.isnan(mixture) & (share > 0), 1.0, share
@@ -126,13 +128,13 @@ class SeamSums:
     def _lost(self, mixed: MixedStrips, share: np.ndarray) -> np.ndarray:
         """Energy of the finest detail that the seams took, DN squared of the sources, (count,)."""
         energy = self._energy
-        left, plain = mixed.mixed[0], mixed.plain[0]
-        by_mixture = (plain - left).sum(axis=0)
+        mixture = np.nan_to_num(mixed.bins[0], nan=1.0)
+        by_mixture = (mixed.plain[0] * (1 - mixture)).sum(axis=0)
         # A mixture that does not end where it is looked for goes on beyond.
         shares, farther = mixed.shares()[-1], energy.plain[0, MIXED_BINS:].sum(axis=0)
-        last = np.where(shares >= UNMIXED_SHARE, 1 - left[-1] / np.maximum(plain[-1], 1e-12), 0)
-        by_mixture += farther * last
-        kept, source = np.nan_to_num(energy.by_bins(0).value[:MIXED_BINS], nan=1.0), energy.plain[0, :MIXED_BINS]
+        by_mixture += farther * np.where(shares >= UNMIXED_SHARE, 1 - mixture[-1], 0)
+        kept = np.nan_to_num(energy.by_bins(0).value[:MIXED_BINS] * np.nan_to_num(mixed.before[0], nan=1.0), nan=1.0)
+        source = energy.plain[0, :MIXED_BINS]
         within = np.logical_and.accumulate(kept < BAND_KEPT, axis=0)
         by_energy = np.where(within, source * (1 - kept), 0).sum(axis=0)
         return np.asarray(np.where(share > 0, np.maximum(by_energy, by_mixture), by_mixture))

@@ -78,7 +78,15 @@ def test_transfer_is_against_what_was_there_before_any_filter(plane: np.ndarray,
         own, plain = (
             next(iter(detail_components(one[np.newaxis].astype(np.float64), "coif3", 1))) for one in (made, plane)
         )
-        assert found.transfer == pytest.approx(float((own * plain).sum() / (plain**2).sum()), rel=1e-3)
+        assert found.transfer == pytest.approx(float(np.sqrt((own**2).sum() / (plain**2).sum())), rel=1e-3)
+
+
+@pytest.mark.parametrize("pixels", [1, 2])
+def test_what_was_moved_by_whole_pixels_is_as_sharp_as_before(plane: np.ndarray, pixels: int) -> None:
+    moved = np.roll(plane, pixels, axis=1)
+    found = texture_of(moved, moved, plane)
+    assert found is not None
+    assert found.transfer == pytest.approx(1, abs=0.02)
 
 
 def test_each_source_has_its_transfer(plane: np.ndarray) -> None:

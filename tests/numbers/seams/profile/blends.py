@@ -48,7 +48,7 @@ class Blend:
         hard = np.where(labels < len(self.planes), np.choose(labels % len(self.planes), self.planes), own)
         hard = hard.astype(np.float32)
         shown = {i: one.astype(np.float32) for i, one in enumerate(self.planes) if (labels == i).any()}
-        expected = ExpectedMosaic(hard, hard, labels, shown)
+        expected = ExpectedMosaic(hard, hard, labels, shown, shown)
         return window_detail(own.astype(np.float32), expected, {}, WAVELET, LEVELS, inside)
 
     def profile(self, mosaic: np.ndarray | None = None) -> SeamProfile:

@@ -249,12 +249,22 @@ def test_beside_a_seam_each_source_meets_the_other(planes: np.ndarray) -> None:
     for r, (mosaic, cut, west, east) in enumerate(coefficients(planes)):
         for source, side, s, o in ((0, np.s_[:, :, : 64 >> (r + 1)], west, east),
                                    (1, np.s_[:, :, 64 >> (r + 1) :], east, west)):
-            planes_of = {"m": mosaic[side], "s": s[side], "o": o[side], "k": (cut - s)[side]}
+            planes_of = {"m": mosaic[side], "s": s[side], "o": o[side], "k": (cut - s)[side], "p": s[side], "q": o[side]}
             own = beside.products[:, r, beside.source == source].sum(axis=1)
             for name, found in zip(PRODUCTS[1:], own[1:]):
                 expected = (planes_of[name[0]] * planes_of[name[1]]).sum()
                 assert found == pytest.approx(expected, rel=1e-3, abs=1e-3 * own[1]), (r, source, name)
             assert own[0] == planes_of["m"][0].size * 4 ** (r + 1)
+
+
+def test_sources_before_anything_came_over_them_are_summed_beside_those_as_shown(planes: np.ndarray) -> None:
+    labels = halves().astype(np.uint8)
+    before = 2 * planes[2:]
+    details = list(detail_components(np.concatenate([planes, before]), WAVELET, LEVELS))
+    found = detail_sums(details, labels, (0, 1), None, True)[1].products
+    plain = sums_of(planes, labels)[1].products
+    np.testing.assert_allclose(found[:-3], plain[:-3], rtol=1e-5)
+    np.testing.assert_allclose(found[-3:], 4 * plain[-3:], rtol=1e-4)
 
 
 def test_where_three_meet_each_cell_names_its_neighbour() -> None:

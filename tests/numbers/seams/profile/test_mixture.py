@@ -70,7 +70,7 @@ def products_of(
     ms, mo = own * ss + other * so + t * sk, own * so + other * oo + t * ok
     mk = own * sk + other * ok + t * kk
     mm = own * ms + other * mo + t * mk + noise
-    columns = gain**2 * mm, gain * ms, gain * mo, gain * mk, ss, so + 0 * ss, sk, oo, ok, kk
+    columns = gain**2 * mm, gain * ms, gain * mo, gain * mk, ss, so + 0 * ss, sk, oo, ok, kk, ss, so + 0 * ss, oo
     return area * np.stack([np.ones(SLOTS), *columns], axis=-1)[np.newaxis]
 
 

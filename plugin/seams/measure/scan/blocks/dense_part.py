@@ -94,7 +94,7 @@ def measure_part(
     labels[guessed] = UNKNOWN
     details = list(detail_components(compared_planes(image.plane, expected), wavelet, levels))
     masks = {number: planes.valid[number] for number in present if number in planes.valid}
-    cells, beside = detail_sums(details, labels, numbers_of(expected), masks)
+    cells, beside = detail_sums(details, labels, numbers_of(expected), masks, expected.is_filtered)
     labels = filled_in(labels, guessed)
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
