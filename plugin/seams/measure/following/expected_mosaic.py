@@ -5,29 +5,28 @@ linear filter. What the mosaic lacks beside it was lost at the seams.
 """
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..seam_cells import UNKNOWN
-from .border import BORDER_PX, smooth_border, to_the_pixel
+from .border import smooth_border, to_the_pixel
 from .boxes import near_border
 from .followed_source import FollowedSource
 from .levelling import SQUARE_PX, Levelled, levelled, square_means
 from .likely_source import FINE, LikelySource, Sampling, likely_source
-from .mosaic_filter import FEWEST_PIXELS, filtered, fit_filter
+from .mixed_ground import MixedGround, mixed_ground
+from .mosaic_filter import FEWEST_PIXELS, filtered
+from .source_filters import Filters, cut_of, find_filters, present, share_left, through_filter
 
-MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain more to be applied
-MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, labels are as sure without a filter
-MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has to explain more than one for all
+MIN_MIXED_GAIN = 0.03  # of the fine detail, that two images mixed everywhere have to explain more
+MOST_LEFT_MIXED = 0.05  # of the fine detail, for a filter to be believed that was learned where sources may be mixed
+MIN_THIRD_SHARE = 0.1  # of the pixels, that a third image has where two are mixed everywhere
 
-_FEWEST_SAMPLES = 300
 _ROUNDS = 3
 _SETTLED = 0.005  # of the pixels: what changes less is settled
 _UNSURE_PX = 12  # from a border that is not settled
-_EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
-_SAMPLE = np.s_[::_EVERY, ::_EVERY]
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,20 +63,6 @@ class ExpectedMosaic:
         return replace(self, labels=numbers[self.labels], shown=shown, toned=toned)
 
 
-@dataclass(frozen=True, eq=False)
-class Filters:
-    """What makes of the sources what the mosaic shows of them."""
-
-    taps: Mapping[int, np.ndarray]
-    """Of each source that is followed, (5, 5); empty where nothing was done to them."""
-    came_over_cuts: bool
-    """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
-
-    def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
-        """A source's plane as the mosaic shows it."""
-        return filtered(plane, self.taps[source]) if self.taps else plane
-
-
 def expected_mosaic(
     mosaic: np.ndarray,
     planes: Sequence[np.ndarray],
@@ -102,31 +87,118 @@ def expected_mosaic(
     ``has_warped``: whether a source was warped to the mosaic's grid, which explains it no better than another image.
     ``given``: the planes before any of them was moved, where that was done.
     """
-    own, sources = fine[0], {i: fine[1 + i] for i in sorted(following.followed)}
-    likely = _likely(own, sources, following, valid, filters, sampling)
-    labels = likely.labels if has_warped else likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
-    if known is not None:
-        labels = np.where(known == UNKNOWN, labels, known)
-    unmixed = _sure(labels, ~following.mixed, following.clear)
-    in_tone = _in_tone(mosaic, dict(enumerate(planes)), labels, _sure(labels, labels != UNKNOWN, unmixed), patch_px)
+    window = _Window(mosaic, planes, fine, following, valid, known, sampling, patch_px, has_warped)
+    if filters is None:
+        found, labels, in_tone = window.learned()
+    else:
+        found, labels = filters, window.labels(filters)
+        in_tone = window.in_tone(labels)
     toned = {i: one.plane for i, one in in_tone.items()}
-    found = filters
-    if found is None:
-        found = _find_filters(own, dict(enumerate(fine[1:])), in_tone, labels, unmixed)
     shown = {i: found.applied(i, plane) for i, plane in toned.items()}
     if known is None and len(toned) > 1:
         labels = smooth_border(to_the_pixel(mosaic, shown, labels, valid))
-    cut = _cut(mosaic, toned, labels)
+    cut = cut_of(mosaic, toned, labels)
     unfiltered = cut
     if given is not None:  # to be moved by parts of a pixel costs detail as well
         unmoved = {i: one.plane + one.gain * (given[i] - planes[i]) for i, one in in_tone.items()}
-        unfiltered = _cut(mosaic, unmoved, labels)
+        unfiltered = cut_of(mosaic, unmoved, labels)
     if not found.taps:
         return ExpectedMosaic(cut, unfiltered, labels, shown, shown)
     if not found.came_over_cuts:
-        return ExpectedMosaic(_cut(mosaic, shown, labels), unfiltered, labels, shown, toned)
+        placed = {i: found.placed(i, plane) for i, plane in toned.items()}
+        return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed)
     plane = filtered(cut, next(iter(found.taps.values())))
     return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned)
+
+
+@dataclass(frozen=True, eq=False)
+class _Window:
+    """What ``expected_mosaic`` is given."""
+
+    mosaic: np.ndarray
+    planes: Sequence[np.ndarray]
+    fine: Sequence[np.ndarray]
+    following: FollowedSource
+    valid: Mapping[int, np.ndarray]
+    known: np.ndarray | None
+    sampling: Sampling
+    patch_px: int
+    has_warped: bool
+
+    def labels(self, filters: Filters | None, left_out: Collection[int] = ()) -> np.ndarray:
+        """(rows, columns) uint8"""
+        sources = {i: self.fine[1 + i] for i in sorted(self.following.followed) if i not in left_out}
+        likely = _likely(self.fine[0], sources, self.following, self.valid, filters, self.sampling)
+        found = likely.labels if self.has_warped else likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
+        return found if self.known is None else np.where(self.known == UNKNOWN, found, self.known)
+
+    def in_tone(self, labels: np.ndarray) -> dict[int, Levelled]:
+        """The sources that any pixel follows, in the mosaic's grey values."""
+        sure = _sure_unmixed(labels, self.following)
+        return _in_tone(self.mosaic, dict(enumerate(self.planes)), labels, sure, self.patch_px)
+
+    def learned(self) -> tuple[Filters, np.ndarray, dict[int, Levelled]]:
+        """What came over the sources, their labels, and themselves in tone."""
+        labels = self.labels(None)
+        in_tone, unmixed, pair = self.in_tone(labels), _sure_unmixed(labels, self.following), self._pair(labels)
+        anywhere = _sure(labels, unmixed)
+        own, fine = self.fine[0], dict(enumerate(self.fine[1:]))
+        found = find_filters(own, fine, in_tone, labels, anywhere)
+        ground = None if pair is None else self._ground(in_tone, found, labels, pair)
+        if pair is not None and ground is not None:
+            return self._mixed(labels, in_tone, found, pair, ground)
+        # A filter that was learned of a mixture takes what that took.
+        is_doubtful = np.count_nonzero(anywhere) > np.count_nonzero(unmixed)
+        if is_doubtful and self._left(in_tone, found, labels, present(labels)) > MOST_LEFT_MIXED:
+            found = find_filters(own, fine, in_tone, labels, unmixed)
+        return found, labels, in_tone
+
+    def _mixed(
+        self, labels: np.ndarray, in_tone: Mapping[int, Levelled], found: Filters, pair: tuple[int, int],
+        ground: MixedGround,
+    ) -> tuple[Filters, np.ndarray, dict[int, Levelled]]:
+        """The same where two sources are mixed nearly everywhere."""
+        found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
+        gains = {i: ground.gain * in_tone[i].gain for i in pair if i in in_tone}
+        # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
+        chance = [i for i in present(labels) if i not in pair and (labels == i).mean() < MIN_THIRD_SHARE]
+        labels = self.labels(found, chance)
+        means = square_means(self.mosaic)
+        again = {
+            i: levelled(means, self.planes[i], labels == i, labels == i, gain=gain)
+            for i, gain in gains.items() if (labels == i).any()
+        }
+        return found, labels, {**self.in_tone(labels), **again}
+
+    def _pair(self, labels: np.ndarray) -> tuple[int, int] | None:
+        """The two sources that most pixels follow, or did at first."""
+        most_first = sorted(present(labels), key=lambda i: -np.count_nonzero(labels == i))
+        pair = [*most_first, *(i for i in self.following.followed if i not in most_first)][:2]
+        return (pair[0], pair[1]) if len(pair) == 2 else None
+
+    def _ground(
+        self, in_tone: Mapping[int, Levelled], found: Filters, labels: np.ndarray, pair: tuple[int, int]
+    ) -> MixedGround | None:
+        """Where two sources mixed nearly everywhere explain more than each on its own side; None for other windows."""
+        left = self._left(in_tone, found, labels, pair)
+        if left < MIN_MIXED_GAIN:
+            return None
+        where = np.isin(labels, (*pair, UNKNOWN))
+        for i in pair:
+            where &= self.valid.get(i, True)
+        images = [(in_tone[i].gain if i in in_tone else np.float32(1)) * self.fine[1 + i] for i in pair]
+        shown = [found.applied(i, one) if i in found.taps else one for i, one in zip(pair, images)]
+        ground = mixed_ground(self.fine[0], images, shown, where)
+        if ground is None or share_left(self.fine[0], ground.mosaic, labels, pair) > left - MIN_MIXED_GAIN:
+            return None
+        return ground
+
+    def _left(
+        self, in_tone: Mapping[int, Levelled], found: Filters, labels: np.ndarray, of: Sequence[int]
+    ) -> float:
+        """Share of the mosaic's fine detail that some sources leave over, each on its own side."""
+        shown = {i: found.applied(i, in_tone[i].gain * self.fine[1 + i]) for i in of if i in in_tone}
+        return share_left(self.fine[0], cut_of(self.fine[0], shown, labels), labels, of)
 
 
 def _likely(
@@ -141,7 +213,7 @@ def _likely(
     labels, clear, best = following.labels, following.clear, None
     for _ in range(_ROUNDS):
         present = {i: one for i, one in sources.items() if (labels == i).any()}
-        shown = {i: _through_filter(own, one, _surest(labels == i, clear)) for i, one in present.items()}
+        shown = {i: through_filter(own, one, _surest(labels == i, clear)) for i, one in present.items()}
         likely = likely_source(own, shown, labels, clear, valid, sampling)
         changed, labels = np.count_nonzero(likely.labels != labels) / labels.size, likely.labels
         if best is None or likely.left < best.left:
@@ -153,9 +225,14 @@ def _likely(
     return best
 
 
-def _sure(labels: np.ndarray, among: np.ndarray, clear: np.ndarray) -> np.ndarray:
-    """``among`` some pixels those that are clear, or all of a source of which that is too little, (rows, columns)."""
-    parts = (_surest((labels == i) & among, clear) for i in _present(labels))
+def _sure_unmixed(labels: np.ndarray, following: FollowedSource) -> np.ndarray:
+    """Where one source is followed for sure, or at least without another, (rows, columns) bool."""
+    return _sure(np.where(following.mixed, np.uint8(UNKNOWN), labels), following.clear)
+
+
+def _sure(labels: np.ndarray, clear: np.ndarray) -> np.ndarray:
+    """What is clear of every source that any pixel follows, or all of one of which that is too little."""
+    parts = (_surest(labels == i, clear) for i in present(labels))
     return np.logical_or.reduce([np.zeros(labels.shape, bool), *parts])
 
 
@@ -182,8 +259,8 @@ def mosaic_of(
     """
     sure = labels != UNKNOWN
     in_tone = _in_tone(mosaic, planes, labels, sure, patch_px)
-    found = _find_filters(own, fine, in_tone, labels, sure & within)
-    return _cut(mosaic, {i: found.applied(i, one.plane) for i, one in in_tone.items()}, labels), found
+    found = find_filters(own, fine, in_tone, labels, sure & within)
+    return cut_of(mosaic, {i: found.applied(i, one.plane) for i, one in in_tone.items()}, labels), found
 
 
 def _in_tone(
@@ -191,112 +268,4 @@ def _in_tone(
 ) -> dict[int, Levelled]:
     """The sources that any pixel follows, in the mosaic's grey values."""
     means = square_means(mosaic)
-    return {i: levelled(means, planes[i], labels == i, clear, patch_px // SQUARE_PX) for i in _present(labels)}
-
-
-def _find_filters(
-    own: np.ndarray, fine: Mapping[int, np.ndarray], in_tone: Mapping[int, Levelled], labels: np.ndarray,
-    sure: np.ndarray,
-) -> Filters:
-    """What has to be done to the sources in the mosaic's tones."""
-    # The gain is even enough to be taken for the same within the reach of a high-pass.
-    def reference(place: slice | tuple[slice, ...]) -> np.ndarray:
-        return _cut(own[place], {i: one.gain[place] * fine[i][place] for i, one in in_tone.items()}, labels[place])
-
-    if _is_a_multiple(own[_SAMPLE], reference(_SAMPLE), labels[_SAMPLE], sure[_SAMPLE]):
-        return Filters({}, False)
-    return _fitted_filters(own, reference(np.s_[:]), labels, sure)
-
-
-def _present(labels: np.ndarray) -> list[int]:
-    """The sources that any pixel follows."""
-    left, found = int(np.count_nonzero(labels != UNKNOWN)), []
-    for number in range(UNKNOWN):
-        if not left:
-            break
-        if count := int(np.count_nonzero(labels == number)):
-            found.append(number)
-            left -= count
-    return found
-
-
-def _cut(mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndarray) -> np.ndarray:
-    """Each pixel from the plane that its label names; the mosaic's own where none is."""
-    if not planes:
-        return mosaic.copy()
-    first, *others = sorted(planes, key=lambda i: -np.count_nonzero(labels == i))
-    made = planes[first].copy()
-    for i in others:
-        np.copyto(made, planes[i], where=labels == i)
-    unknown = labels == UNKNOWN
-    if unknown.any():
-        np.copyto(made, mosaic, where=unknown)
-    return made
-
-
-def _fitted_filters(
-    fine: np.ndarray, reference: np.ndarray, labels: np.ndarray, sure: np.ndarray
-) -> Filters:
-    """One filter for all sources, or one for each where that explains more; none where none is needed."""
-    taps = fit_filter(fine, reference, sure, gain=1.0)
-    if taps is None:
-        return Filters({}, False)
-    common = filtered(reference, taps)
-    if not _explains_more(fine, reference, common, sure):
-        return Filters({}, False)
-    numbers = _present(labels)
-    if len(numbers) > 1:
-        parts = {i: sure & (labels == i) for i in numbers}
-        fitted = {i: fit_filter(fine, reference, part, gain=1.0) for i, part in parts.items()}
-        single = {i: one for i, one in fitted.items() if one is not None}
-        if len(single) == len(numbers) and any(
-            _explains_more(fine, common, filtered(reference, single[i]), part, MIN_SINGLE_GAIN)
-            for i, part in parts.items()
-        ):
-            return Filters(single, False)
-    return Filters(dict.fromkeys(numbers, taps), True)
-
-
-def _through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:
-    """A source's fine detail as the mosaic shows it."""
-    own = where[_SAMPLE]
-    if _is_a_multiple(mosaic[_SAMPLE], source[_SAMPLE], own.astype(np.uint8), own, MAX_LEFT_UNFILTERED):
-        return source
-    taps = fit_filter(mosaic, source, where)
-    if taps is None:
-        return source
-    made = filtered(source, taps)
-    return made if _explains_more(mosaic, source, made, where) else source
-
-
-def _is_a_multiple(
-    mosaic: np.ndarray, plain: np.ndarray, labels: np.ndarray, where: np.ndarray, most: float = MIN_FILTERED_GAIN
-) -> bool:
-    """Whether so little of the mosaic is left over by a multiple of the plain image that no filter is called for;
-    samples of all of them.
-
-    Beside a border, which is known to a few pixels only, nothing can be told of that.
-    """
-    parts = np.where(where, labels, np.uint8(UNKNOWN))
-    inside = (parts != UNKNOWN) & ~near_border(parts, -(-BORDER_PX // _EVERY))
-    own, before = _chosen(inside, mosaic, plain)
-    return len(own) > _FEWEST_SAMPLES and _left_by_multiple(own, before) <= most * float(own @ own)
-
-
-def _explains_more(
-    mosaic: np.ndarray, plain: np.ndarray, made: np.ndarray, where: np.ndarray, least: float = MIN_FILTERED_GAIN
-) -> bool:
-    """Whether less of the mosaic is left over by a filtered image than by a mere multiple of the plain one."""
-    own, before, after = _chosen(where[_SAMPLE], *(image[_SAMPLE] for image in (mosaic, plain, made)))
-    rest = own - after
-    return float(rest @ rest) < _left_by_multiple(own, before) - least * float(own @ own)
-
-
-def _left_by_multiple(own: np.ndarray, plain: np.ndarray) -> float:
-    rest = own - float(own @ plain) / max(float(plain @ plain), 1e-12) * plain
-    return float(rest @ rest)
-
-
-def _chosen(where: np.ndarray, *images: np.ndarray) -> list[np.ndarray]:
-    places = np.flatnonzero(where)
-    return [image.ravel()[places].astype(np.float64) for image in images]
+    return {i: levelled(means, planes[i], labels == i, clear, patch_px // SQUARE_PX) for i in present(labels)}

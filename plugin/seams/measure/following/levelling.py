@@ -42,19 +42,26 @@ class Levelled:
 
 
 def levelled(
-    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray, patch: int = 0
+    mosaic_means: np.ndarray, source: np.ndarray, own: np.ndarray, clear: np.ndarray, patch: int = 0,
+    gain: np.ndarray | None = None,
 ) -> Levelled:
     """A source's plane in the mosaic's grey values; (rows, columns), float32 and bool.
 
     ``mosaic_means``: of the mosaic's squares of 8 px. ``own``: pixels that follow the source, ``clear``: pixels that
-    follow one source for sure. ``patch``: see ``gain_field``.
+    follow one source for sure. ``patch``: see ``gain_field``. ``gain``: (rows, columns), where that is known.
     """
     share = square_means(own)
     reference = square_means(source)
-    gain = gain_field(mosaic_means, reference, square_means(own & clear) > _MIN_OWN, patch)
+    if gain is None:
+        where = square_means(own & clear) > _MIN_OWN
+        if np.count_nonzero(where) < _FEWEST_SQUARES:
+            where = share > _MIN_OWN
+        gains = gain_field(mosaic_means, reference, where, patch)
+        gain = _to_pixels(gains, source.shape)
+    else:
+        gains = square_means(gain)
     # A square that two sources share tells neither's tone.
-    bias = _spread_out(mosaic_means - gain * reference, share)
-    gain = _to_pixels(gain, source.shape)
+    bias = _spread_out(mosaic_means - gains * reference, share)
     plane = gain * source
     plane += _to_pixels(bias, source.shape)
     return Levelled(plane, gain)

@@ -11,10 +11,11 @@ from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import detail_components
 from ...compared_image import ComparedImage
 from ...following.boxes import enlarged
-from ...following.expected_mosaic import Filters, expected_mosaic
+from ...following.expected_mosaic import expected_mosaic
 from ...following.followed_source import follow, high_pass
 from ...following.likely_source import QUICK, filled_in
 from ...following.placed_sources import PlacedSources, follow_sources
+from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...profile.detail_sums import compared_planes, detail_sums, numbers_of
 from ...seam_cells import UNKNOWN

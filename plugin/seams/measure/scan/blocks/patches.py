@@ -12,7 +12,7 @@ from scipy import ndimage
 from .....imagery.wavelets import detail_components
 from ...following.best_ground import learn_best_ground
 from ...following.boxes import enlarged, opened
-from ...following.expected_mosaic import Filters, mosaic_of
+from ...following.expected_mosaic import mosaic_of
 from ...following.followed_source import high_pass
 from ...following.following_rule import (
     LEAST_ENERGY,
@@ -23,6 +23,7 @@ from ...following.following_rule import (
     mixtures,
 )
 from ...following.likely_source import MIN_FIT
+from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable
 from ...seam_cells import UNKNOWN
 from .block_grid import SQUARE_PX

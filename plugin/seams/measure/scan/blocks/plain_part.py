@@ -7,9 +7,9 @@ import numpy as np
 
 from .....imagery.wavelets import detail_components
 from ...following.boxes import enlarged
-from ...following.expected_mosaic import Filters
 from ...following.levelling import SQUARE_PX as TONE_PX
 from ...following.levelling import gain_field, square_means
+from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable
 from ...seam_cells import UNKNOWN
 from .block_grid import SQUARE_PX, UNIT_PX

@@ -1,0 +1,93 @@
+"""Two images mixed nearly everywhere: what each was multiplied by and filtered with, told though no ground is of one.
+
+    m = g (w h_a * a + (1 - w) h_b * b)
+
+on high-passed planes, with the weight w of every block of 64 px. The filters h are fitted for both images at once:
+fitted to one alone a filter takes the detail that the other one's share took, and a gain falls with it.
+"""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from .boxes import enlarged, square_sums
+from .mosaic_filter import filtered, fit_filters
+
+BLOCK_PX = 64
+"""Side of the blocks in which weights are taken as constant."""
+MIN_MIXED_WEIGHT = 0.1
+"""Mean weight of the lesser image, for a window to be mixed nearly everywhere."""
+_ROUNDS = 3
+_MIN_BLOCK = 0.5  # of a block's pixels that take part
+
+
+@dataclass(frozen=True, eq=False)
+class MixedGround:
+    """What two images were multiplied by and filtered with."""
+
+    gain: float
+    """Of both, beyond what they were multiplied by already."""
+    taps: tuple[np.ndarray, np.ndarray]
+    """(5, 5) each."""
+    lesser_weight: float
+    """Mean weight of the lesser image."""
+    mosaic: np.ndarray
+    """(rows, columns) float32: the high-passed mosaic that this makes of them."""
+
+
+def mixed_ground(
+    mosaic: np.ndarray, fine: Sequence[np.ndarray], shown: Sequence[np.ndarray], where: np.ndarray
+) -> MixedGround | None:
+    """Of two high-passed planes in the mosaic's tones, (rows, columns) float32, and the pixels that take part, bool.
+
+    ``shown``: the same as the mosaic shows them, as far as that is known. None where there is too little.
+    """
+    held = square_sums(where.astype(np.float32), where.astype(np.float32), BLOCK_PX) >= _MIN_BLOCK * BLOCK_PX**2
+    own = np.where(where, mosaic, np.float32(0))
+    gain, weights, lesser, taps = 1.0, [], 0.0, None
+    for _ in range(_ROUNDS):
+        first = _first_weights(own, [np.where(where, one, np.float32(0)) for one in shown], held)
+        if first is None:
+            return None
+        lesser = float(np.minimum(first[held], 1 - first[held]).mean())
+        if lesser < MIN_MIXED_WEIGHT:
+            return None
+        pixels = _to_pixels(first, mosaic.shape)
+        weights = [pixels, 1 - pixels]
+        taps = fit_filters(mosaic, [gain * weight * one for weight, one in zip(weights, fine)], where)
+        if taps is None:
+            return None
+        scale = float(taps.sum()) / len(taps)  # how it is divided among them low frequencies don't tell
+        if scale <= 0:
+            return None
+        gain, taps = gain * scale, taps / scale
+        shown = [gain * filtered(one, own_taps) for one, own_taps in zip(fine, taps)]
+    assert taps is not None
+    made = weights[0] * shown[0] + weights[1] * shown[1]
+    return MixedGround(gain, (taps[0], taps[1]), lesser, made)
+
+
+def _first_weights(mosaic: np.ndarray, shown: Sequence[np.ndarray], held: np.ndarray) -> np.ndarray | None:
+    """The weight of the first image in every block, (block rows, block columns), 0 to 1; None without any block."""
+    first, second = shown
+    ma, mb, aa, ab, bb = (
+        square_sums(one, other, BLOCK_PX).astype(np.float64)
+        for one, other in ((mosaic, first), (mosaic, second), (first, first), (first, second), (second, second))
+    )
+    held &= (aa > 0) & (bb > 0)
+    if not held.any():
+        return None
+    determinant = np.maximum(1.001 * aa * bb - ab**2, 1e-9)
+    own, other = np.maximum((ma * bb - mb * ab) / determinant, 0), np.maximum((mb * aa - ma * ab) / determinant, 0)
+    total = own + other
+    weight = np.divide(own, total, out=np.full(own.shape, 0.5), where=held & (total > 0))
+    weight[~held] = weight[held].mean()
+    return np.asarray(weight, np.float32)
+
+
+def _to_pixels(blocks: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """For every pixel, those beyond whole blocks as the last ones."""
+    beyond = [(0, -(-length // BLOCK_PX) - have) for length, have in zip(shape, blocks.shape)]
+    return enlarged(np.pad(blocks, beyond, mode="edge"), BLOCK_PX)[: shape[0], : shape[1]]

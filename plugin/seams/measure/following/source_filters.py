@@ -1,0 +1,166 @@
+"""What came over the sources of a mosaic, or over the mosaic as a whole, as linear filters."""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....imagery.shifts import shifted
+from ..seam_cells import UNKNOWN
+from .border import BORDER_PX
+from .boxes import near_border
+from .levelling import Levelled
+from .mosaic_filter import REACH_PX, UNTOUCHED, filtered, fit_filter
+
+MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain more to be applied
+MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, labels are as sure without a filter
+MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has to explain more than one for all
+LEAST_MOVED_PX = 0.05  # what lies nearer lies where it was
+
+_FEWEST_SAMPLES = 300
+_EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
+_SAMPLE = np.s_[::_EVERY, ::_EVERY]
+
+
+@dataclass(frozen=True, eq=False)
+class Filters:
+    """What makes of the sources what the mosaic shows of them."""
+
+    taps: Mapping[int, np.ndarray]
+    """Of each source that is followed, (5, 5); empty where nothing was done to them."""
+    came_over_cuts: bool
+    """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
+
+    def with_own(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
+        """With those of some sources, each its own; ``present``: all that are followed."""
+        return Filters({i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}, False)
+
+    def placed(self, source: int, plane: np.ndarray) -> np.ndarray:
+        """The same as sharp as it was, only moved: what came over a whole mosaic can't be told from what came over its
+        sources, but where they lie in it is what they were mixed by."""
+        if not self.taps or self.came_over_cuts:
+            return plane
+        taps = self.taps[source]
+        at, total = np.arange(-REACH_PX, REACH_PX + 1), float(taps.sum())
+        x, y = (-float(taps.sum(axis=axis) @ at) / total for axis in (0, 1))
+        return plane if max(abs(x), abs(y)) < LEAST_MOVED_PX else shifted(plane, x, y)
+
+    def applied(self, source: int, plane: np.ndarray) -> np.ndarray:
+        """A source's plane as the mosaic shows it."""
+        return filtered(plane, self.taps[source]) if self.taps else plane
+
+
+def find_filters(
+    own: np.ndarray, fine: Mapping[int, np.ndarray], in_tone: Mapping[int, Levelled], labels: np.ndarray,
+    sure: np.ndarray,
+) -> Filters:
+    """What has to be done to the sources in the mosaic's tones."""
+    # The gain is even enough to be taken for the same within the reach of a high-pass.
+    def reference(place: slice | tuple[slice, ...]) -> np.ndarray:
+        return cut_of(own[place], {i: one.gain[place] * fine[i][place] for i, one in in_tone.items()}, labels[place])
+
+    if _is_a_multiple(own[_SAMPLE], reference(_SAMPLE), labels[_SAMPLE], sure[_SAMPLE]):
+        return Filters({}, False)
+    return _fitted_filters(own, reference(np.s_[:]), labels, sure)
+
+
+def share_left(own: np.ndarray, made: np.ndarray, labels: np.ndarray, of: Sequence[int]) -> float:
+    """Share of the mosaic's fine detail that some sources leave over, by a plane that was made of them."""
+    sample, plane = _chosen(np.isin(labels[_SAMPLE], of), own[_SAMPLE], made[_SAMPLE])
+    total = float(sample @ sample)
+    return float((sample - plane) @ (sample - plane)) / total if total > 0 else 0.0
+
+
+def through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """A source's fine detail as the mosaic shows it."""
+    own = where[_SAMPLE]
+    if _is_a_multiple(mosaic[_SAMPLE], source[_SAMPLE], own.astype(np.uint8), own, MAX_LEFT_UNFILTERED):
+        return source
+    taps = fit_filter(mosaic, source, where)
+    if taps is None:
+        return source
+    made = filtered(source, taps)
+    return made if _explains_more(mosaic, source, made, where) else source
+
+
+def present(labels: np.ndarray) -> list[int]:
+    """The sources that any pixel follows."""
+    left, found = int(np.count_nonzero(labels != UNKNOWN)), []
+    for number in range(UNKNOWN):
+        if not left:
+            break
+        if count := int(np.count_nonzero(labels == number)):
+            found.append(number)
+            left -= count
+    return found
+
+
+def cut_of(mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndarray) -> np.ndarray:
+    """Each pixel from the plane that its label names; the mosaic's own where none is."""
+    if not planes:
+        return mosaic.copy()
+    first, *others = sorted(planes, key=lambda i: -np.count_nonzero(labels == i))
+    made = planes[first].copy()
+    for i in others:
+        np.copyto(made, planes[i], where=labels == i)
+    unknown = labels == UNKNOWN
+    if unknown.any():
+        np.copyto(made, mosaic, where=unknown)
+    return made
+
+
+def _fitted_filters(
+    fine: np.ndarray, reference: np.ndarray, labels: np.ndarray, sure: np.ndarray
+) -> Filters:
+    """One filter for all sources, or one for each where that explains more; none where none is needed."""
+    taps = fit_filter(fine, reference, sure, gain=1.0)
+    if taps is None:
+        return Filters({}, False)
+    common = filtered(reference, taps)
+    if not _explains_more(fine, reference, common, sure):
+        return Filters({}, False)
+    numbers = present(labels)
+    if len(numbers) > 1:
+        parts = {i: sure & (labels == i) for i in numbers}
+        fitted = {i: fit_filter(fine, reference, part, gain=1.0) for i, part in parts.items()}
+        single = {i: one for i, one in fitted.items() if one is not None}
+        if len(single) == len(numbers) and any(
+            _explains_more(fine, common, filtered(reference, single[i]), part, MIN_SINGLE_GAIN)
+            for i, part in parts.items()
+        ):
+            return Filters(single, False)
+    return Filters(dict.fromkeys(numbers, taps), True)
+
+
+def _is_a_multiple(
+    mosaic: np.ndarray, plain: np.ndarray, labels: np.ndarray, where: np.ndarray, most: float = MIN_FILTERED_GAIN
+) -> bool:
+    """Whether so little of the mosaic is left over by a multiple of the plain image that no filter is called for;
+    samples of all of them.
+
+    Beside a border, which is known to a few pixels only, nothing can be told of that.
+    """
+    parts = np.where(where, labels, np.uint8(UNKNOWN))
+    inside = (parts != UNKNOWN) & ~near_border(parts, -(-BORDER_PX // _EVERY))
+    own, before = _chosen(inside, mosaic, plain)
+    return len(own) > _FEWEST_SAMPLES and _left_by_multiple(own, before) <= most * float(own @ own)
+
+
+def _explains_more(
+    mosaic: np.ndarray, plain: np.ndarray, made: np.ndarray, where: np.ndarray, least: float = MIN_FILTERED_GAIN
+) -> bool:
+    """Whether less of the mosaic is left over by a filtered image than by a mere multiple of the plain one."""
+    own, before, after = _chosen(where[_SAMPLE], *(image[_SAMPLE] for image in (mosaic, plain, made)))
+    rest = own - after
+    return float(rest @ rest) < _left_by_multiple(own, before) - least * float(own @ own)
+
+
+def _left_by_multiple(own: np.ndarray, plain: np.ndarray) -> float:
+    rest = own - float(own @ plain) / max(float(plain @ plain), 1e-12) * plain
+    return float(rest @ rest)
+
+
+def _chosen(where: np.ndarray, *images: np.ndarray) -> list[np.ndarray]:
+    places = np.flatnonzero(where)
+    return [image.ravel()[places].astype(np.float64) for image in images]
