@@ -76,6 +76,8 @@ class Explanation:
     """Share of pixels in which two sources are mixed."""
     shares: tuple[float, ...]
     """Share of the pixels that follow each source, in their order."""
+    left_out: tuple[int, ...] = ()
+    """Sources that explain nothing but what others do, as copies of the mosaic; they took no part."""
     visibility: float | None = None
     """The loss beside the seam in just noticeable differences of contrast; None where no profile is."""
     loss: LossPicture | None = field(default=None, compare=False, repr=False)
@@ -151,6 +153,7 @@ def explain(
         unclear_share=following.unclear_share,
         mixed_share=following.mixed_share,
         shares=following.shares,
+        left_out=cut.around.followed.left_out,
         visibility=window_visibility(profile, detail.judged, image.plane, cut.inside, image.raster),
         loss=loss_picture(detail, cut.around.expected.labels, cut.inside),
     )

@@ -82,6 +82,10 @@ NO_SEAM = Message(
     "alone.",
     INFO
 )
+MIXED_ALL_OVER = Message(
+    "Two images are mixed on {share:.0f} % of the window, so there is no seam in it, and no unmixed ground to compare "
+    "it with.", INFO
+)
 TOO_LITTLE_GROUND = Message(
     "There is too little ground beside the seam to compare it with; take a larger window, or move it so that more "
     "than the seam's surroundings are in it.", INFO
@@ -110,6 +114,10 @@ SOURCE_IN_PART = Message("{name} covers {share:.0f} % of the window and takes pa
 SOURCE_RESAMPLED = Message(
     "{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn't count, as "
     "others are on the mosaic's pixels.", INFO
+)
+SOURCE_LIKE_MOSAIC = Message(
+    "{name} explains nothing in the window that other sources don't, as a copy of the mosaic would; it takes no part "
+    "there.", WARNING
 )
 ALL_RESAMPLED = Message(
     "All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the "

@@ -10,6 +10,7 @@ from ...imagery.errors import SettingsError
 from ...imagery.message import Message
 from ...imagery.wavelets import Curve
 from . import messages
+from .causes import MIN_MIXED
 from .limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED
 from .profile.seam_profile import SeamProfile
 
@@ -68,12 +69,14 @@ def judge_by_seam(
     sharpness: float | None,
     min_kept: float = MAX_SIGNIFICANT_KEPT,
     explained: float = 1.0,
+    mixed: float = 0.0,
 ) -> tuple[Verdict, Message | None]:
     """The verdict by what is kept along the seam and by the sharpness of the whole, and why there is none.
 
     ``significant`` where kept_1 is at most ``min_kept`` for sure, or the square of the sharpness at most its limit,
     ``reduced`` where one of them is surely below 1, else ``preserved``. A window without a seam is judged by its
-    sharpness alone. ``explained``: share of the pixels that the sources explain.
+    sharpness alone. ``explained``: share of the pixels that the sources explain, ``mixed`` of those that are a mixture
+    of two of them.
     """
     if sharpness is None:
         return Verdict.NOT_COMPARABLE, messages.COMPOSITE_UNCLEAR()
@@ -81,7 +84,7 @@ def judge_by_seam(
         return Verdict.SIGNIFICANT, None
     is_blurred = sharpness < 1 - SHARPNESS_TOLERANCE
     if profile is None:
-        return _without_profile(has_seam, is_blurred, explained)
+        return _without_profile(has_seam, is_blurred, explained, mixed)
     if profile.low > MAX_KEPT_LOW:
         return Verdict.NOT_COMPARABLE, messages.MORE_ALONG_THE_SEAM(low=100 * profile.low, high=100 * profile.high)
     is_wide = profile.high > MAX_INTERVAL_FACTOR * profile.low
@@ -99,13 +102,17 @@ def judge_by_seam(
     return Verdict.PRESERVED, None
 
 
-def _without_profile(has_seam: bool, is_blurred: bool, explained: float) -> tuple[Verdict, Message | None]:
+def _without_profile(
+    has_seam: bool, is_blurred: bool, explained: float, mixed: float
+) -> tuple[Verdict, Message | None]:
     """The same where nothing could be measured along a seam."""
     if explained < MIN_EXPLAINED:
         return Verdict.NOT_COMPARABLE, messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
     if has_seam:
         hidden = messages.SEAM_UNEXPLAINED(share=100 * (1 - explained))
         return Verdict.NOT_COMPARABLE, hidden if explained < MAY_HIDE_SEAM else messages.TOO_LITTLE_GROUND()
+    if mixed >= MIN_MIXED:
+        return Verdict.REDUCED if is_blurred else Verdict.NOT_COMPARABLE, messages.MIXED_ALL_OVER(share=100 * mixed)
     return Verdict.REDUCED if is_blurred else Verdict.PRESERVED, messages.NO_SEAM()
 
 

@@ -20,7 +20,8 @@ from .mixed_ground import MixedGround, mixed_ground
 from .mosaic_filter import FEWEST_PIXELS, filtered
 from .source_filters import Filters, cut_of, find_filters, present, share_left, through_filter
 
-MIN_MIXED_GAIN = 0.03  # of the fine detail, that two images mixed everywhere have to explain more
+MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
+MOST_LEFT_OF_THAT = 0.5  # where both mixed explain it
 MOST_LEFT_MIXED = 0.05  # of the fine detail, for a filter to be believed that was learned where sources may be mixed
 MIN_THIRD_SHARE = 0.1  # of the pixels, that a third image has where two are mixed everywhere
 
@@ -181,15 +182,15 @@ class _Window:
     ) -> MixedGround | None:
         """Where two sources mixed nearly everywhere explain more than each on its own side; None for other windows."""
         left = self._left(in_tone, found, labels, pair)
-        if left < MIN_MIXED_GAIN:
+        if left < MIN_LEFT_UNMIXED:
             return None
         where = np.isin(labels, (*pair, UNKNOWN))
         for i in pair:
             where &= self.valid.get(i, True)
         images = [(in_tone[i].gain if i in in_tone else np.float32(1)) * self.fine[1 + i] for i in pair]
-        shown = [found.applied(i, one) if i in found.taps else one for i, one in zip(pair, images)]
+        shown = [found.placed(i, one) if i in found.taps else one for i, one in zip(pair, images)]
         ground = mixed_ground(self.fine[0], images, shown, where)
-        if ground is None or share_left(self.fine[0], ground.mosaic, labels, pair) > left - MIN_MIXED_GAIN:
+        if ground is None or share_left(self.fine[0], ground.mosaic, labels, pair) > MOST_LEFT_OF_THAT * left:
             return None
         return ground
 

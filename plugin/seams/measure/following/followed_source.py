@@ -30,6 +30,8 @@ NEAR_CELLS, WIDE_CELLS = 3, 9
 """A side of what is looked at together: 12 px, in which a mixture's weights are even, and 36 px where those do not
 decide."""
 _MIXED = 2  # cells a side in which the weights of a mixture are taken as constant: 8 px, less than a feather's width
+_LOOKED_ROWS, _LOOKED_EVERY = 64, 256  # of a window, to see whether a source is one among others
+_AS_GOOD, _HARDLY = 1.5, 0.005  # times as much is left over of the detail, and a share that rounding leaves
 _STRIP, _MARGIN = 1024, 32  # rows worked on at a time, and how far their neighbours matter
 
 
@@ -120,6 +122,29 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
         float(np.sqrt(own[outside].sum() / total)) if total > 0 else None,
         _to_pixels(_around(np.where(textured, fit, 1))[1] < MIN_EXPLAINED, rows, columns),
     )
+
+
+def like_the_mosaic(fine: Sequence[np.ndarray], followed: Sequence[int]) -> int | None:
+    """Of the sources that are followed the one that explains nothing but what others do, if there is any: as a copy of
+    the mosaic explains all of it, the seam included. ``fine``: the mosaic's and all sources' fine detail (rows,
+    columns), which is looked at in strips."""
+    strips = [
+        [one[start : start + _LOOKED_ROWS] for one in fine]
+        for start in range(0, max(len(fine[0]) - _LOOKED_ROWS, 0) + 1, _LOOKED_EVERY)
+    ]
+    alone = {i: float(np.mean([_follow_cells(one[0], [one[1 + i]])[3].mean() for one in strips])) for i in followed}
+    suspect = max(alone, key=lambda i: alone[i], default=None)
+    if suspect is None:
+        return None
+    left_with, left_without = [], []
+    for mosaic, *sources in strips:
+        winner, _, _, fit, own, _ = _follow_cells(mosaic, sources)
+        others = _follow_cells(mosaic, [one for number, one in enumerate(sources) if number != suspect])
+        at = (winner == suspect) & (own > LEAST_ENERGY * CELL_PX**2)
+        left_with.append(1 - fit[at])
+        left_without.append(1 - others[3][at])
+    own_left, left = np.concatenate(left_with), np.concatenate(left_without)
+    return suspect if len(left) and np.median(left) <= _AS_GOOD * np.median(own_left) + _HARDLY else None
 
 
 def _follow_cells(mosaic: np.ndarray, sources: Sequence[np.ndarray]) -> tuple[np.ndarray, ...]:

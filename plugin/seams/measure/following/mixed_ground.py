@@ -19,7 +19,8 @@ BLOCK_PX = 64
 """Side of the blocks in which weights are taken as constant."""
 MIN_MIXED_WEIGHT = 0.1
 """Mean weight of the lesser image, for a window to be mixed nearly everywhere."""
-_ROUNDS = 3
+_ROUNDS = 12
+_SETTLED = 0.01  # of the lesser image's weight
 _MIN_BLOCK = 0.5  # of a block's pixels that take part
 
 
@@ -51,9 +52,11 @@ def mixed_ground(
         first = _first_weights(own, [np.where(where, one, np.float32(0)) for one in shown], held)
         if first is None:
             return None
-        lesser = float(np.minimum(first[held], 1 - first[held]).mean())
+        before, lesser = lesser, float(np.minimum(first[held], 1 - first[held]).mean())
         if lesser < MIN_MIXED_WEIGHT:
             return None
+        if taps is not None and abs(lesser - before) < _SETTLED:
+            break
         pixels = _to_pixels(first, mosaic.shape)
         weights = [pixels, 1 - pixels]
         taps = fit_filters(mosaic, [gain * weight * one for weight, one in zip(weights, fine)], where)

@@ -39,8 +39,7 @@ class Kept:
         return cls(value, value / factor, value * factor)
 
     def times(self, factor: np.ndarray) -> Kept:
-        """So many times as much; as much where that is not known."""
-        factor = np.nan_to_num(factor, nan=1.0)
+        """So many times as much."""
         return Kept(self.value * factor, self.low * factor, self.high * factor)
 
     @property

@@ -41,7 +41,7 @@ _NO_MIXTURE, _A_MIXTURE = 0.15, 0.25
 """Of the other source beside the border, where a feather mixes halves: what is no more there, and everywhere alike, is
 what one image resampled takes of another of the same ground."""
 _FOLLOWED = 0.6  # of a mixture: what has surely more of a source than halves follows that
-_MOST_EVERYWHERE = 0.25
+MOST_EVERYWHERE = 0.25
 """The same far off, of which a width is taken above that."""
 _CUT, _FEATHERED = 1.0, 0.6
 """The same: a cut has 0.9 to 1, and mixes nothing."""
@@ -104,7 +104,7 @@ def feather_width_px(other: np.ndarray) -> float:
     middles = [(near + far) / 2 for near, far in zip(EDGES_PX, EDGES_PX[1 : MIXED_BINS + 1])]
     reached = []
     for side in other.reshape(2, MIXED_BINS):
-        everywhere = float(side[-1]) if side[-1] < _MOST_EVERYWHERE else 0.0
+        everywhere = float(side[-1]) if side[-1] < MOST_EVERYWHERE else 0.0
         unmixed = UNMIXED_SHARE + everywhere
         mixed = np.flatnonzero(side >= unmixed)
         last = int(mixed[-1]) if len(mixed) else -1

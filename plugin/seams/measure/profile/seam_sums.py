@@ -15,7 +15,7 @@ from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCell
 from .energy_sums import EnergySums
 from .ground import LevelGround
 from .intervals import Kept, together, weighted
-from .mixture import UNMIXED_SHARE
+from .mixture import MOST_EVERYWHERE, UNMIXED_SHARE
 from .mixture_sums import MixedStrips, MixtureSums
 from .seam_profile import BAND_KEPT, MIN_STRIP_PX, Measure, ProfileBin, SeamProfile, band_width_px, in_strip
 
@@ -62,8 +62,10 @@ class SeamSums:
         energy.take_out(mixed.edge + mixed.soft_left * (more_left / np.maximum(left_over, 1e-12))[:, np.newaxis])
         by_energy, energy_levels = energy.kept()
         # Of the sources before anything came over the mosaic, which may have left what they agree in.
-        by_energy = by_energy.times(mixed.before_in_strip[0])
+        by_energy = by_energy.times(np.nan_to_num(mixed.before_in_strip[0], nan=1.0))
         energy_levels *= np.nan_to_num(mixed.before_in_strip, nan=1.0)
+        # Where a mixture does not end, the ground around is mixed as well.
+        by_energy = by_energy.times(np.where(mixed.shares()[-1] >= MOST_EVERYWHERE, np.nan, 1.0))
         left = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
         judged, share = together(by_energy, mixed.kept, left)
         kept = np.where(share > 0, energy_levels, mixed.levels)
@@ -106,7 +108,7 @@ class SeamSums:
             area = energy.area[level]
             before, mixture = np.full((2, *area.shape), np.nan)
             before[:MIXED_BINS], mixture[:MIXED_BINS] = mixed.before[level], mixed.bins[level]
-            ways = energy.by_bins(level).times(before)
+            ways = energy.by_bins(level).times(np.nan_to_num(before, nan=1.0))
             # As kept itself is taken; there is energy alone beyond where a mixture is looked for.
             of_energy = np.where(share > 0, 1.0, 0.0) if level else np.where(
                 np.isnan(mixture) & (share > 0), 1.0, share
