@@ -414,7 +414,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="118"/>
+        <location filename="../plugin/seams/measure/messages.py" line="126"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -2774,27 +2774,27 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="120"/>
+        <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="123"/>
+        <location filename="../plugin/seams/measure/messages.py" line="131"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="124"/>
+        <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/messages.py" line="134"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="121"/>
+        <location filename="../plugin/seams/measure/messages.py" line="129"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
@@ -2809,72 +2809,72 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="130"/>
+        <location filename="../plugin/seams/measure/messages.py" line="138"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/messages.py" line="141"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="140"/>
+        <location filename="../plugin/seams/measure/messages.py" line="148"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="143"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola „contrast_1”, więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="166"/>
+        <location filename="../plugin/seams/measure/messages.py" line="174"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="190"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="178"/>
+        <location filename="../plugin/seams/measure/messages.py" line="186"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: opinie jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="170"/>
+        <location filename="../plugin/seams/measure/messages.py" line="178"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="186"/>
+        <location filename="../plugin/seams/measure/messages.py" line="194"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <location filename="../plugin/seams/measure/messages.py" line="198"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/messages.py" line="168"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="163"/>
+        <location filename="../plugin/seams/measure/messages.py" line="171"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="195"/>
+        <location filename="../plugin/seams/measure/messages.py" line="203"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="194"/>
+        <location filename="../plugin/seams/measure/messages.py" line="202"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -4939,7 +4939,7 @@
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="122"/>
+        <location filename="../plugin/seams/what_happened.py" line="130"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -5194,37 +5194,37 @@
         <translation>W całym oknie ortofotomapa podąża za jednym ortoobrazem źródłowym, więc nie ma tu linii mozaikowania; ocena jest oceną samej ostrości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <location filename="../plugin/seams/measure/messages.py" line="90"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="98"/>
+        <location filename="../plugin/seams/measure/messages.py" line="102"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="106"/>
+        <location filename="../plugin/seams/measure/messages.py" line="110"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="109"/>
+        <location filename="../plugin/seams/measure/messages.py" line="113"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="111"/>
+        <location filename="../plugin/seams/measure/messages.py" line="115"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="115"/>
+        <location filename="../plugin/seams/measure/messages.py" line="123"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="197"/>
+        <location filename="../plugin/seams/measure/messages.py" line="205"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -7005,22 +7005,22 @@
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="146"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="153"/>
+        <location filename="../plugin/seams/measure/messages.py" line="161"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/messages.py" line="164"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -7192,11 +7192,6 @@
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="146"/>
-        <source>The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.</source>
-        <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych, mniej, niż pozostawia ostre cięcie.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/judging/judge_bar.py" line="147"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
@@ -7217,22 +7212,22 @@
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="148"/>
+        <location filename="../plugin/seams/measure/messages.py" line="156"/>
         <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
         <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="149"/>
+        <location filename="../plugin/seams/measure/messages.py" line="157"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>The filter knows no geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
@@ -8577,7 +8572,7 @@
         <translation>ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="136"/>
+        <location filename="../plugin/seams/measure/messages.py" line="144"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -11164,12 +11159,12 @@
         <translation>{value} % jej pikseli nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <location filename="../plugin/seams/measure/messages.py" line="94"/>
         <source>{share:.0f} % of the window matches none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="94"/>
+        <location filename="../plugin/seams/measure/messages.py" line="98"/>
         <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing, unless the mosaic was altered there.</source>
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
@@ -11288,7 +11283,7 @@
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="174"/>
+        <location filename="../plugin/seams/measure/messages.py" line="182"/>
         <source>{measure} tells every window with a visible loss from any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
@@ -11423,7 +11418,7 @@
         <translation>{length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="102"/>
+        <location filename="../plugin/seams/measure/messages.py" line="106"/>
         <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or look.</source>
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
@@ -11433,12 +11428,12 @@
         <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="84"/>
+        <location filename="../plugin/seams/what_happened.py" line="92"/>
         <source>it is softened along the seam</source>
         <translation>jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="111"/>
+        <location filename="../plugin/seams/what_happened.py" line="119"/>
         <source>, where mixing alone would leave {percent} %</source>
         <translation>, a samo zmieszanie zostawiłoby {percent} %</translation>
     </message>
@@ -11453,37 +11448,37 @@
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="119"/>
+        <location filename="../plugin/seams/what_happened.py" line="127"/>
         <source>Besides: {others}.</source>
         <translation>Poza tym: {others}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="88"/>
+        <location filename="../plugin/seams/what_happened.py" line="96"/>
         <source>images are mixed over {width} m by another rule than weights</source>
         <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="90"/>
+        <location filename="../plugin/seams/what_happened.py" line="98"/>
         <source>images {apart} px apart are mixed by another rule than weights</source>
         <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="92"/>
+        <location filename="../plugin/seams/what_happened.py" line="100"/>
         <source>images {apart} px apart are feathered over {width} m</source>
         <translation>na szerokości {width} m wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="93"/>
+        <location filename="../plugin/seams/what_happened.py" line="101"/>
         <source>images {apart} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="96"/>
+        <location filename="../plugin/seams/what_happened.py" line="104"/>
         <source>, and most of that is their misfit</source>
         <translation>, a większość tego zabrało ich niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="98"/>
+        <location filename="../plugin/seams/what_happened.py" line="106"/>
         <source>images are feathered over {width} m</source>
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
@@ -11530,6 +11525,26 @@
         <location filename="../plugin/seams/what_happened.py" line="69"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <source>Two images are mixed on {share:.0f} % of the window, so there is no seam in it, and no unmixed ground to compare it with.</source>
+        <translation>Na {share:.0f} % okna zmieszano dwa obrazy, więc nie ma w nim linii mozaikowania ani niezmieszanego terenu do porównania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="119"/>
+        <source>{name} explains nothing in the window that other sources don&apos;t, as a copy of the mosaic would; it takes no part there.</source>
+        <translation>{name} nie wyjaśnia w oknie niczego ponad to, co inne ortoobrazy źródłowe, tak jak kopia mozaiki; nie bierze tam udziału.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/what_happened.py" line="89"/>
+        <source>more than {width}</source>
+        <translation>ponad {width}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="146"/>
+        <source>The whole window lost sharpness: it has {percent} % of that of its sources.</source>
+        <translation>Całe okno straciło ostrość: ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
 </context>
 </TS>

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from ..toolkit.translation import filled, percent, shown_number, tr
 from .cause_words import cause_clause, causes_words, took_words
 from .measure.causes import ALONG_THE_SEAM, Cause, causes_taken
-from .measure.profile.seam_profile import Measure
+from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
 
 if TYPE_CHECKING:
     from .measure.explanation import Explanation
@@ -34,7 +34,7 @@ def what_happened(row: WindowRecord, found: Explanation | None) -> Happening:
     left = [cause for cause in (row.causes or row.cause).split("; ") if cause not in _TOLD_BEFORE]
     main = left[0] if left else ""
     at_seam = [cause for cause in left if cause in ALONG_THE_SEAM or _is_softened_seam(cause, found)]
-    seam = _along_the_seam(at_seam, row) + _mixing_alone(found) if at_seam else ""
+    seam = _along_the_seam(at_seam, row, _is_endless(found)) + _mixing_alone(found) if at_seam else ""
     taken = {} if found is None else {cause.value: share for cause, share in causes_taken(found.evidence)}
     took = [
         (cause, words) for cause in left
@@ -75,10 +75,18 @@ def _is_softened_seam(cause: str, found: Explanation | None) -> bool:
     return cause == Cause.BLUR and found is not None and found.evidence.is_smoothed_seam
 
 
-def _along_the_seam(causes: list[str], row: WindowRecord) -> str:
+def _is_endless(found: Explanation | None) -> bool:
+    """Whether a feather does not end as far as one is looked for."""
+    profile = None if found is None else found.profile
+    return profile is not None and (profile.feather_width_px or 0.0) >= WIDEST_FEATHER_PX
+
+
+def _along_the_seam(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
     """What took detail there; whether images fit is told of those that are mixed."""
     metres = row.feather_width or 0.0
     width = shown_number(metres, 1) if metres >= _LEAST_WIDTH_M else ""
+    if width and is_endless:
+        width = filled(tr("more than {width}"), width=width)
     apart = shown_number(row.misfit, 1) if Cause.MISREGISTRATION in causes and row.misfit is not None else ""
     if Cause.BLUR in causes:
         text = tr("it is softened along the seam")

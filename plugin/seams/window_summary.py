@@ -143,7 +143,7 @@ def _along_the_seam(row: WindowRecord, happened: Happening, by_what: list[str]) 
     text = filled(text, kept=percent(kept), low=percent(low), high=percent(high))
     along = f"{text}; {clause}." if clause else f"{text}."
     if row.verdict == "reduced" and row.sharpness is not None:  # the seam is sound, so the whole is the reason
-        text = tr("The whole window has {percent} % of the sharpness of its sources, less than a hard cut leaves.")
+        text = tr("The whole window lost sharpness: it has {percent} % of that of its sources.")
         return [happened.in_the_whole or filled(text, percent=percent(row.sharpness)), along, *by_what]
     return [along, *by_what, *_rest(row.sharpness, happened)]
 

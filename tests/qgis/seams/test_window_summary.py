@@ -224,7 +224,7 @@ SHARP = "The rest is as sharp as its sources."
         (  # by the sharpness: what is left along the seam is no reason
             {"verdict": "reduced", "kept": (1.07,), "kept_low": 0.88, "kept_high": 1.22, "band_width": 0.0,
              "sharpness": 0.97, "cause": "none", "causes": "none"},
-            ("Reduced. The whole window has 97 % of the sharpness of its sources, less than a hard cut leaves. Along "
+            ("Reduced. The whole window lost sharpness: it has 97 % of that of its sources. Along "
             "the seam as much of the finest detail is left as around it (107 %, 88 to 122 %)."),
         ),
         (  # by the sharpness, too: kept is not shown

@@ -19,11 +19,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS
+from .seam_profile import UNMIXED_SHARE
 
 SLOTS = 2 * MIXED_BINS
 """Bins on either side: first those that follow the source of the lower number, then the others."""
-UNMIXED_SHARE = 0.1
-"""A width is taken from this share of either source to the other: less is what noise makes."""
 
 _AREA, _MM, _MS, _MO, _MK, _SS, _SO, _SK, _OO, _OK, _KK, _PP, _PQ, _QQ = range(len(PRODUCTS))
 _NORMAL = np.array([[_SS, _SO, _SK], [_SO, _OO, _OK], [_SK, _OK, _KK]])

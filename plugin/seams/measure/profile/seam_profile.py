@@ -7,10 +7,14 @@ from enum import Enum
 
 import numpy as np
 
-from .cell_table import EDGES_PX
+from .cell_table import EDGES_PX, MIXED_BINS
 
 STRIP_PX = 8
 """Width on either side of the seam that kept_1 is of; twice and four times that at levels 2 and 3."""
+UNMIXED_SHARE = 0.1
+"""A feather's width is taken from this share of either source to the other: less is what noise makes."""
+WIDEST_FEATHER_PX = 2 * EDGES_PX[MIXED_BINS] / (1 - 2 * UNMIXED_SHARE)
+"""Of a feather that does not end where one is looked for."""
 BAND_KEPT = 0.9
 """The band along a seam is where less than this is kept."""
 MIN_STRIP_PX = 1000  # pixels of a strip; a seam of some 60 px

@@ -15,9 +15,18 @@ from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCell
 from .energy_sums import EnergySums
 from .ground import LevelGround
 from .intervals import Kept, together, weighted
-from .mixture import MOST_EVERYWHERE, UNMIXED_SHARE
+from .mixture import MOST_EVERYWHERE
 from .mixture_sums import MixedStrips, MixtureSums
-from .seam_profile import BAND_KEPT, MIN_STRIP_PX, Measure, ProfileBin, SeamProfile, band_width_px, in_strip
+from .seam_profile import (
+    BAND_KEPT,
+    MIN_STRIP_PX,
+    UNMIXED_SHARE,
+    Measure,
+    ProfileBin,
+    SeamProfile,
+    band_width_px,
+    in_strip,
+)
 
 
 @dataclass(frozen=True, eq=False)
