@@ -11534,7 +11534,7 @@
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="119"/>
         <source>{name} explains nothing in the window that other sources don&apos;t, as a copy of the mosaic would; it takes no part there.</source>
-        <translation>{name} nie wyjaśnia w oknie niczego ponad to, co inne ortoobrazy źródłowe, tak jak kopia mozaiki; nie bierze tam udziału.</translation>
+        <translation>{name} nie wyjaśnia w oknie niczego ponad to, co inne ortoobrazy źródłowe, tak jak kopia ortofotomapy; nie bierze tam udziału.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/what_happened.py" line="89"/>
