@@ -23,7 +23,8 @@ from .source_filters import Filters, cut_of, find_filters, present, share_left, 
 MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
 MOST_LEFT_OF_THAT = 0.5  # where both mixed explain it
 MOST_LEFT_MIXED = 0.05  # of the fine detail, for a filter to be believed that was learned where sources may be mixed
-MIN_THIRD_SHARE = 0.1  # of the pixels, that a third image has where two are mixed everywhere
+MIN_THIRD_SHARE = 0.25  # of the pixels, that a third image surely has where two are mixed everywhere
+MOST_LEFT_OF_THIRD = 0.05  # of what seemed to be a smaller part of a third: the two mixed explain it
 
 _ROUNDS = 3
 _SETTLED = 0.005  # of the pixels: what changes less is settled
@@ -162,7 +163,9 @@ class _Window:
         found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
         gains = {i: ground.gain * in_tone[i].gain for i in pair if i in in_tone}
         # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
-        chance = [i for i in present(labels) if i not in pair and (labels == i).mean() < MIN_THIRD_SHARE]
+        chance = [
+            i for i in _few(labels, pair) if share_left(self.fine[0], ground.mosaic, labels, [i]) <= MOST_LEFT_OF_THIRD
+        ]
         labels = self.labels(found, chance)
         means = square_means(self.mosaic)
         again = {
@@ -184,7 +187,7 @@ class _Window:
         left = self._left(in_tone, found, labels, pair)
         if left < MIN_LEFT_UNMIXED:
             return None
-        where = np.isin(labels, (*pair, UNKNOWN))
+        where = np.isin(labels, (*pair, *_few(labels, pair), UNKNOWN))
         for i in pair:
             where &= self.valid.get(i, True)
         images = [(in_tone[i].gain if i in in_tone else np.float32(1)) * self.fine[1 + i] for i in pair]
@@ -200,6 +203,11 @@ class _Window:
         """Share of the mosaic's fine detail that some sources leave over, each on its own side."""
         shown = {i: found.applied(i, in_tone[i].gain * self.fine[1 + i]) for i in of if i in in_tone}
         return share_left(self.fine[0], cut_of(self.fine[0], shown, labels), labels, of)
+
+
+def _few(labels: np.ndarray, pair: Sequence[int]) -> list[int]:
+    """Sources beside a pair that few pixels follow."""
+    return [i for i in present(labels) if i not in pair and (labels == i).mean() < MIN_THIRD_SHARE]
 
 
 def _likely(
