@@ -162,7 +162,7 @@ def explain(
 
 def _follows_several(labels: np.ndarray) -> bool:
     """Whether a seam runs somewhere, be it under ground that no source explains."""
-    return np.count_nonzero(np.bincount(labels[labels != UNKNOWN], minlength=1)) > 1
+    return int(np.count_nonzero(np.bincount(labels[labels != UNKNOWN], minlength=1))) > 1
 
 
 def _unclear(found: Explanation) -> Explanation:
