@@ -10,10 +10,12 @@ from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.seams.measure import limits
 from seam_inspector.plugin.seams.measure import messages as seams_messages
+from seam_inspector.plugin.seams.measure.causes import MIN_MIXED
 from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
 from seam_inspector.plugin.seams.measure.verdicts import (
     MAX_INTERVAL_FACTOR,
     MAX_KEPT_LOW,
+    MAY_HIDE_SEAM,
     MIN_EXPLAINED,
     SHARPNESS_TOLERANCE,
     Verdict,
@@ -218,3 +220,18 @@ def test_a_limit_that_is_a_share_is_taken() -> None:
         check_min_kept(min_kept)
         found = profile(min_kept, 0.9 * min_kept, min(1.1 * min_kept, (1 + min_kept) / 2))
         assert judge_by_seam(found, True, 1.0, min_kept)[0] is Verdict.SIGNIFICANT
+
+
+@pytest.mark.parametrize(("sharpness", "verdict"), [(1.0, Verdict.NOT_COMPARABLE), (0.7, Verdict.REDUCED)])
+def test_preserved_is_never_said_of_a_mixture(sharpness: float, verdict: Verdict) -> None:
+    found, reason = judge_by_seam(None, False, sharpness, mixed=MIN_MIXED)
+    assert (found, reason and reason.template) == (verdict, seams_messages.MIXED_ALL_OVER.template)
+    assert judge_by_seam(None, False, 1.0, mixed=MIN_MIXED - LITTLE)[0] is Verdict.PRESERVED
+
+
+def test_a_seam_under_ground_that_nothing_explains_is_no_verdict() -> None:
+    for explained, reason in (
+        (MAY_HIDE_SEAM - LITTLE, seams_messages.SEAM_UNEXPLAINED), (MAY_HIDE_SEAM, seams_messages.TOO_LITTLE_GROUND),
+    ):
+        verdict, why = judge_by_seam(None, True, 1.0, explained=explained)
+        assert (verdict, why and why.template) == (Verdict.NOT_COMPARABLE, reason.template)

@@ -31,7 +31,7 @@ NEAR_CELLS, WIDE_CELLS = 3, 9
 decide."""
 _MIXED = 2  # cells a side in which the weights of a mixture are taken as constant: 8 px, less than a feather's width
 _LOOKED_ROWS, _LOOKED_EVERY = 64, 256  # of a window, to see whether a source is one among others
-_AS_GOOD, _HARDLY = 1.5, 0.005  # times as much is left over of the detail, and a share that rounding leaves
+_AS_GOOD, _HARDLY = 1.1, 0.005  # times as much is left over of the detail, and a share that rounding leaves
 _STRIP, _MARGIN = 1024, 32  # rows worked on at a time, and how far their neighbours matter
 
 

@@ -53,7 +53,8 @@ def follow_sources(
     fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
     plain = _following(fine, shape)
     if without_copies and len(images) >= _FEWEST_WITH_COPY:
-        copy = like_the_mosaic(fine, plain.followed)
+        own = [one if image.valid is None else one * image.valid for one, image in zip(fine[1:], images)]
+        copy = like_the_mosaic([fine[0], *own], plain.followed)
         if copy is not None:
             return _without(copy, follow_sources(image, [one for i, one in enumerate(images) if i != copy]))
     plain = _clearer(plain, fine, images, shape)

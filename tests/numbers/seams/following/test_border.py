@@ -57,6 +57,14 @@ def test_noise_and_half_a_tone_do_not_move_it_far(planes: dict[int, np.ndarray])
     assert np.mean(to_the_pixel(mosaic, planes, labels, {}) != labels) < 0.015
 
 
+def test_tones_that_are_off_beside_it_do_not_move_it(planes: dict[int, np.ndarray]) -> None:
+    labels = crooked()
+    off = {i: plane + tone for (i, plane), tone in zip(planes.items(), (0, 5, -4))}
+    rough = ndimage.shift(labels, (2, -2), order=0, mode="nearest")
+    found = to_the_pixel(cut(planes, labels), off, rough, {})
+    assert np.mean(found != labels) < 0.01
+
+
 def test_what_is_unknown_stays_unknown(planes: dict[int, np.ndarray]) -> None:
     labels = crooked()
     known = labels.copy()

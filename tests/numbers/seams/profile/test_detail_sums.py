@@ -249,7 +249,8 @@ def test_beside_a_seam_each_source_meets_the_other(planes: np.ndarray) -> None:
     for r, (mosaic, cut, west, east) in enumerate(coefficients(planes)):
         for source, side, s, o in ((0, np.s_[:, :, : 64 >> (r + 1)], west, east),
                                    (1, np.s_[:, :, 64 >> (r + 1) :], east, west)):
-            planes_of = {"m": mosaic[side], "s": s[side], "o": o[side], "k": (cut - s)[side], "p": s[side], "q": o[side]}
+            planes_of = {"m": mosaic[side], "s": s[side], "o": o[side], "k": (cut - s)[side]}
+            planes_of |= {"p": s[side], "q": o[side]}
             own = beside.products[:, r, beside.source == source].sum(axis=1)
             for name, found in zip(PRODUCTS[1:], own[1:]):
                 expected = (planes_of[name[0]] * planes_of[name[1]]).sum()

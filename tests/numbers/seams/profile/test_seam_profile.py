@@ -259,6 +259,16 @@ def test_the_bins_beside_the_seam_add_up_to_what_is_kept(width: int) -> None:
     assert mean == pytest.approx(found.kept[0], abs=0.02)
 
 
+@pytest.mark.parametrize("noise_dn", [4, 8, 12])
+@pytest.mark.parametrize("width", [33, 66])
+def test_noise_over_all_of_a_mosaic_hides_no_loss(width: int, noise_dn: float) -> None:
+    """By the energy alone: it is the same in what a seam left and in the ground around."""
+    made = blend(width)
+    found = profile_of(made, made.made + np.random.default_rng(4).normal(0, noise_dn, made.made.shape))
+    assert found.by_energy == pytest.approx(made.truth(0, STRIP_PX), abs=0.06)
+    assert found.low < made.truth(0, STRIP_PX) < found.high
+
+
 def test_added_everywhere_is_not_added_beside() -> None:
     made = blend(0)
     assert profile_of(made, noisy(made.made)).added_beside == pytest.approx(profile_of(made).added_beside, abs=0.03)
