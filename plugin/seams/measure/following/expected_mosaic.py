@@ -20,6 +20,7 @@ from .mixed_ground import MixedGround, mixed_ground
 from .mosaic_filter import FEWEST_PIXELS, filtered
 from .source_filters import Filters, cut_of, find_filters, present, share_left, through_filter
 
+FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
 MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
 MOST_LEFT_OF_THAT = 0.5  # where both mixed explain it
 MOST_LEFT_MIXED = 0.05  # of the fine detail, for a filter to be believed that was learned where sources may be mixed
@@ -136,7 +137,8 @@ class _Window:
 
     def in_tone(self, labels: np.ndarray) -> dict[int, Levelled]:
         """The sources that any pixel follows, in the mosaic's grey values."""
-        sure = _sure_unmixed(labels, self.following)
+        # A part of a block is too small to tell tones where sources may be mixed.
+        sure = self.following.clear if self.patch_px else _sure_unmixed(labels, self.following)
         return _in_tone(self.mosaic, dict(enumerate(self.planes)), labels, sure, self.patch_px)
 
     def learned(self) -> tuple[Filters, np.ndarray, dict[int, Levelled]]:
@@ -246,9 +248,10 @@ def _sure(labels: np.ndarray, clear: np.ndarray) -> np.ndarray:
 
 
 def _surest(part: np.ndarray, clear: np.ndarray) -> np.ndarray:
-    """What is clear of a part, or all of it where that is too little to learn from."""
+    """What is clear of a part, or all of it where that is too little to learn from and the part is large."""
     sure = part & clear
-    return sure if np.count_nonzero(sure) >= FEWEST_PIXELS else part
+    is_enough = np.count_nonzero(sure) >= FEWEST_PIXELS or np.count_nonzero(part) < FEWEST_UNSURE_PIXELS
+    return sure if is_enough else part
 
 
 def mosaic_of(

@@ -32,6 +32,7 @@ decide."""
 _MIXED = 2  # cells a side in which the weights of a mixture are taken as constant: 8 px, less than a feather's width
 _LOOKED_ROWS, _LOOKED_EVERY = 64, 256  # of a window, to see whether a source is one among others
 _AS_GOOD, _HARDLY = 1.1, 0.005  # times as much is left over of the detail, and a share that rounding leaves
+_MOST_OF_COPY = 0.05  # of the detail, that compression changes in a copy
 _BADLY, _FEW = 0.3, 0.05  # of the detail that others leave over, and of the places where they do
 _STRIP, _MARGIN = 1024, 32  # rows worked on at a time, and how far their neighbours matter
 
@@ -145,7 +146,9 @@ def like_the_mosaic(fine: Sequence[np.ndarray], followed: Sequence[int]) -> int 
         left_with.append(1 - fit[at])
         left_without.append(1 - others[3][at])
     own_left, left = np.concatenate(left_with), np.concatenate(left_without)
-    if not len(left) or np.median(left) > _AS_GOOD * np.median(own_left) + _HARDLY:
+    if not len(left) or np.median(own_left) > _MOST_OF_COPY:
+        return None
+    if np.median(left) > _AS_GOOD * np.median(own_left) + _HARDLY:
         return None
     return suspect if np.mean(left > _BADLY) <= _FEW + np.mean(own_left > _BADLY) else None
 

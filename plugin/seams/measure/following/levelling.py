@@ -54,7 +54,7 @@ def levelled(
     reference = square_means(source)
     if gain is None:
         where = square_means(own & clear) > _MIN_OWN
-        if np.count_nonzero(where) < _FEWEST_SQUARES:
+        if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
             where = share > _MIN_OWN
         gains = gain_field(mosaic_means, reference, where, patch)
         gain = _to_pixels(gains, source.shape)

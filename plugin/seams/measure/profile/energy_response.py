@@ -16,6 +16,7 @@ _ROUNDS = 5
 _SETTLED = 1e-6  # change of the logarithm of a ratio
 _MOST_POINTS = 3000
 _MOST_EXPONENT = 8.0  # a factor of three thousand either way
+_MOST_STEP = 3.0  # of an exponent, that one place asks for in a round
 _RIDGE = 1e-7
 _OUTERMOST = (0.02, 0.98)  # of the energies: beyond these quantiles the curve is held where it is
 
@@ -81,6 +82,7 @@ def fit_response(energies: np.ndarray, values: np.ndarray) -> EnergyResponse:
     for _ in range(_ROUNDS):
         working = ratios * np.exp(-exponent)
         working -= 1
+        np.minimum(working, _MOST_STEP, out=working)
         working += exponent
         before, coefficients = coefficients, inverse @ (weighted @ working)
         exponent = coefficients @ terms

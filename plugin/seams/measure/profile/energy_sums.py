@@ -27,6 +27,9 @@ TRIED = np.array([0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.3])
 LEAST_SLOPE = 0.2
 """Of that: where noise hides more, nothing can be told."""
 _ALL = int(np.flatnonzero(TRIED == 1)[0])
+RESPONSE_ERROR = 0.5
+"""Of what it makes of kept that weaker detail is shown otherwise: where tones were evened out place by place, strong
+and weak detail differ by where they are."""
 BLOCK_CELLS = 2
 """A side of the blocks whose scatter the interval follows from: as much ground as 64 px of strip."""
 
@@ -69,21 +72,20 @@ class EnergySums:
     def kept(self) -> tuple[Kept, np.ndarray]:
         """kept_1 of every piece, and kept_r (levels, count), NaN where nothing can be told."""
         expected = np.stack([in_strip(one) for one in self._by_kept])
-        levels = _kept(in_strip(self.own), expected)
-        return self._with_interval(levels[0], in_strip(self.area)[0], expected[:, 0]), levels
+        own = in_strip(self.own)
+        return self._with_interval(own[0], in_strip(self.area)[0], expected[:, 0]), _kept(own, expected)
 
     def by_bins(self, level: int) -> Kept:
         """The same at every distance, (bins, count)."""
-        expected, area = self._by_kept[:, level], self.area[level]
-        return self._with_interval(_kept(self.own[level], expected), area, expected)
+        return self._with_interval(self.own[level], self.area[level], self._by_kept[:, level])
 
     def take_out(self, edge: np.ndarray) -> None:
         """What the mosaic's detail has of the cut's own edge, energy by (levels, some bins, count), DN squared."""
         self.own[:, : edge.shape[1]] -= edge
 
-    def _with_interval(self, kept: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:
-        """Shares of an area, (..., count) each, as sure as the scatter of the ground around lets them be, and as what
-        is kept shows in the energies ``by_kept``."""
+    def _with_interval(self, own: np.ndarray, area_px: np.ndarray, by_kept: np.ndarray) -> Kept:
+        """What is kept of areas, (..., count) each, by their energies and those ``by_kept``: as sure as the scatter of
+        the ground around lets it be, and as what is kept shows in energies."""
         expected = np.maximum(in_strip(self.expected)[0], 1e-12)
         scatter, blocks, reach = self._noise / expected
         blocks, area_px = np.maximum(blocks, 1), np.maximum(area_px, 1)
@@ -94,7 +96,10 @@ class EnergySums:
             scatter * (1 / own_blocks + 1 / blocks) + LABEL_ERROR**2 * (BLOCK_CELLS * CELL_PX) ** 2 / area_px
             + reach + LEAST_ERROR**2
         )
-        error = error / _slope(kept, by_kept)
+        kept = _kept(own, by_kept)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            by_response = np.nan_to_num(np.log(kept * by_kept[_ALL] / own), nan=0.0, posinf=0.0, neginf=0.0)
+        error = np.hypot(error / _slope(kept, by_kept), RESPONSE_ERROR * by_response)
         return Kept.of(kept, error, np.broadcast_to(blocks - 1, error.shape))
 
     @property

@@ -14,7 +14,7 @@ import numpy as np
 from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells
 from .energy_sums import EnergySums
 from .ground import LevelGround
-from .intervals import Kept, together, weighted
+from .intervals import MOST_KEPT, Kept, together, weighted
 from .mixture import MOST_EVERYWHERE
 from .mixture_sums import MixedStrips, MixtureSums
 from .seam_profile import (
@@ -73,8 +73,9 @@ class SeamSums:
         # Of the sources before anything came over the mosaic, which may have left what they agree in.
         by_energy = by_energy.times(np.nan_to_num(mixed.before_in_strip[0], nan=1.0))
         energy_levels *= np.nan_to_num(mixed.before_in_strip, nan=1.0)
-        # Where a mixture does not end, the ground around is mixed as well.
-        by_energy = by_energy.times(np.where(mixed.shares()[-1] >= MOST_EVERYWHERE, np.nan, 1.0))
+        # Where a mixture is told and does not end, the ground around is mixed as well.
+        is_mixed = (mixed.shares()[-1] >= MOST_EVERYWHERE) & (mixed.kept.low <= MOST_KEPT)
+        by_energy = by_energy.times(np.where(is_mixed, np.nan, 1.0))
         left = more_left[0] / np.maximum(in_strip(mixed.plain)[0], 1e-12)
         judged, share = together(by_energy, mixed.kept, left)
         kept = np.where(share > 0, energy_levels, mixed.levels)

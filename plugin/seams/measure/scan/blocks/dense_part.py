@@ -79,7 +79,7 @@ def measure_part(
     if known_filters is not None and known_filters.taps:
         followed = _follow_filtered(image, images, known_filters)
     else:
-        followed = follow_sources(image, images)
+        followed = follow_sources(image, images, without_copies=False)  # which a scan leaves out as a whole
     valid = {k: mask for k, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
     # What fills the mosaic where it has no pixels must tell nothing of tones and filters.
     following = replace(followed.following, clear=followed.following.clear & known)
