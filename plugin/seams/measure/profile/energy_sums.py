@@ -22,7 +22,7 @@ LABEL_ERROR = 0.13
 """Of one block: pixels beside a seam that are given to the wrong source."""
 LEAST_ERROR = 0.025
 """Of kept, however long the seam: borders that are drawn where the mosaic fits best."""
-TRIED = np.array([0.02, 0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.0, 1.3])
+TRIED = np.array([0.05, 0.2, 0.4, 0.7, 1.0, 1.3])
 """Values of kept that energies are worked out for; those between follow."""
 LEAST_SLOPE = 0.2
 """Of that: where noise hides more, nothing can be told."""
