@@ -165,9 +165,11 @@ class _Window:
         found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
         gains = {i: ground.gain * in_tone[i].gain for i in pair if i in in_tone}
         # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
-        chance = [
-            i for i in _few(labels, pair) if share_left(self.fine[0], ground.mosaic, labels, [i]) <= MOST_LEFT_OF_THIRD
-        ]
+        thirds = [i for i in present(labels) if i not in pair]
+        kept = [i for i in thirds if i not in _few(labels, pair) or (
+            share_left(self.fine[0], ground.mosaic, labels, [i]) > MOST_LEFT_OF_THIRD
+        )]
+        chance = [i for i in self.following.followed if i not in pair and i not in kept]
         labels = self.labels(found, chance)
         means = square_means(self.mosaic)
         again = {

@@ -125,11 +125,11 @@ def _fitted_filters(
         parts = {i: sure & (labels == i) for i in numbers}
         fitted = {i: fit_filter(fine, reference, part, gain=1.0) for i, part in parts.items()}
         single = {i: one for i, one in fitted.items() if one is not None}
-        if len(single) == len(numbers) and any(
-            _explains_more(fine, common, filtered(reference, single[i]), part, MIN_SINGLE_GAIN)
-            for i, part in parts.items()
+        if any(
+            _explains_more(fine, common, filtered(reference, one), parts[i], MIN_SINGLE_GAIN)
+            for i, one in single.items()
         ):
-            return Filters(single, False)
+            return Filters({i: single.get(i, taps) for i in numbers}, False)
     return Filters(dict.fromkeys(numbers, taps), True)
 
 
