@@ -16,8 +16,8 @@ from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
 from demo.block import FEATHER, Damage
 
 AS_A_WHOLE = (
-    "Where more than 70 % is kept along the seam and a window is significant, it lost as much as a whole: look at its\n"
-    "sharpness against the sources, whose square is the share of detail that is left."
+    "Sharpness is that of the whole window against its sources; its square is the share of the finest detail that is\n"
+    "left."
 )
 EVERYWHERE = "Everywhere: tones balanced source by source, cubic resampling by 0.2 to 0.6 px to where the images fit."
 MOST_SHOWN = 3
