@@ -21,6 +21,7 @@ from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, PRODUCTS, CellT
 MOSAIC, CUT, FIRST_SOURCE = range(3)
 """Planes of details."""
 
+_SHOWN, _BEFORE = ([PRODUCTS.index(name) for name in names] for names in (("ss", "so", "oo"), ("pp", "pq", "qq")))
 _GRID_PX = 2  # distances are taken on the grid of the finest coefficients
 _UNKNOWN_MARGIN_PX = 8  # what is not explained reaches into its neighbours' coefficients
 
@@ -97,13 +98,16 @@ def detail_sums(
             place.labels[coarse][inside], place.other[coarse][inside]
         ))
         o = one[:, there, down, across]
-        p, q = (one[:, of + len(numbers), down, across] for of in (here, there)) if is_filtered else (s, o)
         k = c - s
+        pairs = [(m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)]
+        if is_filtered:
+            p, q = (one[:, of + len(numbers), down, across] for of in (here, there))
+            pairs += [(p, p), (p, q), (q, q)]
         mixed[0, level] = np.bincount(index, minlength=mixed.shape[2]) * pixels**2
-        for target, (a, b) in zip(mixed[1:, level], (
-            (m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k), (p, p), (p, q), (q, q)
-        )):
+        for target, (a, b) in zip(mixed[1:, level], pairs):
             target += np.bincount(index, np.einsum("dn,dn->n", a, b), len(target))
+    if not is_filtered:
+        mixed[_BEFORE] = mixed[_SHOWN]
     return _cell_table(sums, columns), _mixture_table(mixed, columns, beside.pairs)
 
 
