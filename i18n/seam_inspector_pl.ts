@@ -414,7 +414,7 @@
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/messages.py" line="129"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -2774,27 +2774,27 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="128"/>
+        <location filename="../plugin/seams/measure/messages.py" line="131"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/messages.py" line="134"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/messages.py" line="135"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="134"/>
+        <location filename="../plugin/seams/measure/messages.py" line="137"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/messages.py" line="132"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
@@ -2809,72 +2809,72 @@
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/messages.py" line="141"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/messages.py" line="144"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="148"/>
+        <location filename="../plugin/seams/measure/messages.py" line="151"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola „contrast_1”, więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="174"/>
+        <location filename="../plugin/seams/measure/messages.py" line="177"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="190"/>
+        <location filename="../plugin/seams/measure/messages.py" line="193"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="186"/>
+        <location filename="../plugin/seams/measure/messages.py" line="189"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: opinie jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="178"/>
+        <location filename="../plugin/seams/measure/messages.py" line="181"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="194"/>
+        <location filename="../plugin/seams/measure/messages.py" line="197"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="198"/>
+        <location filename="../plugin/seams/measure/messages.py" line="201"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="168"/>
+        <location filename="../plugin/seams/measure/messages.py" line="171"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/messages.py" line="174"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="203"/>
+        <location filename="../plugin/seams/measure/messages.py" line="206"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="202"/>
+        <location filename="../plugin/seams/measure/messages.py" line="205"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
@@ -5219,12 +5219,12 @@
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="123"/>
+        <location filename="../plugin/seams/measure/messages.py" line="126"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="205"/>
+        <location filename="../plugin/seams/measure/messages.py" line="208"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
@@ -7005,22 +7005,22 @@
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/messages.py" line="157"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="155"/>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="161"/>
+        <location filename="../plugin/seams/measure/messages.py" line="164"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="164"/>
+        <location filename="../plugin/seams/measure/messages.py" line="167"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -7212,22 +7212,22 @@
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/messages.py" line="159"/>
         <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
         <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="157"/>
+        <location filename="../plugin/seams/measure/messages.py" line="160"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="162"/>
         <source>The filter knows no geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="162"/>
+        <location filename="../plugin/seams/measure/messages.py" line="165"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
@@ -8572,7 +8572,7 @@
         <translation>ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="144"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -11283,7 +11283,7 @@
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/messages.py" line="185"/>
         <source>{measure} tells every window with a visible loss from any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
@@ -11532,7 +11532,7 @@
         <translation>Na {share:.0f} % okna zmieszano dwa obrazy, więc nie ma w nim linii mozaikowania ani niezmieszanego terenu do porównania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="119"/>
+        <location filename="../plugin/seams/measure/messages.py" line="122"/>
         <source>{name} explains nothing in the window that other sources don&apos;t, as a copy of the mosaic would; it takes no part there.</source>
         <translation>{name} nie wyjaśnia w oknie niczego ponad to, co inne ortoobrazy źródłowe, tak jak kopia ortofotomapy; nie bierze tam udziału.</translation>
     </message>
@@ -11545,6 +11545,11 @@
         <location filename="../plugin/seams/window_summary.py" line="146"/>
         <source>The whole window lost sharpness: it has {percent} % of that of its sources.</source>
         <translation>Całe okno straciło ostrość: ma {percent} % ostrości ortoobrazów źródłowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="119"/>
+        <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
+        <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
 </context>
 </TS>

@@ -12,7 +12,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.wavelets import check_decomposition
 from . import limits, messages
 from .inputs.mosaic_copies import leave_out_copies
-from .seam_cells import Cell, cells_over
+from .seam_cells import Cell, cells_over, source_stem
 from .source_images import Source, gather_sources, sources_in
 from .verdicts import check_max_ratio, check_min_kept
 from .window.explained_window import explain_window
@@ -98,7 +98,11 @@ def make_block(
     Raises SettingsError when no source is named at all.
     """
     kept, notices = gather_sources(sources, indexed, mosaic.wkt, mosaic.ref)
-    return Block(mosaic, tuple(kept), tuple(cells)), notices
+    block = Block(mosaic, tuple(kept), tuple(cells))
+    given = {source_stem(one.ref.name) for one in kept}
+    if block.cells and given.isdisjoint(source_stem(cell.source) for cell in block.cells):
+        notices.append(messages.CELLS_OF_OTHERS(name=block.cells[0].source))
+    return block, notices
 
 
 def without_copies(block: Block) -> tuple[Block, list[Message]]:

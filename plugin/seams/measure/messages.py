@@ -115,6 +115,9 @@ SOURCE_RESAMPLED = Message(
     "{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn't count, as "
     "others are on the mosaic's pixels.", INFO
 )
+CELLS_OF_OTHERS = Message(
+    "No seam cell names a source that is given, so the cells say nothing; the first one names '{name}'.", WARNING
+)
 SOURCE_LIKE_MOSAIC = Message(
     "{name} explains nothing in the window that other sources don't, as a copy of the mosaic would; it takes no part "
     "there.", WARNING

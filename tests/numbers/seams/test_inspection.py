@@ -92,6 +92,14 @@ def test_without_any_source_there_is_no_job(make_raster: MakeRaster) -> None:
     assert len(notices) == 1
 
 
+def test_cells_that_name_other_sources_are_told(make_raster: MakeRaster) -> None:
+    image = orthoimage((64, 64))
+    mosaic, source = mosaic_of(make_raster, image), make_raster("source.tif", image)
+    for name, expected in (("elsewhere", [seams_messages.CELLS_OF_OTHERS.template]), ("folder/SOURCE.jp2", [])):
+        _, notices = make_block(mosaic, [RasterRef(source)], (), [Cell(name, b"", mosaic.extent)])
+        assert templates(notices) == expected
+
+
 def test_footprints_lie_in_the_mosaics_system(make_raster: MakeRaster) -> None:
     mosaic = mosaic_of(make_raster, orthoimage(SIZE))
     # 15 degrees east is 500 000 m in zone 33; the upper left corner lies at 45.1535 degrees north.
