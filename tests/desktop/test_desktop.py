@@ -105,6 +105,6 @@ def test_low_screen(small_block: Path, tmp_path: Path, screenshots: Path) -> Non
     say("low screen", run.seconds, run.report)
     check(run)
     assert run.report["window"][1] <= run.report["screen"][1]
-    assert run.report["dock"][0] <= 460  # QGIS's own status bar is wider than this screen
+    assert run.report["dock"][0] <= 0.46 * run.report["window"][0]  # QGIS's own status bar may be wider than the screen
     assert run.report["scrolls"]
     assert run.report["reached"]
