@@ -15,6 +15,7 @@ LEAST_ERROR = 0.02
 """Of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's noise."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
+_AT_A_TIME = 32  # seams, whose groups take eight times their memory
 _AREA = PRODUCTS.index("area")
 
 
@@ -105,11 +106,9 @@ class MixedStrips:
 
     def _kept(self, sums: np.ndarray) -> Kept:
         """``sums``: (n, groups, SLOTS, products) of level 1."""
-        left_out = sums.sum(axis=1, keepdims=True) - sums
-        other = fit_mixtures(left_out.reshape(-1, SLOTS, len(PRODUCTS))).other.reshape(left_out.shape[:3])
+        energies = [_left_out(sums[start : start + _AT_A_TIME]) for start in range(0, max(len(sums), 1), _AT_A_TIME)]
         own, plain = (
-            self._both_sides(way(left_out, other))[:, strip_bins(0)].sum(axis=1)
-            for way in (mixed_energy, followed_energy)
+            self._both_sides(np.concatenate(parts))[:, strip_bins(0)].sum(axis=1) for parts in zip(*energies)
         )
         estimates = own / np.maximum(plain, 1e-12)
         deviations = estimates - estimates.mean(axis=0)
@@ -127,6 +126,14 @@ class MixedStrips:
         found = np.zeros((self._count, *sides.shape[1:]))
         np.add.at(found, self._piece, sides)
         return np.moveaxis(found, 0, -1)
+
+
+def _left_out(sums: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Energies that are left and those of the sources without each group in turn, (n, groups, SLOTS) each; ``sums`` as
+    ``MixedStrips`` has them of level 1."""
+    left_out = sums.sum(axis=1, keepdims=True) - sums
+    other = fit_mixtures(left_out.reshape(-1, SLOTS, len(PRODUCTS))).other.reshape(left_out.shape[:3])
+    return mixed_energy(left_out, other), followed_energy(left_out, other)
 
 
 def _ratio(own: np.ndarray, plain: np.ndarray) -> np.ndarray:
