@@ -23,6 +23,7 @@ from .following.composite import Composite, follows_at
 from .following.followed_source import FollowedSource
 from .following.hard_cut import HardCut, cut_hard
 from .following.levelling import left_by_curve, left_over
+from .following.source_filters import present
 from .misfit import misfit_of, placed_misfit
 from .profile.cell_table import CELL_PX, CellTable
 from .profile.loss_picture import LossPicture, loss_picture
@@ -140,7 +141,7 @@ def explain(
         causes=_causes(evidence, detail.has_seam and profile is None),
         evidence=evidence,
         profile=profile,
-        has_seam=detail.has_seam or _follows_several(cut.labels),
+        has_seam=detail.has_seam or len(present(cut.labels)) > 1,  # be it under ground that no source explains
         explained=cut.explained,
         contrast=_contrast(image, images, next(iter(against_composite.values()))),
         sharpness=sharpness,
@@ -158,11 +159,6 @@ def explain(
         loss=loss_picture(detail, cut.around.expected.labels, cut.inside),
     )
     return _unclear(found) if cut.is_unclear else found
-
-
-def _follows_several(labels: np.ndarray) -> bool:
-    """Whether a seam runs somewhere, be it under ground that no source explains."""
-    return int(np.count_nonzero(np.bincount(labels[labels != UNKNOWN], minlength=1))) > 1
 
 
 def _unclear(found: Explanation) -> Explanation:

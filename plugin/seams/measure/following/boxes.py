@@ -75,9 +75,13 @@ def opened(mask: np.ndarray, side: int) -> np.ndarray:
     return _dilated(runs(runs(mask, side, 0, np.logical_and), side, 1, np.logical_and), side, side, side - 1)
 
 
-def enlarged(samples: np.ndarray, times: int) -> np.ndarray:
-    """Each sample (rows, columns) as a square of as many along both sides."""
-    return samples.repeat(times, axis=1).repeat(times, axis=0)  # whole rows last are faster
+def enlarged(samples: np.ndarray, times: int, shape: tuple[int, ...] | None = None) -> np.ndarray:
+    """Each sample (rows, columns) as a square of as many along both sides; with a ``shape``, what sticks out of whole
+    squares as those beside it."""
+    found = samples.repeat(times, axis=1).repeat(times, axis=0)  # whole rows last are faster
+    if shape is None or found.shape == shape:
+        return found
+    return np.pad(found, [(0, length - have) for length, have in zip(shape, found.shape)], mode="edge")
 
 
 def runs(values: np.ndarray, length: int, axis: int, together: np.ufunc) -> np.ndarray:

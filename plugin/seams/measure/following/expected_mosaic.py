@@ -18,7 +18,7 @@ from .levelling import SQUARE_PX, Levelled, levelled, square_means
 from .likely_source import FINE, LikelySource, Sampling, likely_source
 from .mixed_ground import MixedGround, mixed_ground
 from .mosaic_filter import FEWEST_PIXELS, filtered
-from .source_filters import Filters, cut_of, find_filters, present, share_left, through_filter
+from .source_filters import SAMPLE, Filters, cut_of, find_filters, present, share_left, through_filter
 
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
 MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
@@ -165,12 +165,12 @@ class _Window:
         found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
         gains = {i: ground.gain * in_tone[i].gain for i in pair if i in in_tone}
         # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
-        thirds = [i for i in present(labels) if i not in pair]
-        kept = [i for i in thirds if i not in _few(labels, pair) or (
-            share_left(self.fine[0], ground.mosaic, labels, [i]) > MOST_LEFT_OF_THIRD
-        )]
-        chance = [i for i in self.following.followed if i not in pair and i not in kept]
-        labels = self.labels(found, chance)
+        made = ground.mosaic[SAMPLE]
+        chance = {
+            i for i in _few(labels, pair) if share_left(self.fine[0], made, labels, [i]) <= MOST_LEFT_OF_THIRD
+        }
+        kept = {*pair, *present(labels)} - chance
+        labels = self.labels(found, [i for i in self.following.followed if i not in kept])
         means = square_means(self.mosaic)
         again = {
             i: levelled(means, self.planes[i], labels == i, labels == i, gain=gain)
@@ -197,7 +197,7 @@ class _Window:
         images = [(in_tone[i].gain if i in in_tone else np.float32(1)) * self.fine[1 + i] for i in pair]
         shown = [found.placed(i, one) if i in found.taps else one for i, one in zip(pair, images)]
         ground = mixed_ground(self.fine[0], images, shown, where)
-        if ground is None or share_left(self.fine[0], ground.mosaic, labels, pair) > MOST_LEFT_OF_THAT * left:
+        if ground is None or share_left(self.fine[0], ground.mosaic[SAMPLE], labels, pair) > MOST_LEFT_OF_THAT * left:
             return None
         return ground
 
@@ -205,8 +205,10 @@ class _Window:
         self, in_tone: Mapping[int, Levelled], found: Filters, labels: np.ndarray, of: Sequence[int]
     ) -> float:
         """Share of the mosaic's fine detail that some sources leave over, each on its own side."""
-        shown = {i: found.applied(i, in_tone[i].gain * self.fine[1 + i]) for i in of if i in in_tone}
-        return share_left(self.fine[0], cut_of(self.fine[0], shown, labels), labels, of)
+        place = np.s_[:] if found.taps else SAMPLE  # a filter needs what is around
+        shown = {i: found.applied(i, in_tone[i].gain[place] * self.fine[1 + i][place]) for i in of if i in in_tone}
+        made = cut_of(self.fine[0][place], shown, labels[place])
+        return share_left(self.fine[0], made[SAMPLE] if found.taps else made, labels, of)
 
 
 def _few(labels: np.ndarray, pair: Sequence[int]) -> list[int]:
@@ -225,13 +227,13 @@ def _likely(
         return likely_source(own, shown, following.labels, following.clear, valid, sampling)
     labels, clear, best = following.labels, following.clear, None
     for _ in range(_ROUNDS):
-        present = {i: one for i, one in sources.items() if (labels == i).any()}
-        shown = {i: through_filter(own, one, _surest(labels == i, clear)) for i, one in present.items()}
+        won = {i: one for i, one in sources.items() if (labels == i).any()}
+        shown = {i: through_filter(own, one, _surest(labels == i, clear)) for i, one in won.items()}
         likely = likely_source(own, shown, labels, clear, valid, sampling)
         changed, labels = np.count_nonzero(likely.labels != labels) / labels.size, likely.labels
         if best is None or likely.left < best.left:
             best = likely
-        if changed < _SETTLED or len(present) < 2 or all(shown[i] is present[i] for i in present):
+        if changed < _SETTLED or len(won) < 2 or all(shown[i] is won[i] for i in won):
             break
         clear = ~(likely.unexplained | near_border(labels, _UNSURE_PX))
     assert best is not None

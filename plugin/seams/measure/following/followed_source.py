@@ -75,7 +75,7 @@ class FollowedSource:
         is_known = known != UNKNOWN
         parts, _ = ndimage.label(self.mixed[::CELL_PX, ::CELL_PX])
         meeting = np.unique(parts[near_border(known, CELL_PX)[::CELL_PX, ::CELL_PX]])
-        along_borders = _to_pixels(np.isin(parts, meeting[meeting > 0]), *known.shape)
+        along_borders = enlarged(np.isin(parts, meeting[meeting > 0]), CELL_PX, known.shape)
         mixed = self.mixed & (along_borders | ~is_known)
         labels = np.where(is_known, known, self.labels)
         counts = np.bincount(labels.ravel(), minlength=len(self.shares))[: len(self.shares)]
@@ -104,9 +104,8 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
     ``fine`` gives some rows, from start to stop, of the mosaic's and of every source's fine detail (``high_pass``),
     each (stop - start, columns), on one grid: the window is worked on in strips, so that memory does not grow with it.
     """
-    rows, columns = shape
     strips = []
-    for _, around, inner in _strips(rows, _STRIP, _MARGIN):
+    for _, around, inner in _strips(shape[0], _STRIP, _MARGIN):
         mosaic, *sources = fine(around.start, around.stop)
         cells = slice(inner.start // CELL_PX, -(-inner.stop // CELL_PX))
         strips.append([part[cells] for part in _follow_cells(mosaic, sources)])
@@ -115,14 +114,14 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
     outside = ~mixed & textured
     total = of_winner[outside].sum() if outside.mean() >= MIN_UNMIXED_SHARE else 0.0
     return FollowedSource(
-        _to_pixels(winner, rows, columns),
-        _to_pixels(clear, rows, columns),
-        _to_pixels(mixed, rows, columns),
+        enlarged(winner, CELL_PX, shape),
+        enlarged(clear, CELL_PX, shape),
+        enlarged(mixed, CELL_PX, shape),
         float(mixed.mean()),
         tuple((np.bincount(winner.ravel(), minlength=count) / winner.size).tolist()),
         float(fit[textured].mean()) if textured.any() else 0.0,
         float(np.sqrt(own[outside].sum() / total)) if total > 0 else None,
-        _to_pixels(_around(np.where(textured, fit, 1))[1] < MIN_EXPLAINED, rows, columns),
+        enlarged(_around(np.where(textured, fit, 1))[1] < MIN_EXPLAINED, CELL_PX, shape),
     )
 
 
@@ -246,10 +245,3 @@ def _together(products: np.ndarray) -> np.ndarray:
     sums = down + np.concatenate([down[:, :1], down[:, :-1]], axis=1)
     sums *= np.float32((_MIXED * CELL_PX) ** -2)
     return sums
-
-
-def _to_pixels(cells: np.ndarray, rows: int, columns: int) -> np.ndarray:
-    pixels = enlarged(cells, CELL_PX)
-    if pixels.shape == (rows, columns):
-        return pixels
-    return np.pad(pixels, ((0, rows - pixels.shape[0]), (0, columns - pixels.shape[1])), mode="edge")

@@ -114,7 +114,7 @@ def likely_source(
     nearest, cost = _least(list(sources), costs)
     found = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
     cells = _unexplained(own, energies, products, found, sources, sampling)
-    unexplained = _as_large(enlarged(cells, CELL_PX // step), found.shape)
+    unexplained = enlarged(cells, CELL_PX // step, found.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
     left = float(cost[np.isfinite(cost)].sum()) / max(float(near.sum()), 1e-9)
@@ -214,12 +214,6 @@ def _in_cells(sums: np.ndarray, times: int) -> np.ndarray:
     rows, columns = (length // times * times for length in sums.shape)
     down = sums[0:rows:2, :columns] + sums[1:rows:2, :columns]
     return np.asarray(down[:, 0::2] + down[:, 1::2])
-
-
-def _as_large(mask: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """Squares that stick out of whole cells as those beside them."""
-    missing = [(0, length - have) for length, have in zip(shape, mask.shape)]
-    return mask if mask.shape == shape else np.pad(mask, missing, mode="edge")
 
 
 def _learned(

@@ -57,7 +57,7 @@ def mixed_ground(
             return None
         if taps is not None and abs(lesser - before) < _SETTLED:
             break
-        pixels = _to_pixels(first, mosaic.shape)
+        pixels = enlarged(first, BLOCK_PX, mosaic.shape)
         weights = [pixels, 1 - pixels]
         taps = fit_filters(mosaic, [gain * weight * one for weight, one in zip(weights, fine)], where)
         if taps is None:
@@ -88,9 +88,3 @@ def _first_weights(mosaic: np.ndarray, shown: Sequence[np.ndarray], held: np.nda
     weight = np.divide(own, total, out=np.full(own.shape, 0.5), where=held & (total > 0))
     weight[~held] = weight[held].mean()
     return np.asarray(weight, np.float32)
-
-
-def _to_pixels(blocks: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """For every pixel, those beyond whole blocks as the last ones."""
-    beyond = [(0, -(-length // BLOCK_PX) - have) for length, have in zip(shape, blocks.shape)]
-    return enlarged(np.pad(blocks, beyond, mode="edge"), BLOCK_PX)[: shape[0], : shape[1]]

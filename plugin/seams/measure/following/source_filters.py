@@ -18,9 +18,10 @@ MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, label
 MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has to explain more than one for all
 LEAST_MOVED_PX = 0.05  # what lies nearer lies where it was
 
-_FEWEST_SAMPLES = 300
+_FEWESTSAMPLES = 300
 _EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
-_SAMPLE = np.s_[::_EVERY, ::_EVERY]
+SAMPLE = np.s_[::_EVERY, ::_EVERY]
+"""Of the rows and columns of a plane."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,22 +61,22 @@ def find_filters(
     def reference(place: slice | tuple[slice, ...]) -> np.ndarray:
         return cut_of(own[place], {i: one.gain[place] * fine[i][place] for i, one in in_tone.items()}, labels[place])
 
-    if _is_a_multiple(own[_SAMPLE], reference(_SAMPLE), labels[_SAMPLE], sure[_SAMPLE]):
+    if _is_a_multiple(own[SAMPLE], reference(SAMPLE), labels[SAMPLE], sure[SAMPLE]):
         return Filters({}, False)
     return _fitted_filters(own, reference(np.s_[:]), labels, sure)
 
 
 def share_left(own: np.ndarray, made: np.ndarray, labels: np.ndarray, of: Sequence[int]) -> float:
-    """Share of the mosaic's fine detail that some sources leave over, by a plane that was made of them."""
-    sample, plane = _chosen(np.isin(labels[_SAMPLE], of), own[_SAMPLE], made[_SAMPLE])
+    """Share of the mosaic's fine detail that some sources leave over, by what was made of them, a ``SAMPLE``."""
+    sample, plane = _chosen(np.isin(labels[SAMPLE], of), own[SAMPLE], made)
     total = float(sample @ sample)
     return float((sample - plane) @ (sample - plane)) / total if total > 0 else 0.0
 
 
 def through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) -> np.ndarray:
     """A source's fine detail as the mosaic shows it."""
-    own = where[_SAMPLE]
-    if _is_a_multiple(mosaic[_SAMPLE], source[_SAMPLE], own.astype(np.uint8), own, MAX_LEFT_UNFILTERED):
+    own = where[SAMPLE]
+    if _is_a_multiple(mosaic[SAMPLE], source[SAMPLE], own.astype(np.uint8), own, MAX_LEFT_UNFILTERED):
         return source
     taps = fit_filter(mosaic, source, where)
     if taps is None:
@@ -144,14 +145,14 @@ def _is_a_multiple(
     parts = np.where(where, labels, np.uint8(UNKNOWN))
     inside = (parts != UNKNOWN) & ~near_border(parts, -(-BORDER_PX // _EVERY))
     own, before = _chosen(inside, mosaic, plain)
-    return len(own) > _FEWEST_SAMPLES and _left_by_multiple(own, before) <= most * float(own @ own)
+    return len(own) > _FEWESTSAMPLES and _left_by_multiple(own, before) <= most * float(own @ own)
 
 
 def _explains_more(
     mosaic: np.ndarray, plain: np.ndarray, made: np.ndarray, where: np.ndarray, least: float = MIN_FILTERED_GAIN
 ) -> bool:
     """Whether less of the mosaic is left over by a filtered image than by a mere multiple of the plain one."""
-    own, before, after = _chosen(where[_SAMPLE], *(image[_SAMPLE] for image in (mosaic, plain, made)))
+    own, before, after = _chosen(where[SAMPLE], *(image[SAMPLE] for image in (mosaic, plain, made)))
     rest = own - after
     return float(rest @ rest) < _left_by_multiple(own, before) - least * float(own @ own)
 
