@@ -1,7 +1,7 @@
 """On the same seam a window and the pieces of a scan differ by less than their intervals: both are one estimator."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,6 +27,7 @@ from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 from seam_inspector.plugin.seams.measure.seam_cells import Cell
 from seam_inspector.plugin.seams.measure.source_images import Source
 
+from demo.block import GAP_FILLER, MIDDLE
 from demo.block import make_block as make_demo_block
 from tests.numbers.seams.scan.blocks.scenes import beside, blended, images, scene
 
@@ -96,8 +97,11 @@ def windows_of(one: Delivery, pieces: Sequence[JudgedPiece], with_cells: bool) -
     return found
 
 
-def assert_they_say_the_same(one: Delivery, folder: Path, is_given: bool, piece_m: float, fewest: int) -> None:
-    pieces = scanned_pieces(one, folder, is_given, piece_m)
+def assert_they_say_the_same(
+    one: Delivery, folder: Path, is_given: bool, piece_m: float, fewest: int,
+    wanted: Callable[[JudgedPiece], bool] = lambda piece: True,
+) -> None:
+    pieces = [piece for piece in scanned_pieces(one, folder, is_given, piece_m) if wanted(piece)]
     both = [(piece, found) for piece, found in zip(pieces, windows_of(one, pieces, is_given)) if found is not None]
     assert len(both) >= fewest
     apart = []
@@ -150,11 +154,29 @@ def demo_block(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPath
     return Delivery(made.mosaic, made.sources, made.seamlines)
 
 
-@pytest.mark.xfail(strict=False, reason="a scan does not take from seamlines which source is followed on either side")
+def is_hidden(piece: JudgedPiece) -> bool:
+    """By the feather that is wider than a window."""
+    return {piece.piece.left, piece.piece.right} == {MIDDLE, GAP_FILLER}
+
+
+def is_single(piece: JudgedPiece, one: Delivery) -> bool:
+    """Whether no other seam runs through a window around it."""
+    x, y = (piece.piece.vertices.min(axis=0) + piece.piece.vertices.max(axis=0)) / 2
+    around = ogr.CreateGeometryFromWkt(f"POINT ({x} {y})").Buffer(SIDE_PX / 2 * 0.1 * np.sqrt(2))
+    return sum(ogr.CreateGeometryFromWkb(cell.wkb).Intersects(around) for cell in one.known_cells()) == 2
+
+
 def test_of_the_demo_block_along_its_seamlines(tmp_path: Path, demo_block: Delivery) -> None:
-    assert_they_say_the_same(demo_block, tmp_path, True, 20.0, 4)
+    assert_they_say_the_same(
+        demo_block, tmp_path, True, 10.0, 6, lambda piece: is_single(piece, demo_block) and not is_hidden(piece)
+    )
 
 
-@pytest.mark.xfail(strict=True, reason="seams are found in fields that were dodged, where there are none")
+@pytest.mark.xfail(strict=True, reason="the corridor along a seam is too narrow for a feather of 33 m")
+def test_of_a_feather_that_is_wider_than_the_corridor(tmp_path: Path, demo_block: Delivery) -> None:
+    assert_they_say_the_same(demo_block, tmp_path, True, 10.0, 3, is_hidden)
+
+
+@pytest.mark.xfail(strict=True, reason="the ground beside a window in a dodged field was dodged, a scan's was not")
 def test_of_the_demo_block_along_the_seams_that_are_found(tmp_path: Path, demo_block: Delivery) -> None:
     assert_they_say_the_same(demo_block, tmp_path, False, 20.0, 4)

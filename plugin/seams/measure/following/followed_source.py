@@ -125,6 +125,12 @@ def follow(fine: Planes, shape: tuple[int, int], count: int) -> FollowedSource:
     )
 
 
+def follow_planes(fine: Sequence[np.ndarray]) -> FollowedSource:
+    """The same of planes that are held, the mosaic's first."""
+    rows, columns = fine[0].shape
+    return follow(lambda start, stop: [plane[start:stop] for plane in fine], (rows, columns), len(fine) - 1)
+
+
 def like_the_mosaic(fine: Sequence[np.ndarray], followed: Sequence[int]) -> int | None:
     """Of the sources that are followed the one that explains nothing but what others do, if there is any: as a copy of
     the mosaic explains all of it, the seam included. ``fine``: the mosaic's and all sources' fine detail (rows,

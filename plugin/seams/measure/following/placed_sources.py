@@ -11,7 +11,7 @@ import numpy as np
 
 from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
 from ..compared_image import ComparedImage
-from .followed_source import FollowedSource, follow, high_pass, like_the_mosaic
+from .followed_source import FollowedSource, follow_planes, high_pass, like_the_mosaic
 from .mosaic_filter import filtered, fit_filter
 
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
@@ -51,7 +51,7 @@ def follow_sources(
     count = len(images)
     planes = tuple(one.plane for one in images)
     fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
-    plain = _following(fine, shape)
+    plain = follow_planes(fine)
     if without_copies and len(images) >= _FEWEST_WITH_COPY:
         own = [one if image.valid is None else one * image.valid for one, image in zip(fine[1:], images)]
         copy = like_the_mosaic([fine[0], *own], plain.followed)
@@ -72,7 +72,7 @@ def follow_sources(
     placed = tuple(shifted(planes[i], s.x, s.y) for i, s in moved.items())
     fine_placed = tuple(map(high_pass, placed))
     both = PlacedSources(
-        _following((*fine, *fine_placed), shape), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved)
+        follow_planes((*fine, *fine_placed)), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved)
     )
     found = _without_idle_planes(both, shape)
     explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.following.unexplained.mean() <= unexplained / 2
@@ -97,10 +97,31 @@ def _clearer(
     everywhere = np.ones(shape, bool)
     shown = [fine[0]]
     for one, image in zip(fine[1:], images):
-        taps = fit_filter(fine[0], one, everywhere if image.valid is None else image.valid)
-        shown.append(one if taps is None else filtered(one, taps))
-    found = _following(shown, shape)
+        shown.append(_through_filter(fine[0], one, everywhere if image.valid is None else image.valid))
+    found = follow_planes(shown)
     return found if found.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share else plain
+
+
+def clearer_by_parts(found: PlacedSources, parts: np.ndarray) -> PlacedSources:
+    """The same, or what is followed through filters if that is clearer, where seams are known: ``parts``, (rows,
+    columns) int, each of one source, whichever explains most of it, -1 elsewhere. A filter is learned where its source
+    is followed."""
+    own, *fine = found.fine
+    followed = np.full(parts.shape, -1)
+    for part in np.unique(parts[parts >= 0]).tolist():
+        where = parts == part
+        left = [float(np.square(own[where] - _through_filter(own, one, where)[where]).sum()) for one in fine]
+        followed[where] = int(np.argmin(left))
+    shown = [_through_filter(own, one, followed == i) for i, one in enumerate(fine)]
+    made, plain = follow_planes((own, *shown)), found.following
+    is_clearer = made.unclear_share <= MAX_UNCLEAR_LEFT * plain.unclear_share
+    return replace(found, following=made) if is_clearer and made.fit >= plain.fit else found
+
+
+def _through_filter(own: np.ndarray, one: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """A source's fine detail as the mosaic shows it in a part; itself where that is too little to learn from."""
+    taps = fit_filter(own, one, where)
+    return one if taps is None else filtered(one, taps)
 
 
 def _is_of_all(shifts: Sequence[Shift | None]) -> bool:
@@ -120,12 +141,8 @@ def _without_idle_planes(both: PlacedSources, shape: tuple[int, int]) -> PlacedS
         return both
     fine = (both.fine[0], *(both.fine[1 + k] for k in kept))
     return PlacedSources(
-        _following(fine, shape), tuple(both.planes[k] for k in kept), fine, tuple(both.source_of[k] for k in kept)
+        follow_planes(fine), tuple(both.planes[k] for k in kept), fine, tuple(both.source_of[k] for k in kept)
     )
-
-
-def _following(fine: Sequence[np.ndarray], shape: tuple[int, int]) -> FollowedSource:
-    return follow(lambda start, stop: [plane[start:stop] for plane in fine], shape, len(fine) - 1)
 
 
 def _shift_where(image: Spectra, reference: Spectra, where: np.ndarray) -> Shift | None:

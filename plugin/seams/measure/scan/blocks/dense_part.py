@@ -12,9 +12,9 @@ from .....imagery.wavelets import detail_components
 from ...compared_image import ComparedImage
 from ...following.boxes import enlarged
 from ...following.expected_mosaic import expected_mosaic
-from ...following.followed_source import follow, high_pass
+from ...following.followed_source import follow_planes, high_pass
 from ...following.likely_source import QUICK, filled_in
-from ...following.placed_sources import PlacedSources, follow_sources
+from ...following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, clearer_by_parts, follow_sources
 from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...profile.detail_sums import compared_planes, detail_sums, numbers_of
@@ -23,6 +23,7 @@ from .block_grid import LABEL_PX
 from .block_pixels import BlockPixels
 from .patches import PATCH_PX
 from .rectangles import MARGIN_PX
+from .seam_sides import SeamSides
 
 _BAND = ("judged",)
 
@@ -54,11 +55,11 @@ class DensePart:
 
 def measure_part(
     pixels: BlockPixels, window: PixelWindow, numbers: tuple[int, ...], wavelet: str, levels: int,
-    filters: Filters | None = None,
+    filters: Filters | None = None, sides: SeamSides | None = None,
 ) -> DensePart:
     """A window, on the mosaic's grid, by some of the sources of its block.
 
-    ``filters``: what came over the mosaic, where that is known of all of them.
+    ``filters``: what came over the mosaic, where that is known of all of them. ``sides``: the seams that are given.
 
     Raises RasterError where the mosaic can't be read.
     """
@@ -80,6 +81,8 @@ def measure_part(
         followed = _follow_filtered(image, images, known_filters)
     else:
         followed = follow_sources(image, images, without_copies=False)  # which a scan leaves out as a whole
+        if sides is not None and followed.following.unclear_share >= MIN_UNCLEAR_SHARE:
+            followed = clearer_by_parts(followed, sides.parts(around))
     valid = {k: mask for k, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
     # What fills the mosaic where it has no pixels must tell nothing of tones and filters.
     following = replace(followed.following, clear=followed.following.clear & known)
@@ -92,6 +95,9 @@ def measure_part(
     labels = expected.labels
     labels[~known] = UNKNOWN
     guessed = known & guesses(labels, following.clear | following.mixed)
+    if guessed.any() and expected.is_filtered:  # sources on other pixels than the mosaic are hardly told apart as such
+        seen = follow_planes([high_pass(one) for one in (image.plane, *expected.shown.values())])
+        guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels[guessed] = UNKNOWN
     details = list(detail_components(compared_planes(image.plane, expected), wavelet, levels))
     masks = {number: planes.valid[number] for number in present if number in planes.valid}
@@ -136,9 +142,7 @@ def _follow_filtered(image: ComparedImage, images: Sequence[ComparedImage], filt
     """What the mosaic follows when what came over it was done to its sources, too."""
     planes = tuple(one.plane for one in images)
     fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
-    shown = [fine[0], *(filters.applied(k, one) for k, one in enumerate(fine[1:]))]
-    rows, columns = image.plane.shape
-    following = follow(lambda start, stop: [one[start:stop] for one in shown], (rows, columns), len(planes))
+    following = follow_planes([fine[0], *(filters.applied(k, one) for k, one in enumerate(fine[1:]))])
     return PlacedSources(following, planes, fine, tuple(range(len(planes))))
 
 

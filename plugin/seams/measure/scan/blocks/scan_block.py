@@ -22,6 +22,7 @@ from .dense_part import DensePart, measure_part
 from .patches import SquareLook, look_at_squares, middle_sources, spread_out
 from .plain_part import MARGIN_PX, measure_plain
 from .rectangles import rectangles
+from .seam_sides import SeamSides
 
 WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
 MOST_UNEXPLAINED = 0.1  # of a part: beyond it sources that no patch follows are tried, too
@@ -46,6 +47,8 @@ class BlockRequest:
     """A patch of every so many-th square along both sides is looked at; 0: none."""
     grey_factor: float = 1.0
     """What floating point values are multiplied by."""
+    sides: SeamSides | None = None
+    """The seams that are given."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -175,23 +178,30 @@ def _in_units(squares: np.ndarray) -> np.ndarray:
 def _measured(
     pixels: BlockPixels, look: SquareLook | None, window: PixelWindow, request: BlockRequest
 ) -> DensePart:
-    """A rectangle by the sources that are followed around it; by all where they leave something over."""
+    """A rectangle by the sources that are followed around it, or that given seams name; by all where they leave
+    something over, and where there is but one, which makes no seam."""
     placed = window.moved_by(request.window.column, request.window.row)
-    settings, everyone = request.settings, pixels.numbers
-    if look is not None:
-        reach = request.look_every
-        rows, columns = (
-            slice(max(first // SQUARE_PX - reach, 0), -(-(first + length) // SQUARE_PX) + reach)
-            for first, length in ((window.row, window.height), (window.column, window.width))
-        )
-        around = look.source[rows, columns]
-        likely = tuple(i for i in everyone if (around == i).any())
-        filters = look.filters if look.learned_of.issuperset(likely) else None
-        if likely:
-            found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters)
-            if found.unexplained <= MOST_UNEXPLAINED or (likely == everyone and filters is None):
-                return found
-    return measure_part(pixels, placed, everyone, settings.wavelet, settings.levels)
+    settings, everyone, sides = request.settings, pixels.numbers, request.sides
+    around = _followed_around(look, window, request.look_every) if look is not None else set()
+    named = sides.named_near(placed) if sides is not None else set()
+    likely = tuple(i for i in everyone if i in (named or around))
+    # Along given seams too few patches are looked at to know what came over the mosaic.
+    knows = look is not None and sides is None and look.learned_of.issuperset(likely)
+    filters = look.filters if look is not None and knows else None
+    if len(likely) > 1:
+        found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters, sides)
+        if found.unexplained <= MOST_UNEXPLAINED or (likely == everyone and filters is None):
+            return found
+    return measure_part(pixels, placed, everyone, settings.wavelet, settings.levels, None, sides)
+
+
+def _followed_around(look: SquareLook, window: PixelWindow, reach: int) -> set[int]:
+    """What the squares of a rectangle and those around it follow."""
+    rows, columns = (
+        slice(max(first // SQUARE_PX - reach, 0), -(-(first + length) // SQUARE_PX) + reach)
+        for first, length in ((window.row, window.height), (window.column, window.width))
+    )
+    return set(np.unique(look.source[rows, columns]).tolist())
 
 
 class _Block:

@@ -22,9 +22,11 @@ from ...source_tree import SourceTree
 from .. import messages
 from ..blocks.block_grid import BlockGrid, BlockKey
 from ..blocks.scan_block import BlockRequest
+from ..blocks.seam_sides import REACH_PX, SeamSides
 from ..blocks.seam_squares import SeamSquares
 from ..lines.given_seams import GivenSeams, NamedSeam
-from ..lines.seam_pieces import SeamPiece, cut_in_pieces, cut_off
+from ..lines.piece_index import PieceIndex
+from ..lines.seam_pieces import SeamPiece, Side, cut_in_pieces, cut_off
 from ..lines.source_names import source_numbers
 from ..scan_settings import ScanSettings
 
@@ -116,7 +118,26 @@ class ScanRequest:
         squares = self.seam_squares
         if squares is None:
             return request
-        return replace(request, wanted=squares.dense_in(key), look_every=LOOK_EVERY)
+        return replace(
+            request, wanted=squares.dense_in(key), look_every=LOOK_EVERY, sides=self._sides(window, sources)
+        )
+
+    def _sides(self, window: PixelWindow, sources: Sequence[Source]) -> SeamSides:
+        """Of the given seams near a window, by the numbers that the sources of its block have."""
+        near, named = self._index.near(window, REACH_PX), self.named[0]
+        number_of = {one.ref.path: number for number, one in enumerate(sources)}
+
+        def source(name: Side) -> int | None:
+            place = named.get(name) if isinstance(name, str) else None
+            return None if place is None else number_of.get(self.sources[place].ref.path)
+
+        beside = ((number, self.pieces[number]) for number in near.numbers.tolist())
+        return SeamSides(near, {number: (source(one.left), source(one.right)) for number, one in beside})
+
+    @cached_property
+    def _index(self) -> PieceIndex:
+        """The given seams by place."""
+        return PieceIndex(self.pieces, self.mosaic.grid)
 
 
 def largest(sources: tuple[Source, ...], mosaic: Raster, window: PixelWindow) -> tuple[Source, ...]:
