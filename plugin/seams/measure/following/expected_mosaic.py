@@ -128,11 +128,14 @@ class _Window:
     patch_px: int
     has_warped: bool
 
-    def labels(self, filters: Filters | None, left_out: Collection[int] = ()) -> np.ndarray:
-        """(rows, columns) uint8"""
+    def labels(
+        self, filters: Filters | None, left_out: Collection[int] = (), strange: np.ndarray | bool = True
+    ) -> np.ndarray:
+        """(rows, columns) uint8; ``strange``: where no source may explain the mosaic."""
         sources = {i: self.fine[1 + i] for i in sorted(self.following.followed) if i not in left_out}
         likely = _likely(self.fine[0], sources, self.following, self.valid, filters, self.sampling)
-        found = likely.labels if self.has_warped else likely.labels | (likely.unexplained * np.uint8(UNKNOWN))
+        unexplained = np.logical_and(likely.unexplained, strange & (not self.has_warped))
+        found = likely.labels | (unexplained * np.uint8(UNKNOWN))
         return found if self.known is None else np.where(self.known == UNKNOWN, found, self.known)
 
     def in_tone(self, labels: np.ndarray) -> dict[int, Levelled]:
@@ -144,33 +147,33 @@ class _Window:
     def learned(self) -> tuple[Filters, np.ndarray, dict[int, Levelled]]:
         """What came over the sources, their labels, and themselves in tone."""
         labels = self.labels(None)
-        in_tone, unmixed, pair = self.in_tone(labels), _sure_unmixed(labels, self.following), self._pair(labels)
+        in_tone, unmixed = self.in_tone(labels), _sure_unmixed(labels, self.following)
         anywhere = _sure(labels, unmixed)
         own, fine = self.fine[0], dict(enumerate(self.fine[1:]))
         found = find_filters(own, fine, in_tone, labels, anywhere)
-        ground = None if pair is None else self._ground(in_tone, found, labels, pair)
-        if pair is not None and ground is not None:
-            return self._mixed(labels, in_tone, found, pair, ground)
+        made = self._made(in_tone, found, labels)
+        pair, few = self._mixable(made, labels)
+        ground = self._ground(in_tone, found, made, labels, pair, few) if len(pair) == 2 else None
+        if ground is not None:
+            return self._mixed(labels, in_tone, found, pair, few, ground)
         # A filter that was learned of a mixture takes what that took.
         is_doubtful = np.count_nonzero(anywhere) > np.count_nonzero(unmixed)
-        if is_doubtful and self._left(in_tone, found, labels, present(labels)) > MOST_LEFT_MIXED:
+        if is_doubtful and share_left(own, made, labels, present(labels)) > MOST_LEFT_MIXED:
             found = find_filters(own, fine, in_tone, labels, unmixed)
         return found, labels, in_tone
 
     def _mixed(
-        self, labels: np.ndarray, in_tone: Mapping[int, Levelled], found: Filters, pair: tuple[int, int],
-        ground: MixedGround,
+        self, labels: np.ndarray, in_tone: Mapping[int, Levelled], found: Filters, pair: Sequence[int],
+        few: Sequence[int], ground: MixedGround,
     ) -> tuple[Filters, np.ndarray, dict[int, Levelled]]:
         """The same where two sources are mixed nearly everywhere."""
         found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
         gains = {i: ground.gain * in_tone[i].gain for i in pair if i in in_tone}
         # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
         made = ground.mosaic[SAMPLE]
-        chance = {
-            i for i in _few(labels, pair) if share_left(self.fine[0], made, labels, [i]) <= MOST_LEFT_OF_THIRD
-        }
+        chance = {i for i in few if share_left(self.fine[0], made, labels, [i]) <= MOST_LEFT_OF_THIRD}
         kept = {*pair, *present(labels)} - chance
-        labels = self.labels(found, [i for i in self.following.followed if i not in kept])
+        labels = self.labels(found, [i for i in self.following.followed if i not in kept], labels == UNKNOWN)
         means = square_means(self.mosaic)
         again = {
             i: levelled(means, self.planes[i], labels == i, labels == i, gain=gain)
@@ -178,42 +181,43 @@ class _Window:
         }
         return found, labels, {**self.in_tone(labels), **again}
 
-    def _pair(self, labels: np.ndarray) -> tuple[int, int] | None:
-        """The two sources that most pixels follow, or did at first."""
+    def _mixable(self, made: np.ndarray, labels: np.ndarray) -> tuple[list[int], list[int]]:
+        """Of the sources that leave something over where they are followed the two that most pixels follow, or did at
+        first, and those that few do."""
         most_first = sorted(present(labels), key=lambda i: -np.count_nonzero(labels == i))
-        pair = [*most_first, *(i for i in self.following.followed if i not in most_first)][:2]
-        return (pair[0], pair[1]) if len(pair) == 2 else None
+        alone = {i for i in most_first if share_left(self.fine[0], made, labels, [i]) < MIN_LEFT_UNMIXED}
+        followed = [*most_first, *(i for i in self.following.followed if i not in most_first)]
+        pair = [i for i in followed if i not in alone][:2]
+        few = [
+            i for i in most_first if i not in pair and i not in alone and (labels == i).mean() < MIN_THIRD_SHARE
+        ]
+        return pair, few
 
     def _ground(
-        self, in_tone: Mapping[int, Levelled], found: Filters, labels: np.ndarray, pair: tuple[int, int]
+        self, in_tone: Mapping[int, Levelled], found: Filters, made: np.ndarray, labels: np.ndarray,
+        pair: Sequence[int], few: Sequence[int],
     ) -> MixedGround | None:
         """Where two sources mixed nearly everywhere explain more than each on its own side; None for other windows."""
-        left = self._left(in_tone, found, labels, pair)
-        if left < MIN_LEFT_UNMIXED:
-            return None
-        where = np.isin(labels, (*pair, *_few(labels, pair), UNKNOWN))
+        where = np.isin(labels, (*pair, *few, UNKNOWN))
         for i in pair:
             where &= self.valid.get(i, True)
+        inside = np.where(where, labels, np.uint8(UNKNOWN))
+        left = share_left(self.fine[0], made, inside, pair)
+        if left < MIN_LEFT_UNMIXED:
+            return None
         images = [(in_tone[i].gain if i in in_tone else np.float32(1)) * self.fine[1 + i] for i in pair]
         shown = [found.placed(i, one) if i in found.taps else one for i, one in zip(pair, images)]
         ground = mixed_ground(self.fine[0], images, shown, where)
-        if ground is None or share_left(self.fine[0], ground.mosaic[SAMPLE], labels, pair) > MOST_LEFT_OF_THAT * left:
+        if ground is None or share_left(self.fine[0], ground.mosaic[SAMPLE], inside, pair) > MOST_LEFT_OF_THAT * left:
             return None
         return ground
 
-    def _left(
-        self, in_tone: Mapping[int, Levelled], found: Filters, labels: np.ndarray, of: Sequence[int]
-    ) -> float:
-        """Share of the mosaic's fine detail that some sources leave over, each on its own side."""
+    def _made(self, in_tone: Mapping[int, Levelled], found: Filters, labels: np.ndarray) -> np.ndarray:
+        """What the sources make of the mosaic's fine detail, each on its own side, a ``SAMPLE``."""
         place = np.s_[:] if found.taps else SAMPLE  # a filter needs what is around
-        shown = {i: found.applied(i, in_tone[i].gain[place] * self.fine[1 + i][place]) for i in of if i in in_tone}
+        shown = {i: found.applied(i, one.gain[place] * self.fine[1 + i][place]) for i, one in in_tone.items()}
         made = cut_of(self.fine[0][place], shown, labels[place])
-        return share_left(self.fine[0], made[SAMPLE] if found.taps else made, labels, of)
-
-
-def _few(labels: np.ndarray, pair: Sequence[int]) -> list[int]:
-    """Sources beside a pair that few pixels follow."""
-    return [i for i in present(labels) if i not in pair and (labels == i).mean() < MIN_THIRD_SHARE]
+        return made[SAMPLE] if found.taps else made
 
 
 def _likely(

@@ -19,8 +19,8 @@ BLOCK_PX = 64
 """Side of the blocks in which weights are taken as constant."""
 MIN_MIXED_WEIGHT = 0.1
 """Mean weight of the lesser image, for a window to be mixed nearly everywhere."""
-_ROUNDS = 12
-_SETTLED = 0.01  # of the lesser image's weight
+_ROUNDS = 30
+_SETTLED = 0.002  # of the lesser image's weight
 _MIN_BLOCK = 0.5  # of a block's pixels that take part
 
 
