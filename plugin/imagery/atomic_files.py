@@ -6,8 +6,9 @@ import os
 import shutil
 import tempfile
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
+from itertools import count
 from pathlib import Path
 
 from . import messages
@@ -41,26 +42,68 @@ def save_text(text: str, path: Path, encoding: str = "utf-8") -> None:
 
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """Like ``whole_file``, with Python's OSError where no file can be.
-
-    The place to write has the name of ``path``, in a hidden folder beside it, so that what GDAL writes next to a file
-    goes along with it, and the last step is a renaming on one disk.
-    """
-    path = Path(os.path.realpath(path))  # the file that a link points to is replaced, not the link
+    """Like ``whole_file``, with Python's OSError where no file can be."""
     if path.exists() and not path.is_file():
         yield path  # a device takes what is written to it; a folder refuses
         return
-    if path.exists() and not os.access(path, os.W_OK):
-        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-    folder = Path(tempfile.mkdtemp(prefix=unfinished_name(path), dir=path.parent))
+    unfinished = UnfinishedFile(path)
     try:
-        yield folder / path.name
-        with suppress(OSError):
-            shutil.copymode(path, folder / path.name)
-        for made in sorted(folder.iterdir(), key=lambda made: made.name == path.name):  # the file itself comes last
-            os.replace(made, path.with_name(made.name))
+        yield unfinished.written
+        unfinished.keep()
     finally:
-        shutil.rmtree(folder, ignore_errors=True)
+        unfinished.drop()
+
+
+class UnfinishedFile:
+    """A file in the making, in a hidden folder beside where it is to be.
+
+    It has its name there, so that what GDAL writes next to a file goes along with it, and the last step is a renaming
+    on one disk.
+    """
+
+    def __init__(self, path: Path) -> None:
+        """Raises OSError where no file can be."""
+        self._path = Path(os.path.realpath(path))  # the file that a link points to is replaced, not the link
+        if self.replaces and not os.access(self._path, os.W_OK):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+        self._folder = Path(tempfile.mkdtemp(prefix=unfinished_name(self._path), dir=self._path.parent))
+
+    @property
+    def written(self) -> Path:
+        """Where it is written."""
+        return self._folder / self._path.name
+
+    @property
+    def replaces(self) -> bool:
+        """Whether there is an older one."""
+        return self._path.exists()
+
+    def keep(self, companions: Iterable[str] = ()) -> None:
+        """It is whole and becomes what it is to be. ``companions``: endings of files beside the older one that go
+        with it. Raises OSError where that can't be; the older file is then as it was."""
+        with suppress(OSError):
+            shutil.copymode(self._path, self.written)
+        self._move(self._path)
+        for ending in companions:
+            with suppress(OSError):
+                Path(f"{self._path}{ending}").unlink()
+        self.drop()
+
+    def keep_beside(self) -> Path:
+        """The older file stays, and this one gets a name like it that is free. Raises OSError where that can't be."""
+        names = (self._path.with_name(f"{self._path.stem}_{number}{self._path.suffix}") for number in count(2))
+        path = next(name for name in names if not os.path.lexists(name))
+        self._move(path)
+        self.drop()
+        return path
+
+    def drop(self) -> None:
+        """Nothing of it stays, as far as it was not kept."""
+        shutil.rmtree(self._folder, ignore_errors=True)
+
+    def _move(self, path: Path) -> None:
+        for made in sorted(self._folder.iterdir(), key=lambda made: made.name == self._path.name):  # itself comes last
+            os.replace(made, path.with_name(path.stem + made.name[len(self._path.stem) :]))
 
 
 def drop_unfinished(path: Path) -> None:

@@ -1,7 +1,7 @@
 """What a user can be told of layers, lists of rasters, background tasks, Dask and charts."""
 from __future__ import annotations
 
-from ..imagery.message import Message
+from ..imagery.message import WARNING, Message
 
 # layers
 NOT_A_RASTER_LAYER = Message("{name} is not a raster layer; choose a raster.")
@@ -52,6 +52,13 @@ TABLE_BEGINS_WRONG = Message(
 LAYER_NOT_WRITTEN = Message("{path} can't be written; make room on the disk, or choose another folder.")
 LAYER_IN_PART = Message(
     "{path} holds {held} of {count} features, as the rest can't be written; make room on the disk, and run this again."
+)
+LAYER_NOT_REPLACED = Message(
+    "{path} is as it was, as the run did not come to its end; what was measured until then is in {part}.",
+    WARNING,
+)
+LAYER_IN_USE = Message(
+    "{path} is open in another program and can't be replaced; the new layer is {part}.", WARNING
 )
 FILE_FORMAT_OTHER = Message("What is written is {filters}, and {name} says something else; give it that ending.")
 CHART_FORMAT_UNKNOWN = Message("{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.")

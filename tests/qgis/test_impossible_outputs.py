@@ -9,7 +9,13 @@ from typing import Any
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsProcessingParameterFeatureSink, QgsProcessingParameterRasterDestination, QgsVectorLayer
+from qgis.core import (
+    QgsProcessingOutputLayerDefinition,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterRasterDestination,
+    QgsProject,
+    QgsVectorLayer,
+)
 
 from tests.numbers.disks import full_disk
 from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
@@ -143,3 +149,78 @@ def test_an_older_layer_is_replaced_with_its_parts(scene: Scene, tmp_path: Path)
         assert QgsVectorLayer(output, "made", "ogr").featureCount() == 6
         assert not [one.name for one in tmp_path.iterdir() if one.name.startswith(".")]
     assert gdal.OpenEx(str(tmp_path / "made.gpkg")) is not None
+
+
+# --- runs that do not come to their end --------------------------------------------------------------------------
+
+
+class Cancelled(Log):
+    """As soon as a window is done."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.progressChanged.connect(lambda progress: self.cancel() if progress > 0 else None)
+
+
+@pytest.mark.parametrize("ending", ["gpkg", "shp"])
+def test_what_a_cancelled_run_measured_replaces_nothing(scene: Scene, tmp_path: Path, ending: str) -> None:
+    output = Path(saved(windows(*[SHARP] * 9, name=("string", ["older"] * 9)), tmp_path / f"made.{ending}"))
+    before = {one.name: one.read_bytes() for one in tmp_path.iterdir()}
+    log = Cancelled()
+    found = inspected(scene, log, WINDOWS=windows(*[SHARP] * 200), OUTPUT=str(output))
+    assert {name: (tmp_path / name).read_bytes() for name in before} == before
+    part = tmp_path / f"made_2.{ending}"
+    assert found.results["OUTPUT"] == str(part)
+    assert 0 < QgsVectorLayer(str(part), "part", "ogr").featureCount() < 200
+    assert len(found.rows("OUTPUT")) == QgsVectorLayer(str(part), "part", "ogr").featureCount()
+    assert_sentence(log.warnings[-1], f"{output} is as it was, .* in {part}")
+    assert not [one.name for one in tmp_path.iterdir() if one.name.startswith(".")]
+
+
+def test_what_a_cancelled_run_measured_is_kept(scene: Scene, tmp_path: Path) -> None:
+    found = inspected(scene, Cancelled(), WINDOWS=windows(*[SHARP] * 200), OUTPUT=str(tmp_path / "made.gpkg"))
+    assert 0 < len(found.rows("OUTPUT")) < 200
+    assert [one.name for one in tmp_path.iterdir()] == ["made.gpkg"]
+
+
+def test_a_layer_that_can_not_be_replaced_gets_a_name_beside_it(
+    scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As on Windows while QGIS has it open."""
+    output, replace = saved(windows(SHARP, name=("string", ["older"])), tmp_path / "made.gpkg"), os.replace
+
+    def refuse(source: Any, target: Any) -> None:
+        if str(target) == output:
+            raise PermissionError
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", refuse)
+    log = Log()
+    found = inspected(scene, log, OUTPUT=output)
+    assert len(found.rows("OUTPUT")) == 6
+    assert found.results["OUTPUT"] == str(tmp_path / "made_2.gpkg")
+    assert QgsVectorLayer(output, "made", "ogr").featureCount() == 1
+    assert_sentence(log.warnings[-1], "made.gpkg is open in another program")
+
+
+def test_a_run_that_is_killed_leaves_the_older_layer(scene: Scene, tmp_path: Path) -> None:
+    output = Path(saved(windows(SHARP, name=("string", ["older"])), tmp_path / "made.gpkg"))
+    before = output.read_bytes()
+    seen: list[bool] = []
+
+    class Looking(Log):
+        def setProgress(self, progress: float) -> None:
+            seen.append(output.read_bytes() == before)
+
+    assert inspected(scene, Looking(), OUTPUT=str(output)).complaint is None
+    assert seen
+    assert all(seen)  # nothing is put aside meanwhile, so a kill finds it
+    assert output.read_bytes() != before
+
+
+def test_qgis_loads_the_layer_from_its_place(scene: Scene, tmp_path: Path) -> None:
+    for path, log in ((tmp_path / "new.gpkg", Log()), (tmp_path / "new.gpkg", Cancelled())):
+        output = QgsProcessingOutputLayerDefinition(str(path), QgsProject.instance())
+        found = inspected(scene, log, WINDOWS=windows(*[SHARP] * 200), OUTPUT=output)
+        assert list(found.context.layersToLoadOnCompletion()) == [found.results["OUTPUT"]]
+    assert found.results["OUTPUT"] == str(tmp_path / "new_2.gpkg")

@@ -4,8 +4,6 @@ A disk that is full shows as a file is closed, if at all: neither QGIS nor GDAL 
 """
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -16,13 +14,13 @@ from osgeo import gdal
 from qgis.core import QgsFeature, QgsFeatureSink, QgsProcessingException
 from qgis.PyQt import sip
 
-from ...imagery.atomic_files import drop_unfinished, unfinished_name
+from ...imagery.atomic_files import UnfinishedFile, drop_unfinished
 from ...imagery.documents.printable import cell_text
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.message import Message
 from .. import messages
 from ..translation import sentence, tr
-from .output_files import DataPlace, files_beside
+from .output_files import DataPlace
 
 Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
 
@@ -39,7 +37,8 @@ class _OpenSink:
     destination: str
     place: DataPlace | None
     """None for one in memory or on a server."""
-    older: _OlderFile | None
+    file: UnfinishedFile | None
+    """None where it is written in its place: a table among others."""
     written: int = 0
     has_failed: bool = False
 
@@ -48,13 +47,16 @@ class _OpenSink:
         """Whether a program that calculates will open it."""
         return self.place is not None and self.place.path.lower().endswith(_SPREADSHEETS)
 
-    def keep_part(self, held: int) -> Message:
-        """Leave what is in a file that is not whole, where it takes the place of no other; what to say of it."""
-        path = self.destination if self.place is None else self.place.path
-        if self.older is None or (self.older.folder is None and 0 < held < self.written):
-            return messages.LAYER_IN_PART(path=path, held=min(held, self.written), count=self.written)
-        self.older.restore()
-        return messages.LAYER_NOT_WRITTEN(path=path)
+    @property
+    def path(self) -> str:
+        """Where it is to be."""
+        return self.destination if self.place is None else self.place.path
+
+    def count(self, has_closed: bool) -> int:
+        """How many features it holds, as far as that can be told; ``has_closed``: whether GDAL closed it well."""
+        if self.place is None or not self.place.path.lower().endswith(_COUNTED):
+            return self.written if has_closed and not self.has_failed else 0
+        return _count(self.place if self.file is None else DataPlace(str(self.file.written)))
 
 
 @dataclass
@@ -63,25 +65,28 @@ class FeatureSinks:
 
     lost: dict[str, Message] = field(default_factory=dict)
     """What to say of those that could not be written, by their destinations; known when they are closed."""
+    beside: dict[str, tuple[str, Message]] = field(default_factory=dict)
+    """Where those are that may not replace an older one, and what to say of it, likewise."""
     has_whole: bool = False
     """Whether another one was written; known likewise."""
     _open: list[_OpenSink] = field(default_factory=list)
 
-    def open(self, make: Callable[[], Sink], place: DataPlace | None) -> Sink:
-        """What ``make`` opens, at a place that is a file of ours alone or a table in one.
+    def open(self, make: Callable[[str | None], Sink], place: DataPlace | None) -> Sink:
+        """What ``make`` opens at a place that is a file of ours alone or a table in one; it is given the path to write
+        to meanwhile, None for the place itself, and tells the destination.
 
         Raises QgsProcessingException where that can't be; an older file is as it was then, and nothing is left of a
         new one.
         """
-        older = _OlderFile.of(place)
+        file = _unfinished(place)
         try:
             with gdal_silenced():
-                sink, destination = make()
+                sink, destination = make(None if file is None else str(file.written))
         except QgsProcessingException as error:
-            if older is not None:
-                older.restore()
+            if file is not None:
+                file.drop()
             raise QgsProcessingException(_why_not(place, str(error))) from None
-        self._open.append(_OpenSink(sink, str(destination), place, older))
+        self._open.append(_OpenSink(sink, str(destination), place, file))
         return sink, destination
 
     def write(self, sink: QgsFeatureSink, features: Iterable[QgsFeature]) -> None:
@@ -102,29 +107,69 @@ class FeatureSinks:
                 said = sink.lastError() or tr("A result can't be written; is the disk full?")
                 raise QgsProcessingException(_why_not(of.place, said))
 
-    def close(self, has_failed: bool = False) -> None:
+    def close(self, has_failed: bool = False, is_cancelled: bool = False) -> None:
         """Make layers whole: they are so without their sinks only, which a frame or a cycle may still hold.
 
-        Of a run that failed nothing is left where nothing was written.
+        What a run that failed or was cancelled has measured replaces nothing.
         """
         while self._open:
             of = self._open.pop()
             with gdal_silenced():
                 gdal.ErrorReset()
                 sip.delete(of.sink)
-                has_closed = gdal.GetLastErrorType() < gdal.CE_Failure
-            if has_failed and not of.written and of.older is not None:
-                of.older.restore()
-                continue
-            held = of.written * has_closed
-            if of.place is not None and of.place.path.lower().endswith(_COUNTED):
-                held = _count(of.place)
-            if of.has_failed or held < of.written:
-                self.lost[of.destination] = of.keep_part(held)
+                held = of.count(gdal.GetLastErrorType() < gdal.CE_Failure)
+            if of.file is None:
+                self._account(of, held)
+            elif has_failed and not of.written:
+                of.file.drop()
             else:
-                self.has_whole = True
-                if of.older is not None:
-                    of.older.drop()
+                self._settle(of, of.file, held, has_failed or is_cancelled)
+
+    def _settle(self, of: _OpenSink, file: UnfinishedFile, held: int, is_part: bool) -> None:
+        """Let a file with so many features take its place, or not."""
+        if held < of.written and (file.replaces or not held):
+            file.drop()
+            self._account(of, 0)
+        elif is_part and file.replaces:
+            self._keep_beside(of, file, messages.LAYER_NOT_REPLACED)
+        else:
+            try:
+                file.keep(_OF_DATABASES)
+            except OSError:  # as on Windows, where the older one is open in QGIS
+                self._keep_beside(of, file, messages.LAYER_IN_USE)
+                return
+            drop_unfinished(Path(of.path))  # what processes left that were killed
+            self._account(of, held)
+
+    def _keep_beside(self, of: _OpenSink, file: UnfinishedFile, said: Message) -> None:
+        """Leave the older file as it is."""
+        try:
+            path = str(file.keep_beside())
+        except OSError:
+            file.drop()
+            self._account(of, 0)
+            return
+        self.beside[of.destination] = path, said(path=of.path, part=path)
+        self.has_whole = True
+
+    def _account(self, of: _OpenSink, held: int) -> None:
+        """Tell of a layer that holds so many features."""
+        if held >= of.written:
+            self.has_whole = True
+        elif held:
+            self.lost[of.destination] = messages.LAYER_IN_PART(path=of.path, held=held, count=of.written)
+        else:
+            self.lost[of.destination] = messages.LAYER_NOT_WRITTEN(path=of.path)
+
+
+def _unfinished(place: DataPlace | None) -> UnfinishedFile | None:
+    """None for what is no file of its own, or must be written in its place."""
+    if place is None or place.table or place.path.startswith("/vsi"):
+        return None
+    try:
+        return UnfinishedFile(Path(place.path))
+    except OSError:
+        return None
 
 
 def _disarm(feature: QgsFeature) -> None:
@@ -147,58 +192,3 @@ def _count(place: DataPlace) -> int:
         layer = dataset and (dataset.GetLayerByName(table) if table else dataset.GetLayer(0))
         return int(layer.GetFeatureCount()) if layer else 0
     return 0
-
-
-@dataclass
-class _OlderFile:
-    """What was there before, put aside while a new one is written."""
-
-    path: Path
-    folder: Path | None
-    """Where it is meanwhile; None where there was nothing, and what is half-made goes."""
-
-    @classmethod
-    def of(cls, place: DataPlace | None) -> _OlderFile | None:
-        """None for what is no file of its own, or can't be put aside."""
-        if place is None or place.table or place.path.startswith("/vsi"):
-            return None
-        path = Path(os.path.realpath(place.path))
-        if not os.path.lexists(path):
-            return cls(path, None)
-        try:
-            folder = Path(tempfile.mkdtemp(prefix=unfinished_name(path), dir=path.parent))
-        except OSError:
-            return None
-        made = cls(path, folder)
-        try:
-            for file in made._files():
-                os.replace(file, folder / file.name)
-        except OSError:  # as on Windows, where it is open in QGIS
-            made._put_back()
-            return None
-        return made
-
-    def restore(self) -> None:
-        """Nothing of the new file stays, and the older one is as it was."""
-        for file in self._files():
-            with suppress(OSError):
-                file.unlink()
-        if self.folder is not None:
-            self._put_back()
-
-    def drop(self) -> None:
-        """The new file is whole."""
-        drop_unfinished(self.path)  # and what was put aside by processes that were killed
-
-    def _put_back(self) -> None:
-        for file in self.folder.iterdir() if self.folder is not None else ():
-            with suppress(OSError):
-                os.replace(file, self.path.with_name(file.name))
-        if self.folder is not None:
-            with suppress(OSError):  # what can't be put back stays there
-                self.folder.rmdir()
-
-    def _files(self) -> list[Path]:
-        names = [self.path, *map(Path, files_beside(str(self.path)))]
-        names += [Path(f"{self.path}{ending}") for ending in _OF_DATABASES]
-        return [name for name in names if os.path.lexists(name)]

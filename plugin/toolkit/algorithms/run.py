@@ -16,6 +16,7 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeatureSource,
     QgsProcessingFeedback,
+    QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterRasterDestination,
     QgsProperty,
     QgsRectangle,
@@ -48,10 +49,14 @@ class Run:
         self._algorithm = algorithm
         self._sinks = FeatureSinks()
         self._told: set[str] = set()
+        self._styles: dict[str, str] = {}  # of layers, by their destinations
 
     def close(self, has_failed: bool = False) -> dict[str, Message]:
         """Make layers whole; why some are not, by their destinations. Once is enough."""
-        self._sinks.close(has_failed)
+        self._sinks.close(has_failed, self.is_cancelled())
+        for destination, (path, said) in self._sinks.beside.items():
+            self._load_from(destination, path)
+            self.tell(said)
         return self._sinks.lost
 
     def kept(self, results: dict[str, Any]) -> dict[str, Any]:
@@ -59,11 +64,12 @@ class Run:
 
         Raises SettingsError where all layers are lost.
         """
-        lost = self._sinks.lost
+        lost, beside = self._sinks.lost, self._sinks.beside
         if lost and not self._sinks.has_whole:
             raise SettingsError(next(iter(lost.values())))
         self.tell(*lost.values())
-        return {name: value for name, value in results.items() if value is not None and value not in lost}
+        kept = {name: value for name, value in results.items() if value is not None and value not in lost}
+        return {name: beside[value][0] if value in beside else value for name, value in kept.items()}
 
     # values
 
@@ -184,13 +190,28 @@ class Run:
         text = output_text(self.parameters.get(name), self.context)
         place = table_place(text) if text and is_file(text) else None
 
-        def make() -> Sink:
-            sink, destination = self._algorithm.parameterAsSink(self.parameters, name, self.context, *layout)
+        def make(path: str | None) -> Sink:
+            given = self.parameters if path is None else {**self.parameters, name: _at(self.parameters[name], path)}
+            sink, destination = self._algorithm.parameterAsSink(given, name, self.context, *layout)
             if sink is None:
                 raise QgsProcessingException(self._algorithm.invalidSinkError(self.parameters, name))
-            return sink, destination
+            if path is None or place is None:
+                return sink, destination
+            self._load_from(destination, place.path)
+            return sink, place.path
 
         return self._sinks.open(make, place)
+
+    def _load_from(self, destination: str, path: str) -> None:
+        """Load a layer that will be loaded from another place."""
+        layers = self.context.layersToLoadOnCompletion()
+        if destination not in layers:
+            return
+        was = layers.pop(destination)
+        moved = QgsProcessingContext.LayerDetails(was.name, was.project, was.outputName)
+        moved.forceName = was.forceName
+        self.context.setLayersToLoadOnCompletion({**layers, path: moved})  # which deletes who would have styled it
+        self.style(path, self._styles.get(destination, ""))
 
     def optional_sink(self, name: str, *layout: Any) -> Sink:
         """Like ``sink``; nothing when the output is not wanted."""
@@ -203,7 +224,10 @@ class Run:
 
     def style(self, destination: str | None, style: str) -> None:
         """Give a layer that will be loaded a style of ours."""
-        if destination and self.context.willLoadLayerOnCompletion(destination):
+        if not destination or not style:
+            return
+        self._styles[destination] = style
+        if self.context.willLoadLayerOnCompletion(destination):
             self.context.layerToLoadOnCompletionDetails(destination).setPostProcessor(layer_styler(style))
 
     def title(self, destination: str | None, title: str) -> None:
@@ -289,6 +313,15 @@ class Run:
         """The same, and whether the user wants more."""
         self.progress(share)
         return not self.is_cancelled()
+
+
+def _at(value: object, path: str) -> object:
+    """An output's value with another path."""
+    if not isinstance(value, QgsProcessingOutputLayerDefinition):
+        return path
+    definition = QgsProcessingOutputLayerDefinition(value)
+    definition.sink = QgsProperty.fromValue(path)
+    return definition
 
 
 def _check_ending(path: Path, filters: str) -> None:
