@@ -2959,22 +2959,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="135"/>
+        <location filename="../plugin/imagery/messages.py" line="136"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="138"/>
+        <location filename="../plugin/imagery/messages.py" line="139"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="140"/>
+        <location filename="../plugin/imagery/messages.py" line="141"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="143"/>
+        <location filename="../plugin/imagery/messages.py" line="144"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2984,17 +2984,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="146"/>
+        <location filename="../plugin/imagery/messages.py" line="147"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="147"/>
+        <location filename="../plugin/imagery/messages.py" line="148"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="148"/>
+        <location filename="../plugin/imagery/messages.py" line="149"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -5550,77 +5550,67 @@
         <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="92"/>
-        <source>{path} is damaged; the blocks before are kept ({done}), and the others are measured again.</source>
-        <translation>Plik {path} jest uszkodzony; bloki sprzed uszkodzenia są zachowane ({done}), a pozostałe są mierzone ponownie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="94"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="91"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="96"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="93"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="99"/>
-        <source>{path} can&apos;t be kept to one scan on this disk ({error}); choose an output on a local disk.</source>
-        <translation>Na tym dysku nie można zastrzec pliku {path} dla jednego badania ({error}); wybierz plik wyniku na dysku lokalnym.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="95"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="103"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="97"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="107"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="101"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="110"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="104"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="105"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="106"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="107"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="114"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="108"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="115"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="109"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="123"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="117"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="116"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="110"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
@@ -5690,22 +5680,22 @@
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="144"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="138"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="141"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="145"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="155"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="149"/>
         <source>Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep {low:.0f} to {high:.0f} %.</source>
         <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
     </message>
@@ -5720,17 +5710,17 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="153"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="163"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="157"/>
         <source>Without orthoimages a piece of seam can be judged on this mosaic from some {length:.0f} m on.</source>
         <translation>Bez ortoobrazów źródłowych odcinek linii mozaikowania można na tej ortofotomapie ocenić od długości około {length:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="166"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="160"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -5750,7 +5740,7 @@
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="118"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="112"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
@@ -5760,7 +5750,7 @@
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -5870,7 +5860,7 @@
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="139"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
         <source>{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
         <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
     </message>
@@ -5895,12 +5885,12 @@
         <translation>{name} wszędzie jest taki jak ortofotomapa i nie ma innego ortoobrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc ortoobrazy źródłowe, z których ortofotomapa powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="130"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="124"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="127"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
@@ -5910,7 +5900,7 @@
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="136"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="130"/>
         <source>{metres:.0f} of {all:.0f} m of seam have no verdict; the field &apos;reason&apos; of the seams says why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie ma oceny; pole „reason” mówi dlaczego.</translation>
     </message>
@@ -7972,27 +7962,27 @@
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="139"/>
+        <location filename="../plugin/imagery/messages.py" line="140"/>
         <source>{name} says &apos;{key}&apos; twice in one object; leave one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="142"/>
+        <location filename="../plugin/imagery/messages.py" line="143"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="144"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="145"/>
+        <location filename="../plugin/imagery/messages.py" line="146"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -10806,12 +10796,12 @@
         <translation>standard wtyczki ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="136"/>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="138"/>
         <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -11560,6 +11550,11 @@
         <location filename="../plugin/toolkit/messages.py" line="61"/>
         <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="134"/>
+        <source>the file there is damaged</source>
+        <translation>istniejący plik jest uszkodzony</translation>
     </message>
 </context>
 </TS>

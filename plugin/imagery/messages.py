@@ -131,6 +131,7 @@ REMOTE_NOT_OPENED = Message("{name} can't be read over the network ({why}); chec
 # files of records
 RECORDS_IN_USE = Message("another QGIS has it open")
 RECORDS_FOREIGN = Message("the file there is something else")
+RECORDS_DAMAGED = Message("the file there is damaged")
 # a file with rules
 RULES_NOT_READABLE = Message("The rules in {name} can't be read ({error}); give a JSON file with rules.")
 RULES_NOT_TEXT = Message("The rules in {name} are no text in UTF-8; give a JSON file with rules.")

@@ -19,14 +19,10 @@ from typing import Any
 import numpy as np
 
 from ..message import Level, Message
-from .array_records import packed, unpacked
+from .array_records import NotUnderstoodError, packed, understanding, unpacked
 
 _JSON = "json"
 _MESSAGE = ("template", "level", "values")
-
-
-class NotUnderstoodError(Exception):
-    """A record of another version, or by somebody else."""
 
 
 def record_of(value: object) -> bytes:
@@ -39,13 +35,9 @@ def record_of(value: object) -> bytes:
 
 def value_of(kind: type, record: bytes, sentences: Mapping[str, Message]) -> Any:
     """The instance of a dataclass; ``sentences`` are the known ones, by template. Raises NotUnderstoodError."""
-    try:
+    with understanding():
         arrays = unpacked(record)
         return _Reader(arrays, sentences).read(kind, json.loads(arrays[_JSON].tobytes()))
-    except NotUnderstoodError:
-        raise
-    except Exception as error:  # whatever the bytes are
-        raise NotUnderstoodError(f"{type(error).__name__}: {error}") from None
 
 
 def _plain(value: Any, arrays: dict[str, np.ndarray]) -> Any:

@@ -12,8 +12,8 @@ from ...measure.window.window_result import WindowResult
 from ...measure.window_records import WindowRecord
 from ...window_summary import is_same
 
-_KIND = b"Seam Inspector: results of windows, "
-_MAGIC = _KIND + b"2\n"
+_KIND = "Seam Inspector: results of windows, "
+_VERSION = "3"
 
 
 class KeptResults(QObject):
@@ -24,10 +24,8 @@ class KeptResults(QObject):
 
     def __init__(self, path: Path, parent: QObject) -> None:
         super().__init__(parent)
-        self._keeper = RecordKeeper(path, _MAGIC, self.failed.emit, _KIND)
+        self._keeper = RecordKeeper(path, _KIND + _VERSION, self.failed.emit, _KIND)
         self._missing: set[int] = set()
-        if path.is_file():
-            self._keeper.compact()
 
     def keep(self, result: WindowResult) -> None:
         """Written in the background."""

@@ -17,13 +17,13 @@ from qgis.PyQt.QtCore import QObject, pyqtBoundSignal, pyqtSignal
 
 from ....imagery.errors import SettingsError
 from ....imagery.gdal_calls import gdal_silenced
-from ....imagery.records.record_file import RecordFile
 from ....imagery.records.record_keeper import RecordKeeper
+from ....imagery.records.record_store import RecordStore
 from ....toolkit.attribute_values import whole_number
 from ....toolkit.desk.timers import single_shot
 from .restoring import UnsavedWindow, kept_values
 
-_MAGIC = b"Seam Inspector: windows not saved yet, 2\n"
+_KIND = "Seam Inspector: windows not saved yet, 3"
 _AT_ONCE = 25  # windows read and written in one step, some ms
 _PATIENCE_S = 0.04  # with a disk that is busy
 _NUMBER = "window_id"
@@ -43,7 +43,7 @@ class UnsavedWindows(QObject):
         """``is_stale``: whether the results of the window with a number are outdated."""
         super().__init__(parent)
         self._layer, self._is_stale = layer, is_stale
-        self._keeper = RecordKeeper(path, _MAGIC, self.failed.emit)
+        self._keeper = RecordKeeper(path, _KIND, self.failed.emit)
         self._touched: dict[int, None] = {}  # in order
         self._numbers: dict[int, int] = {}  # by feature id
         self._is_saving = False
@@ -168,7 +168,7 @@ class UnsavedWindows(QObject):
 def owner_of(path: Path) -> str | None:
     """The project, empty for one without a file, in which such a file was made; None while a QGIS has it open."""
     try:
-        file = RecordFile(path, _MAGIC)
+        file = RecordStore(path, _KIND)
     except (OSError, SettingsError):
         return None
     try:

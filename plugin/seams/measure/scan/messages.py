@@ -88,15 +88,9 @@ SEAM_FEATURES_NOT_TRANSFORMED = Message(
 SCAN_GOES_ON = Message("The scan goes on where it stopped; blocks that are done already: {done}.", INFO)
 SCAN_ANEW = Message("The scan starts anew, since {what} changed since it stopped.", WARNING)
 SCAN_ANEW_DAMAGED = Message("The scan starts anew, since nothing in {path} can be read any more.", WARNING)
-SCAN_JOURNAL_DAMAGED = Message(
-    "{path} is damaged; the blocks before are kept ({done}), and the others are measured again.", WARNING
-)
 SCAN_JOURNAL_FOREIGN = Message("{path} was not left by a scan; move it away, or choose another output.")
 SCAN_JOURNAL_IN_USE = Message(
     "Another scan is writing this output ({path}); wait until it has ended, or choose another output."
-)
-SCAN_JOURNAL_NOT_LOCKED = Message(
-    "{path} can't be kept to one scan on this disk ({error}); choose an output on a local disk."
 )
 SCAN_JOURNAL_NOT_OPENED = Message("{path} can't be written ({error}); choose another folder for the output.")
 SCAN_JOURNAL_NOT_SAVED = Message(

@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 from qgis.core import QgsCoordinateReferenceSystem
-from seam_inspector.plugin.imagery.records.record_file import RecordFile
+from seam_inspector.plugin.imagery.records.record_store import RecordStore
 from seam_inspector.plugin.resolution.line_layer import create_bar_layer
-from seam_inspector.plugin.seams.desk.keeping.unsaved_windows import _MAGIC, owner_of
+from seam_inspector.plugin.seams.desk.keeping.unsaved_windows import _KIND, owner_of
 from seam_inspector.plugin.seams.desk.scan.mosaic_scans import _is_ours
 from seam_inspector.plugin.seams.scan_job import ScanFiles
 from seam_inspector.plugin.seams.tables.window_layer import free_path
@@ -38,7 +38,7 @@ def test_what_was_not_saved_brings_words_and_names_no_file(desk: Desk, tmp_path:
     assert desk.project.write(str(tmp_path / "project.qgz"))
     desk.project.clear()
     (windows,) = tmp_path.glob("windows*.gpkg")
-    kept = RecordFile(windows.with_name(f"{windows.name}.unsaved"), _MAGIC)
+    kept = RecordStore(windows.with_name(f"{windows.name}.unsaved"), _KIND)
     kept.save("project", str(outside).encode())
     for place, record in enumerate((*BAD, ODD)):
         kept.save(f"{OUTSIDE[1]}{place}", json.dumps(record).encode())

@@ -88,7 +88,7 @@ def test_what_cannot_be_read_is_measured_again(desk: Desk, tmp_path: Path, damag
     elif damage == "cut":
         path.write_bytes(held[:-1])
     elif damage == "older":
-        path.write_bytes(held.replace(b"windows, 2", b"windows, 1"))
+        path.write_bytes(held.replace(b"windows, 3", b"windows, 1"))
     else:
         path.unlink()
     desk.project.setPresetHomePath("")

@@ -9,6 +9,7 @@ from functools import partial
 from typing import Any, Callable, Protocol
 
 from .....imagery.message import Message
+from .....imagery.records.array_records import NotUnderstoodError
 from ...window_runs import in_order
 from ..blocks.block_grid import BlockKey
 from .scan_journal import ScanJournal
@@ -45,6 +46,7 @@ class BlockLook:
     """The result where the measurement failed in a way that nobody foresaw."""
     record_of: Callable[[Scan], bytes]
     scan_of: Callable[[bytes], Scan]
+    """Raises NotUnderstoodError for what no scan of ours has written."""
 
 
 @dataclass(frozen=True)
@@ -101,11 +103,13 @@ def journaled(
     journal: ScanJournal, crew: Crew, clock: Clock,
 ) -> Iterator[JournaledScan]:
     """The blocks that a journal holds, then the others as they are measured."""
-    done = set(journal.keys)
+    missing_keys = []
     for key in keys:
-        if (name := _name(part, key)) in done:
-            yield JournaledScan(clock.held(), None, part.scan_of(journal.load(name)))
-    missing = (request(key) for key in keys if _name(part, key) not in done)
+        if (scan := _held(part, journal, key, _name(part, key))) is not None:
+            yield JournaledScan(clock.held(), None, scan)
+        else:
+            missing_keys.append(key)
+    missing = map(request, missing_keys)
     measure, failed = partial(_measured, part), partial(_failed, part)
     for found in in_order(missing, measure, failed, crew.executor, crew.ahead, crew.cancelled):
         scan = part.scan_of(found.record)
@@ -134,10 +138,21 @@ def _failed(part: BlockLook, request: Request, reason: Message) -> _Recorded:
 
 def held(part: BlockLook, journal: ScanJournal, key: BlockKey) -> Scan | None:
     """What a journal holds of one block."""
-    name, done = _name(part, key), journal.keys
-    for one in (name, f"{_INCOMPLETE} {name}"):
-        if one in done:
-            return part.scan_of(journal.load(one))
+    name = _name(part, key)
+    return _held(part, journal, key, name) or _held(part, journal, key, f"{_INCOMPLETE} {name}")
+
+
+def _held(part: BlockLook, journal: ScanJournal, key: BlockKey, name: str) -> Scan | None:
+    """None as well for a record that is of no such block, which is forgotten."""
+    if name not in journal.keys:
+        return None
+    try:
+        scan = part.scan_of(journal.load(name))
+        if scan.key == key:
+            return scan
+    except NotUnderstoodError:
+        pass
+    journal.forget(name)
     return None
 
 

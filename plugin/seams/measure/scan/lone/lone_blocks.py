@@ -15,7 +15,7 @@ from .....imagery.grids import PixelWindow
 from .....imagery.message import Message
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster
-from .....imagery.records.array_records import packed, unpacked
+from .....imagery.records.array_records import packed, understanding, unpacked
 from .....imagery.remote_files import remote_settings
 from ...inputs.grey_values import grey_factor
 from ..block_runs import ScanStep
@@ -112,10 +112,11 @@ def lone_record_of(scan: LoneScan) -> bytes:
 
 
 def lone_scan_of(record: bytes) -> LoneScan:
-    """What ``lone_record_of`` made bytes of."""
-    kept = unpacked(record)
-    row, column = kept["key"].tolist()
-    return LoneScan((row, column), LoneTable(**{one.name: kept[one.name] for one in fields(LoneTable)}))
+    """What ``lone_record_of`` made bytes of. Raises NotUnderstoodError for anything else."""
+    with understanding():
+        kept = unpacked(record)
+        row, column = kept["key"].tolist()
+        return LoneScan((row, column), LoneTable(**{one.name: kept[one.name] for one in fields(LoneTable)}))
 
 
 def _failed(request: LoneRequest, reason: Message) -> LoneScan:

@@ -1,0 +1,167 @@
+"""Payloads by key in a SQLite database of our own, of which one process at a time has the reading and writing.
+
+It is written ahead (WAL), so a process that dies loses nothing that it saved, and a failing power only what was not
+synced. The database is locked as a whole, for which SQLite needs no memory that processes share: it may lie on a disk
+of the network.
+"""
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import sqlite3
+import zlib
+from collections.abc import Iterator
+from pathlib import Path
+
+from .. import messages
+from ..errors import SettingsError
+from .own_file import open_own_file
+
+_MAKE = (
+    "CREATE TABLE about (kind TEXT)",
+    "CREATE TABLE records (number INTEGER PRIMARY KEY, key TEXT UNIQUE, checksum INTEGER, payload BLOB)",
+)
+_SAVE = (
+    "INSERT INTO records (key, checksum, payload) VALUES (?, ?, ?)"
+    " ON CONFLICT (key) DO UPDATE SET checksum = excluded.checksum, payload = excluded.payload"
+)
+_BESIDE = ("-wal", "-journal")
+_MALFORMED = "malformed"  # in what SQLite says of damaged pages
+_MOST_KEPT = 64  # MB of what is written ahead, before SQLite itself moves it to its place
+
+
+class RecordStore:
+    """Made when it is not there. Of equal keys the last one counts.
+
+    A record that the disk damaged is as if it were not there. For one thread at a time. All methods raise OSError; the
+    constructor SettingsError too, where another process has the store open, or the file is damaged or something else.
+    """
+
+    def __init__(self, path: Path, kind: str, replaced: str | None = None) -> None:
+        """``kind`` is what such stores are for, and their version. With ``replaced``, what the kinds of all versions
+        begin with, the records of another version are given up, and those that can't be read any more
+        (``was_damaged``).
+        """
+        self.path, self.was_damaged = path, False
+        while True:
+            with open_own_file(path) as own:  # made, and never what a link of that name leads to
+                found = os.fstat(own.fileno())
+                if replaced is not None and own.read(len(replaced)) == replaced.encode():  # as it was before SQLite
+                    own.truncate(0)
+            self._database = sqlite3.connect(path, timeout=0, isolation_level=None, check_same_thread=False)
+            try:
+                with _as_system_errors():
+                    self._open(kind, replaced)
+            except BaseException as error:
+                self._database.close()
+                is_damaged = isinstance(error, SettingsError) and error.message == messages.RECORDS_DAMAGED
+                if is_damaged and replaced is not None and not self.was_damaged:
+                    self.was_damaged = True
+                    path.unlink()
+                elif _is_at(path, found):
+                    raise
+            else:
+                if _is_at(path, found):
+                    return
+                self._database.close()  # another process removed it between our opening and our lock
+
+    def _open(self, kind: str, replaced: str | None) -> None:
+        try:
+            self._database.execute("PRAGMA locking_mode = EXCLUSIVE")
+            self._database.execute("BEGIN IMMEDIATE")
+            tables = {name for (name,) in self._database.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+            held = self._database.execute("SELECT kind FROM about").fetchone()[0] if "about" in tables else None
+        except sqlite3.DatabaseError as error:
+            if "locked" in str(error):
+                raise SettingsError(messages.RECORDS_IN_USE()) from None
+            if "not a database" in str(error):
+                raise SettingsError(messages.RECORDS_FOREIGN()) from None
+            if _MALFORMED in str(error):
+                raise SettingsError(messages.RECORDS_DAMAGED) from None
+            raise
+        if held != kind:
+            if tables and (held is None or replaced is None or not str(held).startswith(replaced)):
+                raise SettingsError(messages.RECORDS_FOREIGN())
+            for table in tables:
+                self._database.execute(f'DROP TABLE "{table}"')
+            for statement in _MAKE:
+                self._database.execute(statement)
+            self._database.execute("INSERT INTO about VALUES (?)", (kind,))
+        found = self._database.execute("SELECT key FROM records ORDER BY number")
+        self._keys = dict.fromkeys(key for (key,) in found)
+        self._database.execute("COMMIT")
+        self._database.execute("PRAGMA journal_mode = WAL")
+        self._database.execute("PRAGMA synchronous = NORMAL")
+        self._database.execute(f"PRAGMA wal_autocheckpoint = {_MOST_KEPT * 2**20 // 4096}")
+
+    @property
+    def keys(self) -> dict[str, None]:
+        """In the order in which they came first. For any thread."""
+        return self._keys
+
+    def load(self, key: str) -> bytes | None:
+        """The payload; None where there is none, or it was damaged."""
+        with _as_system_errors():
+            try:
+                found = self._database.execute("SELECT checksum, payload FROM records WHERE key = ?", (key,))
+                row = found.fetchone()
+            except sqlite3.DatabaseError as error:
+                if _MALFORMED not in str(error):
+                    raise
+                return None
+        return bytes(row[1]) if row is not None and zlib.crc32(row[1]) == row[0] else None
+
+    def items(self) -> Iterator[tuple[str, bytes]]:
+        """All that can be read."""
+        for key in list(self._keys):
+            if (payload := self.load(key)) is not None:
+                yield key, payload
+
+    def save(self, key: str, payload: bytes) -> None:
+        """Keep a payload in the place of an earlier one; it outlives the process at once, and the power after sync."""
+        with _as_system_errors():
+            self._database.execute(_SAVE, (key, zlib.crc32(payload), payload))
+        self._keys[key] = None
+
+    def forget(self, key: str) -> None:
+        """There is none of that key any more."""
+        with _as_system_errors():
+            self._database.execute("DELETE FROM records WHERE key = ?", (key,))
+        self._keys.pop(key, None)
+
+    def sync(self) -> None:
+        """Wait for the disk."""
+        with _as_system_errors():
+            self._database.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+
+    def close(self) -> None:
+        """Let go of the file."""
+        with contextlib.suppress(sqlite3.Error):
+            self._database.close()
+
+    def remove(self) -> None:
+        """Delete the file, before others can have it where the system lets us."""
+        with contextlib.suppress(OSError):
+            self.path.unlink()
+        self.close()
+        for ending in ("", *_BESIDE):
+            with contextlib.suppress(OSError):
+                Path(f"{self.path}{ending}").unlink()
+
+
+def _is_at(path: Path, found: os.stat_result) -> bool:
+    try:
+        return os.path.samestat(found, path.stat())
+    except FileNotFoundError:
+        return False
+
+
+@contextlib.contextmanager
+def _as_system_errors() -> Iterator[None]:
+    """SQLite's as the OSError that they stand for."""
+    try:
+        yield
+    except sqlite3.Error as error:
+        number = errno.ENOSPC if "full" in str(error) else errno.EIO
+        raise OSError(number, os.strerror(number)) from error

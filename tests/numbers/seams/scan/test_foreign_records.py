@@ -1,0 +1,71 @@
+"""A journal may hold what no scan of ours wrote: that counts as not measured."""
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.imagery.records.array_records import packed, unpacked
+from seam_inspector.plugin.imagery.records.record_store import RecordStore
+from seam_inspector.plugin.seams.measure.scan.blocks.block_records import record_of, scan_of
+from seam_inspector.plugin.seams.measure.scan.inputs.scan_request import ScanRequest, scan_request
+from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import _KIND, _VERSION
+from seam_inspector.plugin.seams.measure.scan.results.gathering import ScanResult
+from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
+
+from tests.numbers.seams.scan.blocks.scenes import beside, blended, images, scene
+
+
+def with_array(name: str, array: np.ndarray) -> Callable[[bytes], bytes]:
+    return lambda record: packed({**unpacked(record), name: array})
+
+
+def boundless(record: bytes) -> bytes:
+    """A kilobyte that says to hold a terabyte."""
+    head = json.dumps([["squares", "|u1", [2**40], 1000, True]]).encode()
+    return struct.pack("<I", len(head)) + head + bytes(1000)
+
+
+FOREIGN: dict[str, Callable[[bytes], bytes]] = {
+    "nothing": lambda record: b"",
+    "noise": lambda record: np.random.default_rng(1).bytes(5000),
+    "cut off": lambda record: record[: len(record) // 2],
+    "another size": with_array("squares", np.zeros((3, 3), np.uint8)),
+    "a table with holes": with_array("cells row", np.zeros(1, np.int32)),
+    "no table": lambda record: packed({"key": np.array([0, 0])}),
+    "another block": lambda record: record_of(replace(scan_of(record), key=(0, 7))),
+    "boundless": boundless,
+}
+
+
+def scanned(request: ScanRequest, output: Path, is_last: bool) -> tuple[ScanResult, int]:
+    """And how many blocks were measured."""
+    with whole_scan(request, output) as scan, ThreadPoolExecutor(1) as executor:
+        steps = list(scan.steps(executor, 2))
+        result = scan.result("")
+        if is_last:
+            scan.finish()
+    assert result is not None
+    return result, len(steps)
+
+
+@pytest.mark.parametrize("foreign", FOREIGN)
+def test_a_foreign_record_is_measured_again(tmp_path: Path, foreign: str) -> None:
+    given = images()
+    made = scene(tmp_path, blended(*given, beside(500, 20)), given)
+    request, _ = scan_request(made.mosaic, made.sources, ScanSettings())
+    output = tmp_path / "loss.tif"
+    expected, _ = scanned(request, output, is_last=False)
+    store = RecordStore(tmp_path / "loss.tif.scan", _KIND + _VERSION)
+    record = store.load("block 0 0")
+    assert record is not None
+    store.save("block 0 0", FOREIGN[foreign](record))
+    store.close()
+    found, _ = scanned(request, output, is_last=True)
+    assert [piece.kept for piece in found.pieces] == [piece.kept for piece in expected.pieces]
