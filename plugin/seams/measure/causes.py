@@ -25,7 +25,7 @@ MIN_BALANCED_OFFSET = 0.03  # of the mosaic's range of values: what one source w
 MIN_UNEVENNESS = 0.35  # of what a tone leaves over, explained by where on the ground it is
 MAX_BLURRED_TRANSFER = 0.93  # of fine detail that comes over; a hard cut has 0.99 to 1.01, a Gaussian of 0.5 px 0.6
 MIN_SHARPENED_TRANSFER = 1.07
-MAX_BLURRED_COMPRESSED = 0.5  # compression alone lets 0.67 and more of it pass at quality 65
+MAX_BLURRED_COMPRESSED = 0.33  # compression at quality 65 lets 0.38 of weak detail pass, a Gaussian of 0.8 px 0.35
 MAX_FEATHERED_KEPT = 0.97  # of the finest detail in the strip along the seam, and certainly less than all of it
 MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it mixed half and half; made ones kept 0.27
 MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
@@ -154,11 +154,21 @@ class CauseEvidence:
 
     @property
     def is_other_mixture(self) -> bool:
-        """Whether both images are there along the seam, and no weights explain it."""
+        """Whether both images are there along the seam, and no weights explain it. Noise and compression explain
+        nothing anywhere, so they must be known not to be there."""
         found = self.profile
         if found is None or (found.feather_width_px or 0) < MIN_MIXED_WIDTH_PX:
             return False
-        return found.left_by_mixture > MOST_LEFT
+        is_clean = self.texture is not None and not self.is_compressed and not self.is_noisy
+        return is_clean and found.left_by_mixture > MOST_LEFT
+
+    @property
+    def is_noisy(self) -> bool:
+        found = self.texture
+        if found is None or self.is_compressed:
+            return False
+        least = MIN_NOISE_DN * self.unit_dn * max(found.transfer, 1)
+        return found.noise_dn >= least and found.noise_rise <= MAX_NOISE_RISE
 
     @property
     def is_mixed_all_over(self) -> bool:
@@ -185,7 +195,9 @@ class CauseEvidence:
 
     @property
     def is_resampled(self) -> bool:
-        return self.off_pixel >= MIN_RESAMPLED_PX and self.mixed < MIN_MOSTLY_MIXED  # else it lies between two images
+        """Told by ground that is not mixed: a mixture lies between two images."""
+        is_told = self.texture is not None and self.mixed < MIN_MOSTLY_MIXED
+        return is_told and self.off_pixel >= MIN_RESAMPLED_PX
 
     @property
     def spread(self) -> tuple[float, float]:
@@ -260,11 +272,7 @@ def _compressed(found: CauseEvidence) -> float | None:
 
 
 def _noise(found: CauseEvidence) -> float | None:
-    texture = found.texture
-    if texture is None or found.is_compressed:
-        return None
-    least = MIN_NOISE_DN * found.unit_dn * max(texture.transfer, 1)
-    return None if texture.noise_dn < least or texture.noise_rise > MAX_NOISE_RISE else 0.0
+    return 0.0 if found.is_noisy else None
 
 
 def _clipping(found: CauseEvidence) -> float | None:

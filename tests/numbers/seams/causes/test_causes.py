@@ -243,6 +243,19 @@ def test_blur_needs_unmixed_ground_or_hardly_any_mixture() -> None:
     assert find_causes(replace(blurred, mixed=rules.MIN_MIXED)) == (Cause.NONE,)
 
 
+def test_what_is_left_over_everywhere_is_no_other_mixture() -> None:
+    other = {**FEATHERED, "left_by_mixture": 0.5}
+    for everywhere in (NOISY, COMPRESSED):
+        assert Cause.OTHER_MIXTURE not in find_causes(evidence(**other, **everywhere))
+    assert find_causes(replace(evidence(**other), texture=None)) == (Cause.FEATHERING,)
+
+
+def test_where_all_is_mixed_nothing_tells_of_resampling() -> None:
+    resampled = evidence(off_pixel=0.4)
+    assert Cause.RESAMPLED in find_causes(resampled)
+    assert Cause.RESAMPLED not in find_causes(replace(resampled, texture=None))
+
+
 def test_without_a_profile_much_that_is_mixed_is_a_feather() -> None:
     assert find_causes(replace(SOUND, profile=None)) == (Cause.NONE,)
     assert find_causes(replace(SOUND, profile=None, mixed=rules.MIN_MIXED, lost=0.3)) == (Cause.FEATHERING,)
@@ -256,7 +269,7 @@ def test_a_loss_that_may_be_none_is_no_feathering(kept: float, high: float) -> N
 # --- several at once -------------------------------------------------------------------------------------------
 
 EVERYTHING: dict[str, Any] = {
-    "missing": 0.5, **FEATHERED, "lost": 0.4, "misfit": Misfit(1.0, 0.4), "least_transfer": 0.4, "most_transfer": 1.5,
+    "missing": 0.5, **FEATHERED, "lost": 0.4, "misfit": Misfit(1.0, 0.4), "least_transfer": 0.3, "most_transfer": 1.5,
     "noise_dn": 6.0, "quantised": 1.0, "clipped": 0.02, "clipped_lost": 0.05, "gamma": 1.4,
     "colour_shift": 1.2,
 }  # fmt: skip
