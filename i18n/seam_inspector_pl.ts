@@ -1289,7 +1289,7 @@
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="177"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="178"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
@@ -1299,7 +1299,7 @@
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="227"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="228"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -6680,132 +6680,132 @@
         <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="43"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="30"/>
         <source>{metres} m</source>
         <translation>{metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="52"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="149"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="53"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="151"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="57"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="155"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="58"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="156"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="61"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="160"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="62"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="161"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="65"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="165"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="68"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="168"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="69"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="170"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="76"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="87"/>
         <source>kept from</source>
         <translation>zach. od</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="77"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="88"/>
         <source>Lower end of the 95 % interval of what is kept along the seam.</source>
         <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="80"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="92"/>
         <source>kept to</source>
         <translation>zach. do</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="81"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="93"/>
         <source>Upper end of the 95 % interval of what is kept along the seam.</source>
         <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="85"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="98"/>
         <source>Width of the band along the seam in which detail was lost.</source>
         <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="110"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="129"/>
         <source>sharpness</source>
         <translation>ostrość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="111"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="131"/>
         <source>Sharpness of the whole window against the composite of its sources.</source>
         <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="114"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="135"/>
         <source>added</source>
         <translation>dodane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="115"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="136"/>
         <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
         <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="118"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="141"/>
         <source>explained</source>
         <translation>wyjaśnione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="119"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="142"/>
         <source>Share of the pixels whose detail the given sources explain.</source>
         <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="122"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="77"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="126"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="177"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="127"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="178"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="130"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="181"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="131"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="182"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
@@ -10214,7 +10214,7 @@
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="45"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="37"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
@@ -10267,7 +10267,7 @@
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="84"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="97"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
@@ -10965,52 +10965,52 @@
         <translation>Okno {number}: wariancja względna według poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="14"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="15"/>
         <source>station (m)</source>
         <translation>pikietaż (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="15"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="16"/>
         <source>length (m)</source>
         <translation>długość (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="17"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="18"/>
         <source>verdict by the paper&apos;s rule</source>
         <translation>ocena według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="18"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="19"/>
         <source>verdict against</source>
         <translation>ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="20"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="21"/>
         <source>sources that took part</source>
         <translation>liczba ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="22"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="23"/>
         <source>orthoimage on the left</source>
         <translation>ortoobraz z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="23"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="24"/>
         <source>orthoimage on the right</source>
         <translation>ortoobraz z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="24"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="25"/>
         <source>its date, left</source>
         <translation>jego data, z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="25"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="26"/>
         <source>its date, right</source>
         <translation>jego data, z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="26"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="58"/>
         <source>ratio of the background</source>
         <translation>stosunek tła</translation>
     </message>
@@ -11030,72 +11030,72 @@
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="34"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="72"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="35"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="140"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="39"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="154"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="42"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="159"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="44"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="36"/>
         <source>failure</source>
         <translation>usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="46"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="38"/>
         <source>picture</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="49"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="41"/>
         <source>kept {level}</source>
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="51"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="63"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="52"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="68"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="53"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="42"/>
         <source>kept {level} in the window</source>
         <translation>zachowane {level} w oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="54"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="43"/>
         <source>kept {level} in the strip</source>
         <translation>zachowane {level} w pasie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="55"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="44"/>
         <source>contrast {level}</source>
         <translation>kontrast {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="56"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="45"/>
         <source>sharpness {level}</source>
         <translation>ostrość {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="57"/>
+        <location filename="../plugin/toolkit/field_titles.py" line="46"/>
         <source>added detail {level}</source>
         <translation>dodane detale {level}</translation>
     </message>
@@ -11263,12 +11263,12 @@
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="96"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="110"/>
         <source>visibility</source>
         <translation>widoczność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="99"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="113"/>
         <source>How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable differences, JND).</source>
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
@@ -11378,32 +11378,32 @@
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="88"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="102"/>
         <source>feather width</source>
         <translation>szerokość wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="91"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="105"/>
         <source>Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut.</source>
         <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="105"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="120"/>
         <source>misfit</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="106"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="121"/>
         <source>How far apart the two images lie where they meet, as the mosaic has them.</source>
         <translation>O ile oba obrazy są od siebie odsunięte tam, gdzie się stykają, tak jak leżą w ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="123"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="78"/>
         <source>All that happened to the contrast, what took most first.</source>
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="107"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="41"/>
         <source>{length} px</source>
         <translation>{length} px</translation>
     </message>
@@ -11488,7 +11488,7 @@
         <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="32"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="119"/>
         <source>images apart in the mosaic (px)</source>
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>

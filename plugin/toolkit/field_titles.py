@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from qgis.core import QgsVectorLayer
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
@@ -23,33 +24,21 @@ _TITLES = {
     "right_source": QT_TRANSLATE_NOOP("@default", "orthoimage on the right"),
     "left_date": QT_TRANSLATE_NOOP("@default", "its date, left"),
     "right_date": QT_TRANSLATE_NOOP("@default", "its date, right"),
-    "background_ratio": QT_TRANSLATE_NOOP("@default", "ratio of the background"),
     "kept_low": QT_TRANSLATE_NOOP("@default", "kept 1, at least"),
     "kept_high": QT_TRANSLATE_NOOP("@default", "kept 1, at most"),
     "band_width": QT_TRANSLATE_NOOP("@default", "width of the band (m)"),
     "feather_width": QT_TRANSLATE_NOOP("@default", "width of the feather (m)"),
     "visibility": QT_TRANSLATE_NOOP("@default", "visibility at 2x (JND)"),
-    "misfit": QT_TRANSLATE_NOOP("@default", "images apart in the mosaic (px)"),
     "mixture": QT_TRANSLATE_NOOP("@default", "share of the other image"),
-    "unclear_share": QT_TRANSLATE_NOOP("@default", "share where no source wins clearly"),
-    "explained": QT_TRANSLATE_NOOP("@default", "share that the sources explain"),
     "cause": QT_TRANSLATE_NOOP("@default", "cause"),
     "causes": QT_TRANSLATE_NOOP("@default", "all causes"),
     "observer": QT_TRANSLATE_NOOP("@default", "observer"),
-    "confidence": QT_TRANSLATE_NOOP("@default", "sure (%)"),
-    "remark": QT_TRANSLATE_NOOP("@default", "remark"),
-    "observer_2": QT_TRANSLATE_NOOP("@default", "observer 2"),
-    "confidence_2": QT_TRANSLATE_NOOP("@default", "sure 2 (%)"),
-    "remark_2": QT_TRANSLATE_NOOP("@default", "remark 2"),
     "defect": QT_TRANSLATE_NOOP("@default", "failure"),
     "sheet": QT_TRANSLATE_NOOP("@default", "sheet"),
     "picture": QT_TRANSLATE_NOOP("@default", "picture"),
 }
 _OF_LEVEL = {
     "kept": QT_TRANSLATE_NOOP("@default", "kept {level}"),
-    "ratio": QT_TRANSLATE_NOOP("@default", "ratio {level}"),
-    "composite_ratio": QT_TRANSLATE_NOOP("@default", "ratio {level} against the composite"),
-    "expected_ratio": QT_TRANSLATE_NOOP("@default", "ratio {level} expected of a feather"),
     "window_kept": QT_TRANSLATE_NOOP("@default", "kept {level} in the window"),
     "strip_kept": QT_TRANSLATE_NOOP("@default", "kept {level} in the strip"),
     "contrast": QT_TRANSLATE_NOOP("@default", "contrast {level}"),
@@ -58,6 +47,12 @@ _OF_LEVEL = {
 }
 """By the name in front of ``_1``..``_R``."""
 _LEVELLED = re.compile(r"(\w+)_(\d+)")
+
+
+def give_titles(titles: Mapping[str, str]) -> None:
+    """Those of one table's own fields; of fields by level with ``{level}``."""
+    for name, title in titles.items():
+        (_OF_LEVEL if "{level}" in title else _TITLES)[name] = title
 
 
 def field_title(name: str) -> str:

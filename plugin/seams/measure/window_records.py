@@ -5,8 +5,8 @@ empty.
 """
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 
 from ...imagery.band_names import judged_band
 from ...imagery.grids import NumberedWindow
@@ -85,6 +85,8 @@ class WindowRecord(NumberedWindow):
     """Feature id; changes when a new feature is saved."""
     stale: bool = False
     """Whether it or the inputs changed after it was inspected, as far as the desk knows."""
+    others: Mapping[str, object] = field(default_factory=dict, hash=False)
+    """Fields that have no name here."""
 
     @property
     def is_judged(self) -> bool:
@@ -100,6 +102,10 @@ class WindowRecord(NumberedWindow):
     def ratio(self) -> float | None:
         """At level 1."""
         return self.ratios[0] if self.ratios else None
+
+    def read(self, name: str) -> object:
+        """An attribute, or one of the others."""
+        return self.others[name] if name in self.others else getattr(self, name, None)
 
     @property
     def measured(self) -> tuple[object, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import fields
 from typing import Any, NamedTuple
 
 from qgis.core import QgsCoordinateTransform, QgsFeature
@@ -11,18 +12,15 @@ from qgis.core import QgsCoordinateTransform, QgsFeature
 from ...imagery.band_names import judged_band
 from ...imagery.documents.printable import of_cell
 from ...imagery.errors import SettingsError
-from ...imagery.statistics.observers import JUDGING_FIELDS, OPERATORS
+from ...imagery.statistics.observers import OPERATORS
 from ...toolkit.attribute_values import attributes, number, text, whole_number
 from ...toolkit.layers import outline_extent
 from ..measure import messages
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
-from .result_tables import WINDOW_COLUMNS
+from .window_fields import MEASURED, WINDOW_FIELDS, WindowField
 
 _BACKGROUND = 0
-_IN_RECORDS = {"contrast_1": "contrast", "sharpness_1": "sharpness", "added_1": "added", "kept": "kept"}
-"""What a record calls columns whose names it does not have; of other columns by level it has the plural."""
-_BESIDES = {**JUDGING_FIELDS, "seam_id": "integer", "station": "real"}
-"""What a window layer may hold beside what is measured, and its kind."""
+_IN_RECORDS = {one.name for one in fields(WindowRecord)}
 
 
 def check_inspected(names: Iterable[str]) -> None:
@@ -42,14 +40,9 @@ def read_windows(
     One without a number of its own is ``unnumbered``. Raises WindowError when an outline can't be transformed.
     """
     read: dict[str, Callable[[object], Any]] = {"text": _words, "real": number, "integer": whole_number}
-    levels = [
-        (_IN_RECORDS.get(one.name, f"{one.name}s"), level_names(one.name, names))
-        for one in WINDOW_COLUMNS if one.by_level
-    ]
-    single = [
-        (_IN_RECORDS.get(one.name, one.name), one.name, read[one.kind]) for one in WINDOW_COLUMNS if not one.by_level
-    ]
-    single += [(name, name, read[kind]) for name, kind in _BESIDES.items() if name in names and name != "observer"]
+    held = [one for one in WINDOW_FIELDS if one in MEASURED or one.name in names]
+    levels = [(attribute_of(one), level_names(one.name, names)) for one in held if one.by_level]
+    single = [(attribute_of(one), one.name, read[one.kind]) for one in held if not one.by_level]
     found = []
     for row in attributes(rows, names):
         values: dict[str, Any] = {name: value(row[field]) for name, field, value in single}
@@ -57,8 +50,15 @@ def read_windows(
         if values["window_id"] is None:
             values["window_id"] = unnumbered
         values.update((one.observer, values[one.observer].lower()) for one in OPERATORS if one.observer in values)
-        found.append(WindowRecord(extent=outline_extent(row.feature, transform), fid=row.feature.id(), **values))
+        others = {name: values.pop(name) for name in values.keys() - _IN_RECORDS}
+        extent = outline_extent(row.feature, transform)
+        found.append(WindowRecord(extent=extent, fid=row.feature.id(), others=others, **values))
     return found
+
+
+def attribute_of(field: WindowField) -> str:
+    """What a record calls it, or a key of its ``others``."""
+    return field.attribute or field.name
 
 
 def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[PairRecord]]:

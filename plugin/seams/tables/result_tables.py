@@ -1,6 +1,6 @@
 """The tables of an inspection, one entry per column: its field, and how its value comes from a result.
 
-The field names are contracts. A window's columns are also what its record is read from (``record_tables``).
+The field names are contracts. Those of a window are in ``window_fields``.
 """
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ from ..measure.placing.window_placing import PlacedWindow
 from ..measure.profile.seam_profile import ProfileBin
 from ..measure.tone import Tone
 from ..measure.window.window_result import ClipResult, PairResult, WindowResult
+from .window_fields import MEASURED
 
 
 class _CurveRow(NamedTuple):
@@ -54,35 +55,6 @@ class _PairRow(NamedTuple):
     tone: Tone | None
     shift: Shift | None
 
-
-WINDOW_COLUMNS: tuple[Column[WindowResult], ...] = (
-    Column("window_id", "integer", lambda result: result.window_id),
-    Column("verdict", "text", lambda result: result.judgement.verdict.value),
-    Column("reason", "text", lambda result: _words(result.judgement.reason)),
-    Column("sources", "integer", lambda result: result.source_count),
-    Column("ratio", "real", lambda result: result.judgement.ratios.detail, by_level=True),
-    Column("background_ratio", "real", lambda result: result.judgement.ratios.background),
-    Column("observer", "text", lambda result: None),  # the operator's word, not ours
-    Column("composite_ratio", "real", lambda result: _composite_ratios(result), by_level=True),
-    Column("expected_ratio", "real", lambda result: result.explanation and result.explanation.expected, by_level=True),
-    Column("unclear_share", "real", lambda result: result.explanation and result.explanation.unclear_share),
-    Column("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
-    Column("causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None),
-    Column("reference", "text", lambda result: result.reference),
-    Column("paper_verdict", "text", lambda result: result.paper_verdict.value),
-    Column("kept", "real", lambda result: result.profile and result.profile.kept, by_level=True),
-    Column("kept_low", "real", lambda result: result.profile and result.profile.low),
-    Column("kept_high", "real", lambda result: result.profile and result.profile.high),
-    Column("band_width", "real", lambda result: result.band_width_m),
-    Column("feather_width", "real", lambda result: result.feather_width_m),
-    Column("visibility", "real", lambda result: result.visibility),
-    Column("misfit", "real", lambda result: result.misfit),
-    Column("contrast_1", "real", lambda result: result.explanation and result.explanation.contrast),
-    Column("sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness),
-    Column("added_1", "real", lambda result: result.explanation and result.explanation.added),
-    Column("explained", "real", lambda result: result.explained),
-)
-"""OUTPUT: one polygon per window, as measured."""
 
 CURVE_COLUMNS: tuple[Column[_CurveRow], ...] = (
     Column("window_id", "integer", lambda row: row.window_id),
@@ -164,7 +136,7 @@ PLACED_COLUMNS: tuple[Column[PlacedWindow], ...] = (
 
 def window_fields(levels: int) -> QgsFields:
     """Of OUTPUT, and of every window layer."""
-    return column_fields(WINDOW_COLUMNS, levels)
+    return column_fields(MEASURED, levels)
 
 
 def output_fields(levels: int, said: Iterable[str]) -> QgsFields:
@@ -180,7 +152,7 @@ def window_feature(result: WindowResult, geometry: QgsGeometry | None, said: Map
     """The row of OUTPUT for a result; ``said``: what operators said, by the fields' names."""
     levels = len(result.judgement.ratios.detail)
     fields = output_fields(levels, said)
-    values = column_values(WINDOW_COLUMNS, result, levels)
+    values = column_values(MEASURED, result, levels)
     row = feature(fields, [*values, *[None] * (fields.count() - len(values))], geometry)
     for name, value in said.items():
         row[name] = whole_number(value) if JUDGING_FIELDS[name] == "integer" else value
@@ -224,10 +196,6 @@ def _curve_rows(result: WindowResult) -> Iterator[_CurveRow]:
                 shares += [(component, level, share) for component, share in zip(DIRECTIONS, directions)]
             for component, level, share in shares:
                 yield _CurveRow(result.window_id, clip, band, curve, component, level, share)
-
-
-def _composite_ratios(result: WindowResult) -> tuple[float | None, ...] | None:
-    return next(iter(result.explanation.ratios.values())).detail if result.explanation else None
 
 
 def _words(reason: Message | None) -> str | None:

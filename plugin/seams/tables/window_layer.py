@@ -39,7 +39,8 @@ from ..measure import messages
 from ..measure.window.window_result import WindowResult
 from ..measure.window_records import WindowRecord
 from .record_tables import level_names, read_windows
-from .result_tables import WINDOW_COLUMNS, window_fields
+from .result_tables import window_fields
+from .window_fields import MEASURED
 
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
@@ -133,7 +134,7 @@ def complete_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str] =
 
 def _missing_fields(layer: QgsVectorLayer, levels: int, besides: Iterable[str]) -> list[QgsField]:
     is_shapefile, missing = layer.storageType() == _SHAPEFILE, []
-    wanted = [(name, column.kind) for column in WINDOW_COLUMNS for name in column.names(levels)]
+    wanted = [(name, column.kind) for column in MEASURED for name in column.names(levels)]
     wanted += [(name, JUDGING_FIELDS[name]) for name in besides if name != FIRST.observer]
     for name, kind in wanted:
         if layer.fields().indexOf(name) >= 0 or (is_shapefile and len(name) > _SHAPEFILE_NAME):
@@ -184,7 +185,7 @@ def write_results(layer: QgsVectorLayer, results: Mapping[int, WindowResult]) ->
 
     They are no step of undo: they come by themselves, between what the operator does and wants to take back.
     """
-    measured = [column for column in WINDOW_COLUMNS if column.name not in ("window_id", "observer")]
+    measured = [column for column in MEASURED if column.name not in ("window_id", "observer")]
     names = layer.fields().names()
     nothing = {name: None for column in measured if column.by_level for name in level_names(column.name, names)}
     changes = {}

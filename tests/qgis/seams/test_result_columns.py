@@ -7,12 +7,11 @@ from typing import Any
 
 import pytest
 from qgis.core import NULL, QgsVectorLayer
-from seam_inspector.plugin.imagery.statistics.observers import JUDGING_FIELDS
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, PairResult, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
-from seam_inspector.plugin.seams.tables import record_tables, result_tables, window_layer
+from seam_inspector.plugin.seams.tables import record_tables, result_tables, window_fields, window_layer
 from seam_inspector.plugin.seams.verdict_words import VERDICTS, verdict_sentence, verdict_word
 from seam_inspector.plugin.toolkit.table_fields import column_fields
 
@@ -33,14 +32,9 @@ def record_of(found: WindowResult) -> WindowRecord:
     return record
 
 
-def test_a_record_has_what_the_columns_hold(project: object) -> None:
-    other = {"contrast_1": "contrast", "sharpness_1": "sharpness", "added_1": "added", "kept": "kept"}
-    known = {
-        other.get(column.name, f"{column.name}s" if column.by_level else column.name)
-        for column in result_tables.WINDOW_COLUMNS
-    }
-    besides = {"seam_id", "station", *JUDGING_FIELDS}  # read where a layer has them
-    assert known | besides | {"extent", "fid", "stale"} == {field.name for field in fields(WindowRecord)}
+def test_a_record_has_what_the_fields_hold(project: object) -> None:
+    known = {record_tables.attribute_of(one) for one in window_fields.WINDOW_FIELDS}
+    assert known | {"extent", "fid", "stale", "others"} == {field.name for field in fields(WindowRecord)}
 
 
 def test_what_is_written_of_a_window_is_read_again(project: object) -> None:

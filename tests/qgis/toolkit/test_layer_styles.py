@@ -10,8 +10,9 @@ from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFe
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.acceptance.paper.defect_layer import DEFECT_COLUMNS
 from seam_inspector.plugin.imagery.statistics.observers import JUDGING_FIELDS
-from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS, PLACED_COLUMNS, WINDOW_COLUMNS
+from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS, PLACED_COLUMNS
 from seam_inspector.plugin.seams.tables.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
+from seam_inspector.plugin.seams.tables.window_fields import WINDOW_FIELDS
 from seam_inspector.plugin.toolkit.field_titles import field_title
 from seam_inspector.plugin.toolkit.layer_styles import load_style
 from seam_inspector.plugin.toolkit.resources import style_path
@@ -151,7 +152,7 @@ def test_all_texts_of_styles_are_collected_for_translation(repository: Path) -> 
 
 
 def test_every_field_of_a_styled_layer_has_a_title(qgis_app: QgsApplication) -> None:
-    columns = (*WINDOW_COLUMNS, *FORECAST_COLUMNS, *PLACED_COLUMNS, *SEAM_COLUMNS, *CELL_COLUMNS, *DEFECT_COLUMNS)
+    columns = (*WINDOW_FIELDS, *FORECAST_COLUMNS, *PLACED_COLUMNS, *SEAM_COLUMNS, *CELL_COLUMNS, *DEFECT_COLUMNS)
     names = {name for column in columns for name in column.names(2)} | set(JUDGING_FIELDS)
     assert {name for name in names if not field_title(name)} == {"x", "y"}  # which nobody has to explain
     assert field_title("kept_12") == "kept 12"

@@ -24,6 +24,8 @@ from ....toolkit.version_differences import field
 from ...cause_words import cause_word
 from ...measure import messages
 from ...measure.causes import Cause
+from ...tables.record_tables import attribute_of
+from ...tables.window_fields import in_filter
 from ...verdict_words import VERDICTS, observer_word, verdict_word
 from .more_columns import JUDGING_COLUMNS, all_columns
 from .windows_columns import columns_of
@@ -33,22 +35,7 @@ if TYPE_CHECKING:
 
 _Read = Callable[["WindowRecord"], Any]
 _EXPRESSION = re.compile(r"[<>=()]|\bis\s+(not\s+)?null\b|\bi?like\b|\bbetween\b", re.IGNORECASE)
-_BY_LEVEL = {
-    "kept": "kept", "ratio": "ratios", "composite_ratio": "composite_ratios", "expected_ratio": "expected_ratios",
-}  # fmt: skip
-_SINGLE = (
-    "window_id", "verdict", "reason", "sources", "background_ratio", "observer", "confidence", "remark", "observer_2",
-    "confidence_2", "remark_2", "cause", "causes", "reference", "paper_verdict", "kept_low", "kept_high", "band_width",
-    "feather_width", "visibility", "misfit", "unclear_share", "explained", "seam_id", "station",
-)  # fmt: skip
-_FRIENDLY = {
-    "id": "window_id", "paper": "paper_verdict", "band": "band_width", "feather": "feather_width", "seam": "seam_id",
-    "sure": "confidence",
-}  # fmt: skip
-_OTHER_NAMES = {"contrast": "contrast_1", "sharpness": "sharpness_1", "added": "added_1"}
-_TEXTS = ("verdict", "reason", "observer", "remark", "observer_2", "remark_2", "cause", "causes", "reference",
-          "paper_verdict", "paper")  # fmt: skip
-_SHARES = ("kept", "sharpness", "added", "explained", "unclear_share")  # and what begins so: kept_1, kept_low
+_FIELDS = in_filter()
 _MOST = 2.0  # a share that is compared with more is meant in percent
 _OPERATOR = QgsExpressionNodeBinaryOperator.BinaryOperator
 _COMPARED = (_OPERATOR.boLT, _OPERATOR.boLE, _OPERATOR.boGT, _OPERATOR.boGE, _OPERATOR.boEQ, _OPERATOR.boNE)
@@ -71,7 +58,7 @@ def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Ca
     reads, words = _reads(levels), _words()
     headings = {heading: name for heading, name in _headings(levels).items() if heading not in reads}
     expression = _parsed(text, [name for name in headings if not name.isidentifier()])
-    field_of = {**headings, **_FRIENDLY}
+    field_of = {**headings, **{called: one.name for called, one in _FIELDS.items()}}
     reads.update((heading, reads[name]) for heading, name in headings.items())
     known_fields = set(reads)
     if own is not None:
@@ -87,7 +74,7 @@ def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Ca
     _check_shares(expression.rootNode(), headings)
     fields = QgsFields()
     for name in reads:
-        fields.append(field(name, "text" if field_of.get(name, name) in _TEXTS else "real"))
+        fields.append(field(name, "text" if _is_text(field_of.get(name, name)) else "real"))
     for word in words:
         fields.append(field(word, "text"))
     context = QgsExpressionContext(QgsExpressionContextUtils.globalProjectLayerScopes(None))
@@ -111,7 +98,17 @@ def window_test(text: str, levels: int, own: frozenset[str] | None = None) -> Ca
 
 def hidden_message(word: str, own: Iterable[str] | None) -> Message:
     """That the filter asks for what is hidden, and what it may ask for."""
-    return messages.FILTER_HIDDEN(word=word, known=", ".join(sorted(own or (), key=_SINGLE.index)))
+    return messages.FILTER_HIDDEN(word=word, known=", ".join(sorted(own or (), key=list(_FIELDS).index)))
+
+
+def _is_text(name: str) -> bool:
+    return name in _FIELDS and _FIELDS[name].kind == "text"
+
+
+def _is_share(name: str) -> bool:
+    """Of a field, by level or not."""
+    found = _FIELDS.get(name) or _FIELDS.get(name.rpartition("_")[0])
+    return found is not None and found.is_share
 
 
 def _headings(levels: int) -> dict[str, str]:
@@ -158,26 +155,24 @@ def _check_shares(node: QgsExpressionNode | None, headings: dict[str, str]) -> N
         if node.op() in _COMPARED and isinstance(side, QgsExpressionNodeColumnRef):
             name = side.name().lower()
             value = other.value() if isinstance(other, QgsExpressionNodeLiteral) else None
-            is_share = headings.get(name, name).startswith(_SHARES)
+            is_share = _is_share(headings.get(name, name))
             if is_share and isinstance(value, (int, float)) and value > _MOST:
                 raise SettingsError(messages.FILTER_SHARE(name=side.name(), share=value / 100, percent=value))
 
 
 def _reads(levels: int) -> dict[str, _Read]:
     """How each field is read from a record, by all names it has."""
-    reads: dict[str, _Read] = {name: _attribute(name) for name in _SINGLE}
-    reads.update((name, _attribute(attribute)) for name, attribute in _FRIENDLY.items())
-    for friendly, name in _OTHER_NAMES.items():
-        reads[friendly] = reads[name] = _attribute(friendly)
-    for name, attribute in _BY_LEVEL.items():
-        for level in range(1, levels + 1):
-            reads[f"{name}_{level}"] = _at_level(attribute, level)
-        reads[name] = _at_level(attribute, 1)
+    reads: dict[str, _Read] = {}
+    for called, one in _FIELDS.items():
+        name = attribute_of(one)
+        if one.by_level:
+            reads.update((f"{called}_{level}", _at_level(name, level)) for level in range(1, levels + 1))
+        reads[called] = _at_level(name, 1) if one.by_level else _attribute(name)
     return reads
 
 
 def _attribute(name: str) -> _Read:
-    return lambda row: getattr(row, name)
+    return lambda row: row.read(name)
 
 
 def _at_level(name: str, level: int) -> _Read:
