@@ -35,8 +35,9 @@ $(PACKAGE):
 %.qm: %.ts
 	$(LRELEASE) -silent $< -qm $@
 
-lint: link ## Check style and types
+lint: link ## Check style and types, and that nothing is left unused
 	$(PYTHON) -m ruff check .
+	$(PYTHON) -m vulture
 	$(PYTHON) -m mypy -p seam_inspector.plugin $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py fuzz/run.py))
 
 test: lint test-numbers test-qt6 test-qgis test-desktop ## Check style and types, then run all tests

@@ -13,7 +13,7 @@ from seam_inspector.plugin.radiometry.measure.assessment import judge
 from seam_inspector.plugin.radiometry.measure.image_ranges import known_range
 from seam_inspector.plugin.radiometry.measure.image_statistics import Wanted, stream_statistics
 from seam_inspector.plugin.radiometry.measure.measured_image import measure
-from seam_inspector.plugin.radiometry.measure.rules import default_rules
+from seam_inspector.plugin.radiometry.measure.rules import DEFAULT_RULES, load_rules, ready_rule_files
 
 from .ground import COMPRESSED, FORMATS, TILES, Ground
 from .timing import Goal, interleaved, print_table
@@ -52,7 +52,8 @@ def histograms(path: Path) -> object:
 def whole(path: Path) -> object:
     """All figures of the default rules, of the luminosity where they say so."""
     source = OpenRaster(RasterRef(str(path)))
-    measured, rules = measure(source, source.raster.whole, default_rules()), default_rules()
+    rules = load_rules(ready_rule_files()[DEFAULT_RULES])
+    measured = measure(source, source.raster.whole, rules)
     assert measured is not None
     of_image = known_range(source.raster, measured.largest_value, None)
     assert of_image is not None

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...imagery.errors import SettingsError
 from ...imagery.lines.paths import points_at, vertex_stations
 from ...imagery.lines.seamlines import Seam
 from ...imagery.message import Message
@@ -78,14 +77,6 @@ def cut_pieces(seams: Sequence[Seam], sheet: str, piece_m: float, unit_m: float)
                 )
             )
     return found
-
-
-def check_count(count: int, lot_size: int) -> None:
-    """Raise SettingsError for a number of pieces that no sample has."""
-    if count < 1:
-        raise SettingsError(messages.COUNT_NOT_POSITIVE(count=count))
-    if lot_size < 1:
-        raise SettingsError(messages.LOT_EMPTY())
 
 
 def risk_sentences(found: RiskPlan, risk: StatedRisk, correlation: float) -> Iterator[Message]:

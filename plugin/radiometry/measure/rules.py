@@ -102,11 +102,6 @@ def ready_rule_files() -> dict[str, Path]:
     return {DEFAULT_RULES: ready[DEFAULT_RULES], **ready}
 
 
-def default_rules() -> RuleSet:
-    """JRC's orthoimage specification for LPIS, as its text says."""
-    return load_rules(ready_rule_files()[DEFAULT_RULES])
-
-
 def load_rules(path: Path) -> RuleSet:
     """The rules of a JSON file. Raises SettingsError that says what is wrong with it and where."""
     return read_rules(path, _rule_set)

@@ -12,7 +12,9 @@ from seam_inspector.plugin.radiometry.measure.assessment import Assessment, Chec
 from seam_inspector.plugin.radiometry.measure.grey_areas import GreyArea
 from seam_inspector.plugin.radiometry.measure.image_ranges import known_range, range_of_set
 from seam_inspector.plugin.radiometry.measure.measured_image import Drawn, MeasuredImage, measure
-from seam_inspector.plugin.radiometry.measure.rules import FROM_HISTOGRAM, LUMINOSITY, RuleSet, default_rules
+from seam_inspector.plugin.radiometry.measure.rules import FROM_HISTOGRAM, LUMINOSITY, RuleSet
+
+from tests.numbers.radiometry.jrc import default_rules
 
 
 def measured(path: str, rules: RuleSet, window: PixelWindow | None = None, **options: Any) -> MeasuredImage:

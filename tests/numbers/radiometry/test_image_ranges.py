@@ -8,8 +8,9 @@ import pytest
 from seam_inspector.plugin.radiometry.measure.assessment import judge
 from seam_inspector.plugin.radiometry.measure.decision import RadiometricOutcome, decide_image
 from seam_inspector.plugin.radiometry.measure.image_ranges import ImageRange, LargestValue, range_of_set
-from seam_inspector.plugin.radiometry.measure.rules import RuleSet, default_rules
+from seam_inspector.plugin.radiometry.measure.rules import RuleSet
 
+from tests.numbers.radiometry.jrc import default_rules
 from tests.numbers.radiometry.judging import checked, checked_figure, checked_set, figure, measured, reasons
 
 MakeRaster = Callable[..., str]

@@ -22,9 +22,10 @@ from seam_inspector.plugin.radiometry.measure.image_statistics import (
     stream_statistics,
 )
 from seam_inspector.plugin.radiometry.measure.measured_image import measure
-from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet, default_rules
+from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet
 from seam_inspector.plugin.radiometry.measure.uniform_areas import Areas, sample_areas, signal_to_noise
 
+from tests.numbers.radiometry.jrc import default_rules
 from tests.numbers.radiometry.judging import checked, checked_figure, figure, reasons
 from tests.numbers.synthetic import ORIGIN, orthoimage, texture, write_raster
 

@@ -13,10 +13,11 @@ from seam_inspector.plugin.radiometry.measure.rules import (
     FROM_HISTOGRAM,
     Rule,
     RuleSet,
-    default_rules,
     load_rules,
     ready_rule_files,
 )
+
+from tests.numbers.radiometry.jrc import default_rules
 
 GOOD: dict[str, Any] = {"check": "contrast", "least": 0.1, "most": 0.2, "source": "contract 7"}
 

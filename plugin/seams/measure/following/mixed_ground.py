@@ -32,8 +32,6 @@ class MixedGround:
     """Of both, beyond what they were multiplied by already."""
     taps: tuple[np.ndarray, np.ndarray]
     """(5, 5) each."""
-    lesser_weight: float
-    """Mean weight of the lesser image."""
     mosaic: np.ndarray
     """(rows, columns) float32: the high-passed mosaic that this makes of them."""
 
@@ -69,7 +67,7 @@ def mixed_ground(
         shown = [gain * filtered(one, own_taps) for one, own_taps in zip(fine, taps)]
     assert taps is not None
     made = weights[0] * shown[0] + weights[1] * shown[1]
-    return MixedGround(gain, (taps[0], taps[1]), lesser, made)
+    return MixedGround(gain, (taps[0], taps[1]), made)
 
 
 def _first_weights(mosaic: np.ndarray, shown: Sequence[np.ndarray], held: np.ndarray) -> np.ndarray | None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Callable, Protocol
+from typing import Any, Callable
 
 from .....imagery.message import Message
 from .....imagery.records.array_records import NotUnderstoodError
@@ -18,21 +18,10 @@ _INCOMPLETE = "again"  # before the name of a block that lacks something; a late
 _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
 
 
-class Scanned(Protocol):
-    """What any part of a scan says of a block."""
-
-    @property
-    def key(self) -> BlockKey:
-        """Row and column of the block."""
-
-    @property
-    def notices(self) -> tuple[Message, ...]:
-        """What could not be read; the block lacks it."""
-
-
 # No type parameters: typing keeps classes that have some for as long as Python runs, and with them the whole plugin.
 Request = Any
 Scan = Any
+"""Has the ``key`` of its block, and ``notices``: what could not be read, which the block lacks."""
 
 
 @dataclass(frozen=True)

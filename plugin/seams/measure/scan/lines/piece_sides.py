@@ -26,7 +26,7 @@ def sides_of(
 ) -> list[SeamPiece]:
     """Pieces with the sources that most labels beside them show.
 
-    ``strips``: labels as ``trace_seams`` takes them, read once. A piece whose sides aren't named gets the numbers of
+    ``strips``: labels as ``trace_borders`` takes them, read once. A piece whose sides aren't named gets the numbers of
     its sources, None where labels don't agree, and the same number twice where the mosaic doesn't change sources
     there. One that is named keeps its names; they are exchanged where the labels say so (``numbers``: of the names).
     """

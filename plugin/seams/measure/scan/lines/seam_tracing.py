@@ -44,16 +44,6 @@ class SourceBorder:
     """What its ends are known by: borders with an end of the same key meet there."""
 
 
-def trace_seams(strips: Iterable[np.ndarray], grid: Grid, label_px: int = 4) -> list[TracedSeam]:
-    """The seams that labels show, longest first.
-
-    ``strips``: (rows, columns) int16 of the label raster from top to bottom, of any heights; a label stands for the
-    middle of ``label_px`` x ``label_px`` pixels of ``grid`` and is the number of a source or -1 for none. Ends that
-    meet in a junction are equal to the last digit. Memory grows with the length of the seams.
-    """
-    return seams_of(trace_borders(strips, grid, label_px))
-
-
 def seams_of(borders: Iterable[SourceBorder]) -> list[TracedSeam]:
     """The borders that have a source on either side, longest first."""
     seams = [TracedSeam(one.vertices, one.left, one.right) for one in borders if one.left != NONE]
@@ -62,7 +52,12 @@ def seams_of(borders: Iterable[SourceBorder]) -> list[TracedSeam]:
 
 
 def trace_borders(strips: Iterable[np.ndarray], grid: Grid, label_px: int = 4) -> Iterator[SourceBorder]:
-    """Seams and outlines in one go, in no order to rely on; see ``trace_seams``."""
+    """The seams and outlines that labels show, in no order to rely on.
+
+    ``strips``: (rows, columns) int16 of the label raster from top to bottom, of any heights; a label stands for the
+    middle of ``label_px`` x ``label_px`` pixels of ``grid`` and is the number of a source or -1 for none. Ends that
+    meet in a junction are equal to the last digit. Memory grows with the length of the seams.
+    """
     corner = np.array([grid.left, grid.top])
     pixel = np.array([grid.pixel_width, -grid.pixel_height])
     for border in label_borders(cleaned(strips, label_px)):

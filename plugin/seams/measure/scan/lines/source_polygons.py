@@ -9,9 +9,8 @@ import numpy as np
 from osgeo import ogr
 
 from .....imagery.gdal_calls import gdal_silenced
-from .....imagery.grids import Grid
 from .label_cleaning import NONE
-from .seam_tracing import SourceBorder, trace_borders
+from .seam_tracing import SourceBorder
 
 
 @dataclass(frozen=True)
@@ -22,11 +21,6 @@ class SourcePolygon:
     """Its number."""
     wkb: bytes
     """Multipolygon in map units."""
-
-
-def source_polygons(strips: Iterable[np.ndarray], grid: Grid, label_px: int = 4) -> list[SourcePolygon]:
-    """The polygons that labels show, by number of source; ``strips`` as ``trace_seams`` takes them."""
-    return polygons_of(trace_borders(strips, grid, label_px))
 
 
 def polygons_of(borders: Iterable[SourceBorder]) -> list[SourcePolygon]:

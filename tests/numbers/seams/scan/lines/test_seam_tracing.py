@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import tracemalloc
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +14,7 @@ from hypothesis.extra.numpy import arrays
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.scan.lines.label_borders import LabelBorder, label_borders
 from seam_inspector.plugin.seams.measure.scan.lines.label_cleaning import cleaned
-from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import TracedSeam, trace_seams
+from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import TracedSeam, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import (
     LABEL_PX,
@@ -28,6 +28,10 @@ from tests.numbers.synthetic import read_pixels
 
 SIDE = 200
 """Samples of a small mosaic."""
+
+
+def trace_seams(strips: Iterable[np.ndarray], grid: Grid, label_px: int = 4) -> list[TracedSeam]:
+    return seams_of(trace_borders(strips, grid, label_px))
 
 
 def grid_of(labels: np.ndarray) -> Grid:

@@ -6,8 +6,8 @@ import pytest
 from osgeo import ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import seams_of, trace_borders, trace_seams
-from seam_inspector.plugin.seams.measure.scan.lines.source_polygons import polygons_of, source_polygons
+from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import seams_of, trace_borders
+from seam_inspector.plugin.seams.measure.scan.lines.source_polygons import polygons_of
 
 from tests.numbers.seams.scan.lines.labelled import LABEL_PX, estimated, strips_of
 
@@ -20,7 +20,7 @@ def grid_of(labels: np.ndarray) -> Grid:
 
 
 def polygons(labels: np.ndarray, height: int = 64) -> dict[int, ogr.Geometry]:
-    found = source_polygons(strips_of(labels.astype(np.int16), height), grid_of(labels), LABEL_PX)
+    found = polygons_of(trace_borders(strips_of(labels.astype(np.int16), height), grid_of(labels), LABEL_PX))
     return {one.source: ogr.CreateGeometryFromWkb(one.wkb) for one in found}
 
 
@@ -88,7 +88,7 @@ def test_corners_of_the_mosaic_stay() -> None:
 def test_borders_are_the_seams() -> None:
     labels = estimated(quarters(), 3)
     borders = list(trace_borders(strips_of(labels), grid_of(labels), LABEL_PX))
-    seams = trace_seams(strips_of(labels), grid_of(labels), LABEL_PX)
+    seams = seams_of(trace_borders(strips_of(labels), grid_of(labels), LABEL_PX))
     assert [seam.vertices.tolist() for seam in seams_of(borders)] == [seam.vertices.tolist() for seam in seams]
     corners = {one.source: set(points(ogr.CreateGeometryFromWkb(one.wkb))) for one in polygons_of(borders)}
     for seam in seams:
@@ -98,4 +98,4 @@ def test_borders_are_the_seams() -> None:
 
 def test_nothing_followed_gives_no_polygons() -> None:
     assert polygons(np.full((20, 20), -1)) == {}
-    assert source_polygons([], Grid(0, 0, 1, 1, 10, 10)) == []
+    assert polygons_of(trace_borders([], Grid(0, 0, 1, 1, 10, 10))) == []
