@@ -13,8 +13,8 @@ from ....imagery import limits as imagery_limits
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.translation import tr
 from ...measure import limits
-from ...measure.inspection import REFERENCES
 from ...measure.scan.scan_settings import DENSITIES
+from ...measure.window_records import REFERENCES
 from ...tables.seam_cell_layer import CELL_FIELD
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from ....imagery import limits as imagery_limits
 from ....toolkit.picture_stretch import Stretch
 from ....toolkit.project_settings import load_settings, save_settings
 from ...measure import limits
-from ...measure.inspection import REFERENCES
 from ...measure.scan.scan_settings import DENSITIES
+from ...measure.window_records import REFERENCES
 
 _KEY = "inputs"
 

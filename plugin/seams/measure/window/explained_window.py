@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -18,10 +17,8 @@ from ..seam_cells import UNKNOWN, cell_labels
 from ..verdicts import Judgement, Ratios, Verdict, curve_ratios, judge, judge_by_seam
 from ..window_records import COMPOSITE, SEAM
 from .measured_window import MeasuredWindow, in_file_values
+from .window_request import WindowRequest
 from .window_result import PairResult, WindowResult
-
-if TYPE_CHECKING:
-    from ..inspection import WindowRequest
 
 
 def explain_window(measured: MeasuredWindow) -> WindowResult:

@@ -5,13 +5,10 @@ from collections import OrderedDict
 from concurrent.futures import Future
 from dataclasses import replace
 from threading import Lock
-from typing import TYPE_CHECKING
 
 from ....imagery.reading.readings import ReadEach
 from .measured_window import Measured, MeasuredWindow, measure_window
-
-if TYPE_CHECKING:
-    from ..inspection import WindowRequest
+from .window_request import WindowRequest
 
 KEPT = 2  # windows with their pixels, some 10 MB each: the one under the mouse, and the one before
 

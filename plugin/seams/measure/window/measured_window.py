@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Union
+from typing import Union
 
 from ....imagery import limits as imagery_limits
 from ....imagery.band_curves import measure_clip, measure_directions
@@ -18,10 +18,8 @@ from .. import messages
 from ..compared_image import MeasuredClip
 from ..verdicts import Judgement, Verdict, judge
 from .surroundings import place_in, read_with_surroundings
+from .window_request import InspectionSettings, WindowRequest
 from .window_result import ClipResult, WindowClips
-
-if TYPE_CHECKING:
-    from ..inspection import InspectionSettings, WindowRequest
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,9 +10,7 @@ from .. import messages
 from ..following.hard_cut import cut_hard
 from .explained_window import known_labels
 from .measured_window import measure_window
-
-if TYPE_CHECKING:
-    from ..inspection import WindowRequest
+from .window_request import WindowRequest
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Union
+from typing import Union
 
 from ....imagery.band_curves import Directions
 from ....imagery.grids import PixelWindow
@@ -15,9 +15,7 @@ from ..profile.loss_picture import LossPicture
 from ..profile.seam_profile import SeamProfile
 from ..verdicts import Judgement, Ratios, Verdict
 from ..window_records import COMPOSITE, REFERENCES
-
-if TYPE_CHECKING:
-    from ..inspection import WindowRequest
+from .window_request import WindowRequest
 
 
 @dataclass(frozen=True)
