@@ -131,17 +131,17 @@ class FeatureSinks:
             file.drop()
             self._account(of, 0)
         elif is_part and file.replaces:
-            self._keep_beside(of, file, messages.LAYER_NOT_REPLACED)
+            self._keep_beside(of, file, lambda part: messages.LAYER_NOT_REPLACED(path=of.path, part=part))
         else:
             try:
                 file.keep(_OF_DATABASES)
             except OSError:  # as on Windows, where the older one is open in QGIS
-                self._keep_beside(of, file, messages.LAYER_IN_USE)
+                self._keep_beside(of, file, lambda part: messages.LAYER_IN_USE(path=of.path, part=part))
                 return
             drop_unfinished(Path(of.path))  # what processes left that were killed
             self._account(of, held)
 
-    def _keep_beside(self, of: _OpenSink, file: UnfinishedFile, said: Message) -> None:
+    def _keep_beside(self, of: _OpenSink, file: UnfinishedFile, said: Callable[[str], Message]) -> None:
         """Leave the older file as it is."""
         try:
             path = str(file.keep_beside())
@@ -149,7 +149,7 @@ class FeatureSinks:
             file.drop()
             self._account(of, 0)
             return
-        self.beside[of.destination] = path, said(path=of.path, part=path)
+        self.beside[of.destination] = path, said(path)
         self.has_whole = True
 
     def _account(self, of: _OpenSink, held: int) -> None:

@@ -120,6 +120,6 @@ def _opened(path: Path) -> RecordStore:
     try:
         return RecordStore(path, _KIND + _VERSION, _KIND)
     except SettingsError as error:
-        is_taken = error.message.template == imagery_messages.RECORDS_IN_USE.template
-        told = messages.SCAN_JOURNAL_IN_USE if is_taken else messages.SCAN_JOURNAL_FOREIGN
-        raise SettingsError(told(path=path)) from None
+        if error.message.template == imagery_messages.RECORDS_IN_USE.template:
+            raise SettingsError(messages.SCAN_JOURNAL_IN_USE(path=path)) from None
+        raise SettingsError(messages.SCAN_JOURNAL_FOREIGN(path=path)) from None
