@@ -26,7 +26,6 @@ _SAVE = (
     "INSERT INTO records (key, checksum, payload) VALUES (?, ?, ?)"
     " ON CONFLICT (key) DO UPDATE SET checksum = excluded.checksum, payload = excluded.payload"
 )
-_BESIDE = ("-wal", "-journal")
 _MALFORMED = "malformed"  # in what SQLite says of damaged pages
 _MOST_KEPT = 64  # MB of what is written ahead, before SQLite itself moves it to its place
 
@@ -142,12 +141,15 @@ class RecordStore:
 
     def remove(self) -> None:
         """Delete the file, before others can have it where the system lets us."""
-        with contextlib.suppress(OSError):
+        try:
             self.path.unlink()
-        self.close()
-        for ending in ("", *_BESIDE):
+        except OSError:  # on Windows, where no open file can be deleted
+            self.close()
             with contextlib.suppress(OSError):
-                Path(f"{self.path}{ending}").unlink()
+                self.path.unlink()
+        self.close()
+        with contextlib.suppress(OSError):  # SQLite leaves it where it finds its file gone
+            Path(f"{self.path}-wal").unlink()
 
 
 def _is_at(path: Path, found: os.stat_result) -> bool:
