@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import time
 from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, Callable
 
@@ -29,6 +30,7 @@ class RecordKeeper:
         self._synced = time.monotonic()
         self._last: Future[Any] | None = None  # of all that was asked
         self._worker = ThreadPoolExecutor(1, "keeper")
+        self._syncer = ThreadPoolExecutor(1, "syncer")  # apart, as it takes the longest and nobody waits for it
 
     def save(self, key: str, make: Callable[[], bytes]) -> None:
         """Keep the payload that ``make`` makes in the thread."""
@@ -65,6 +67,7 @@ class RecordKeeper:
         """Do what was asked, and let go of the file."""
         self._do(self._close)
         self._worker.shutdown()
+        self._syncer.shutdown()
 
     # In the thread
 
@@ -91,7 +94,7 @@ class RecordKeeper:
         file.save(key, payload)
         if time.monotonic() - self._synced > _SYNC_SECONDS:
             self._synced = time.monotonic()
-            file.sync()
+            self._syncer.submit(_sync, file)
 
     def _is_there(self) -> bool:
         return self._file is not None or self.path.is_file()
@@ -111,3 +114,8 @@ class RecordKeeper:
         if self._file is not None:
             self._file.close()
             self._file = None
+
+
+def _sync(file: RecordStore) -> None:
+    with suppress(OSError):  # a disk that can't
+        file.sync()

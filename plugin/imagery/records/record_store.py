@@ -130,9 +130,9 @@ class RecordStore:
         self._keys.pop(key, None)
 
     def sync(self) -> None:
-        """Wait for the disk."""
-        with _as_system_errors():
-            self._database.execute("PRAGMA wal_checkpoint(TRUNCATE)")
+        """Wait for the disk. For any thread: nobody waits for who does."""
+        with contextlib.suppress(FileNotFoundError), open(f"{self.path}-wal", "r+b") as ahead:
+            os.fsync(ahead.fileno())
 
     def close(self) -> None:
         """Let go of the file."""

@@ -24,7 +24,7 @@ def _nothing(result: WindowResult) -> None:
 
 
 @dataclass(frozen=True)
-class WindowField(Column[WindowResult]):
+class WindowField(Column):  # of WindowResult; said so typing would keep the plugin when it is unloaded
     """A column of OUTPUT, and of every window layer."""
 
     value: Callable[[WindowResult], Any] = _nothing

@@ -244,7 +244,7 @@ BAD_VALUES: list[tuple[dict[str, Any], str]] = [
 ]
 
 
-@pytest.mark.parametrize(("parameters", "words"), BAD_VALUES, ids=lambda value: str(value)[:40])
+@pytest.mark.parametrize(("parameters", "words"), BAD_VALUES, ids=lambda value: str(value).partition(" at 0x")[0][:40])
 def test_bad_values_get_a_sentence(scene: Scene, parameters: dict[str, Any], words: str) -> None:
     given = {"SEAMLINES": seamlines(line(*BEND)), "MOSAIC": str(scene.mosaic), "SIDE": SIDE, "SPACING": SIDE}
     given.update({name: value() if callable(value) else value for name, value in parameters.items()})
