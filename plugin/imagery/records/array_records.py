@@ -49,11 +49,12 @@ def unpacked(record: bytes) -> dict[str, np.ndarray]:
     place, found, left = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json.loads(record[_LENGTH.size : place]):
         held = record[place : place + size]
-        left -= max(math.prod(shape) * np.dtype(kind).itemsize, size)
+        whole = math.prod(shape) * np.dtype(kind).itemsize
+        left -= max(whole, size)
         if left < 0:
             raise NotUnderstoodError(f"{name}: {shape}")
         if is_compressed:
-            held = zlib.decompressobj().decompress(held, max(math.prod(shape) * np.dtype(kind).itemsize, 1))
+            held = zlib.decompressobj().decompress(held, max(whole, 1))
         found[name] = np.frombuffer(held, kind).reshape(shape)
         place += size
     return found

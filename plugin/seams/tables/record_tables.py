@@ -17,7 +17,7 @@ from ...toolkit.attribute_values import attributes, number, text, whole_number
 from ...toolkit.layers import outline_extent
 from ..measure import messages
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
-from .window_fields import MEASURED, WINDOW_FIELDS, WindowField
+from .window_fields import MEASURED, WINDOW_FIELDS
 
 _BACKGROUND = 0
 _IN_RECORDS = {one.name for one in fields(WindowRecord)}
@@ -41,8 +41,8 @@ def read_windows(
     """
     read: dict[str, Callable[[object], Any]] = {"text": _words, "real": number, "integer": whole_number}
     held = [one for one in WINDOW_FIELDS if one in MEASURED or one.name in names]
-    levels = [(attribute_of(one), level_names(one.name, names)) for one in held if one.by_level]
-    single = [(attribute_of(one), one.name, read[one.kind]) for one in held if not one.by_level]
+    levels = [(one.read_as, level_names(one.name, names)) for one in held if one.by_level]
+    single = [(one.read_as, one.name, read[one.kind]) for one in held if not one.by_level]
     found = []
     for row in attributes(rows, names):
         values: dict[str, Any] = {name: value(row[field]) for name, field, value in single}
@@ -54,11 +54,6 @@ def read_windows(
         extent = outline_extent(row.feature, transform)
         found.append(WindowRecord(extent=extent, fid=row.feature.id(), others=others, **values))
     return found
-
-
-def attribute_of(field: WindowField) -> str:
-    """What a record calls it, or a key of its ``others``."""
-    return field.attribute or field.name
 
 
 def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[PairRecord]]:

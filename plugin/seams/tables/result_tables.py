@@ -9,13 +9,11 @@ from typing import NamedTuple
 
 from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
-from ...imagery.message import Message
 from ...imagery.shifts import Shift
 from ...imagery.statistics.observers import JUDGING_FIELDS
 from ...imagery.wavelets import DIRECTIONS, Curve
 from ...toolkit.attribute_values import whole_number
 from ...toolkit.table_fields import Column, column_features, column_fields, column_values, feature
-from ...toolkit.translation import sentence
 from ...toolkit.version_differences import field
 from ..measure.changes import Change
 from ..measure.loss_forecast import Forecast, ForecastPair
@@ -23,7 +21,7 @@ from ..measure.placing.window_placing import PlacedWindow
 from ..measure.profile.seam_profile import ProfileBin
 from ..measure.tone import Tone
 from ..measure.window.window_result import ClipResult, PairResult, WindowResult
-from .window_fields import MEASURED
+from .window_fields import MEASURED, reason_words
 
 
 class _CurveRow(NamedTuple):
@@ -103,7 +101,7 @@ PAIR_COLUMNS: tuple[Column[_PairRow], ...] = (
 
 FORECAST_COLUMNS: tuple[Column[Forecast], ...] = (
     Column("window_id", "integer", lambda forecast: forecast.window_id),
-    Column("reason", "text", lambda forecast: _words(forecast.reason)),
+    Column("reason", "text", lambda forecast: reason_words(forecast.reason)),
     Column("sources", "integer", lambda forecast: forecast.sources),
     Column("expected_ratio", "real", lambda forecast: forecast.expected, by_level=True),
     Column("window_kept", "real", lambda forecast: forecast.kept and forecast.kept.window, by_level=True),
@@ -196,7 +194,3 @@ def _curve_rows(result: WindowResult) -> Iterator[_CurveRow]:
                 shares += [(component, level, share) for component, share in zip(DIRECTIONS, directions)]
             for component, level, share in shares:
                 yield _CurveRow(result.window_id, clip, band, curve, component, level, share)
-
-
-def _words(reason: Message | None) -> str | None:
-    return sentence(reason) if reason else None

@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 from ...toolkit.table_fields import Column
-from ...toolkit.translation import sentence
 from ..measure.scan.results.judged_pieces import JudgedPiece
+from .window_fields import reason_words
 
 SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
     Column("seam_id", "integer", lambda one: one.piece.seam_id),
@@ -20,7 +20,7 @@ SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
     Column("feather_width", "real", lambda one: one.feather_width_m),
     Column("visibility", "real", lambda one: one.visibility),
     Column("verdict", "text", lambda one: one.verdict.value),
-    Column("reason", "text", lambda one: sentence(one.reason) if one.reason else None),
+    Column("reason", "text", lambda one: reason_words(one.reason)),
 )
 """SEAMS: one line per piece of seam."""
 

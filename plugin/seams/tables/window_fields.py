@@ -43,11 +43,16 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
     is_share: bool = False
     """Whether the table shows it in percent, which its filter minds."""
 
+    @property
+    def read_as(self) -> str:
+        """What ``WindowRecord.read`` finds it by."""
+        return self.attribute or self.name
+
 
 MEASURED = (
     WindowField("window_id", "integer", lambda result: result.window_id, called=("id",)),
     WindowField("verdict", "text", lambda result: result.judgement.verdict.value),
-    WindowField("reason", "text", lambda result: _words(result.judgement.reason)),
+    WindowField("reason", "text", lambda result: reason_words(result.judgement.reason)),
     WindowField("sources", "integer", lambda result: result.source_count),
     WindowField(
         "ratio", "real", by_level=True, value=lambda result: result.judgement.ratios.detail, attribute="ratios",
@@ -197,5 +202,5 @@ def _composite_ratios(result: WindowResult) -> tuple[float | None, ...] | None:
     return next(iter(result.explanation.ratios.values())).detail if result.explanation else None
 
 
-def _words(reason: Message | None) -> str | None:
+def reason_words(reason: Message | None) -> str | None:
     return sentence(reason) if reason else None

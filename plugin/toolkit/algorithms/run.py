@@ -208,7 +208,7 @@ class Run:
         if destination not in layers:
             return
         was = layers.pop(destination)
-        moved = QgsProcessingContext.LayerDetails(was.name, was.project, was.outputName)
+        moved = QgsProcessingContext.LayerDetails(was.name, was.project, was.outputName, was.layerTypeHint)
         moved.forceName = was.forceName
         self.context.setLayersToLoadOnCompletion({**layers, path: moved})  # which deletes who would have styled it
         self.style(path, self._styles.get(destination, ""))

@@ -33,7 +33,7 @@ def record_of(found: WindowResult) -> WindowRecord:
 
 
 def test_a_record_has_what_the_fields_hold(project: object) -> None:
-    known = {record_tables.attribute_of(one) for one in window_fields.WINDOW_FIELDS}
+    known = {one.read_as for one in window_fields.WINDOW_FIELDS}
     assert known | {"extent", "fid", "stale", "others"} == {field.name for field in fields(WindowRecord)}
 
 

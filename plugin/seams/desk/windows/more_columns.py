@@ -10,16 +10,14 @@ from qgis.PyQt.QtCore import Qt
 
 from ....toolkit.translation import filled, percent, shown_number, tr
 from ...cause_words import cause_word
-from ...tables.record_tables import attribute_of
 from ...tables.window_fields import MEASURED, PLACED, SAID, WindowField
 from ...verdict_words import observer_word
-from .windows_columns import ALIGNED_LEFT, TableColumn
+from .windows_columns import ALIGNED_LEFT, OBSERVERS, TableColumn
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
 
 _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-_OBSERVERS = {"visible": 0, "invisible": 1, "unsure": 2}
 
 
 def _percent(value: float) -> str:
@@ -43,7 +41,7 @@ _NUMBERS: dict[str, Callable[[float], str]] = {
 
 
 def _column(field: WindowField) -> TableColumn:
-    name = attribute_of(field)
+    name = field.read_as
 
     def read(row: WindowRecord) -> Any:
         return row.read(name)
@@ -51,7 +49,7 @@ def _column(field: WindowField) -> TableColumn:
     if field.shown == "observer":
         return TableColumn(
             field.name, field.heading, field.help, lambda row: observer_word(read(row)),
-            lambda row: _OBSERVERS.get(read(row)),
+            lambda row: OBSERVERS.get(read(row)),
         )  # fmt: skip
     if field.shown in _TEXTS:
         words = _TEXTS[field.shown]

@@ -24,7 +24,6 @@ from ....toolkit.version_differences import field
 from ...cause_words import cause_word
 from ...measure import messages
 from ...measure.causes import Cause
-from ...tables.record_tables import attribute_of
 from ...tables.window_fields import in_filter
 from ...verdict_words import VERDICTS, observer_word, verdict_word
 from .more_columns import JUDGING_COLUMNS, all_columns
@@ -164,7 +163,7 @@ def _reads(levels: int) -> dict[str, _Read]:
     """How each field is read from a record, by all names it has."""
     reads: dict[str, _Read] = {}
     for called, one in _FIELDS.items():
-        name = attribute_of(one)
+        name = one.read_as
         if one.by_level:
             reads.update((f"{called}_{level}", _at_level(name, level)) for level in range(1, levels + 1))
         reads[called] = _at_level(name, 1) if one.by_level else _attribute(name)

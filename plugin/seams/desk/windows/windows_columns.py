@@ -23,7 +23,8 @@ _ALIGNED_RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _CENTRED = int(Qt.AlignmentFlag.AlignCenter)
 ALIGNED_LEFT = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
 _SEVERITY = {verdict: place for place, verdict in enumerate(VERDICTS) if verdict}
-_OBSERVERS = {"visible": 0, "invisible": 1, "unsure": 2}
+OBSERVERS = {"visible": 0, "invisible": 1, "unsure": 2}
+"""What an operator saw, in the order of the table."""
 _RATIO_TIP = QT_TRANSLATE_NOOP(
     "@default", "Detail at level {level} in the mosaic as a multiple of the least sharp source's."
 )
@@ -134,7 +135,7 @@ _LAST = (
     TableColumn(
         "observer", QT_TRANSLATE_NOOP("@default", "observer"),
         QT_TRANSLATE_NOOP("@default", "Whether the operator saw the loss of detail at 2x magnification."),
-        lambda row: observer_word(row.observer), lambda row: _OBSERVERS.get(row.observer),
+        lambda row: observer_word(row.observer), lambda row: OBSERVERS.get(row.observer),
     ),
     TableColumn(
         "reason", QT_TRANSLATE_NOOP("@default", "reason"),

@@ -18,7 +18,7 @@ MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, label
 MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has to explain more than one for all
 LEAST_MOVED_PX = 0.05  # what lies nearer lies where it was
 
-_FEWESTSAMPLES = 300
+_FEWEST_SAMPLES = 300
 _EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
 SAMPLE = np.s_[::_EVERY, ::_EVERY]
 """Of the rows and columns of a plane."""
@@ -145,7 +145,7 @@ def _is_a_multiple(
     parts = np.where(where, labels, np.uint8(UNKNOWN))
     inside = (parts != UNKNOWN) & ~near_border(parts, -(-BORDER_PX // _EVERY))
     own, before = _chosen(inside, mosaic, plain)
-    return len(own) > _FEWESTSAMPLES and _left_by_multiple(own, before) <= most * float(own @ own)
+    return len(own) > _FEWEST_SAMPLES and _left_by_multiple(own, before) <= most * float(own @ own)
 
 
 def _explains_more(

@@ -96,7 +96,7 @@ def measure_part(
     labels[~known] = UNKNOWN
     guessed = known & guesses(labels, following.clear | following.mixed)
     if guessed.any() and expected.is_filtered:  # sources on other pixels than the mosaic are hardly told apart as such
-        seen = follow_planes([high_pass(one) for one in (image.plane, *expected.shown.values())])
+        seen = follow_planes([followed.fine[0], *map(high_pass, expected.shown.values())])
         guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels[guessed] = UNKNOWN
     details = list(detail_components(compared_planes(image.plane, expected), wavelet, levels))

@@ -186,8 +186,8 @@ def _measured(
     named = sides.named_near(placed) if sides is not None else set()
     likely = tuple(i for i in everyone if i in (named or around))
     # Along given seams too few patches are looked at to know what came over the mosaic.
-    knows = look is not None and sides is None and look.learned_of.issuperset(likely)
-    filters = look.filters if look is not None and knows else None
+    is_known = look is not None and sides is None and look.learned_of.issuperset(likely)
+    filters = look.filters if look is not None and is_known else None
     if len(likely) > 1:
         found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters, sides)
         if found.unexplained <= MOST_UNEXPLAINED or (likely == everyone and filters is None):
