@@ -61,7 +61,7 @@ class Outcome:
     @property
     def allowed(self) -> frozenset[str]:
         """Causes that are true or that it is no mistake to name."""
-        fits = not self.misfit >= MIN_MISFIT_PX or "feathering" not in self.true_causes
+        fits = not self.misfit >= MIN_MISFIT_PX
         return self.finding.allowed if fits else self.finding.allowed | {"misregistration"}
 
     @property
@@ -76,10 +76,11 @@ class Outcome:
     def is_main_right(self) -> bool:
         """Whether the main cause is the true one, or one that can't be told from it where no detail was lost.
 
-        Where images that do not fit were feathered, the misfit is as right as the feather.
+        Where images that do not fit were feathered, the misfit is as right as the feather; where they were cut hard and
+        at most balanced, which takes nothing either, it is as right as that.
         """
         true, said = self.true_causes[0], self.reading.cause
-        if true == "feathering" and said == "misregistration":
+        if true in ("feathering", "balanced") and said == "misregistration":
             return said in self.allowed
         return said in (true, *self.finding.mains) or (true == "none" and said in self.allowed)
 

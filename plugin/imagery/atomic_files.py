@@ -80,13 +80,21 @@ class UnfinishedFile:
 
     def keep(self, companions: Iterable[str] = ()) -> None:
         """It is whole and becomes what it is to be. ``companions``: endings of files beside the older one that go
-        with it. Raises OSError where that can't be; the older file is then as it was."""
+        with it, before the new one comes, which they would spoil. Raises OSError where that can't be; the older file is
+        then as it was."""
         with suppress(OSError):
             shutil.copymode(self._path, self.written)
-        self._move(self._path)
-        for ending in companions:
-            with suppress(OSError):
-                Path(f"{self._path}{ending}").unlink()
+        beside = [Path(f"{self._path}{ending}") for ending in companions]
+        aside = {one: Path(tempfile.mkdtemp(dir=self._folder)) / one.name for one in beside if one.exists()}
+        try:
+            for one, place in aside.items():
+                os.replace(one, place)
+            self._move(self._path)
+        except OSError:
+            for one, place in aside.items():
+                with suppress(OSError):
+                    os.replace(place, one)
+            raise
         self.drop()
 
     def keep_beside(self) -> Path:
@@ -102,7 +110,8 @@ class UnfinishedFile:
         shutil.rmtree(self._folder, ignore_errors=True)
 
     def _move(self, path: Path) -> None:
-        for made in sorted(self._folder.iterdir(), key=lambda made: made.name == self._path.name):  # itself comes last
+        every = filter(Path.is_file, self._folder.iterdir())
+        for made in sorted(every, key=lambda made: made.name == self._path.name):  # itself comes last
             os.replace(made, path.with_name(path.stem + made.name[len(self._path.stem) :]))
 
 

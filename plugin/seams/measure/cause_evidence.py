@@ -15,7 +15,7 @@ from .tone import Tone
 _BLOCK_PX = 16
 _FEWEST_BLOCKS = 12
 _FEWEST_OF_SOURCE = 8
-_WEAK, _STRONG = 0.3, 0.7  # quantiles of the blocks' energies
+_WEAK, _STRONG, _STRONGEST = 0.3, 0.7, 0.9  # quantiles of the blocks' energies
 _PERIOD_PX = 8  # of the blocks that images are compressed in
 _SAMPLED_BLOCKS = 400
 _HIGH_FREQUENCY = 6  # of 0 to 14, both axes together
@@ -50,6 +50,7 @@ def measure_texture(
     noise = float(np.sqrt(left[sums["cc"] <= weak].mean()))
     loud = float(np.sqrt(left[sums["cc"] >= strong].mean()))
     transfer = _transfer(sums, np.ones(np.count_nonzero(whole), bool))
+    strongest = _transfer(sums, sums["uu"] >= np.quantile(sums["uu"], _STRONGEST))
     large = [of for of in (first[whole] == i for i in np.unique(first[whole]))
              if np.count_nonzero(of) >= _FEWEST_OF_SOURCE] or [np.ones(np.count_nonzero(whole), bool)]
     of_sources = [_transfer(sums, of) for of in large]
@@ -57,7 +58,7 @@ def measure_texture(
     quantised = 0.0
     if noise >= MIN_COMPRESSED_DN * unit_dn:
         quantised = _quantised(mosaic / unit_dn) - _quantised(expected / unit_dn)
-    return Texture(transfer, min(of_sources), max(of_sources), noise, loud / max(noise, 1e-6), quantised)
+    return Texture(transfer, min(of_sources), max(of_sources), strongest, noise, loud / max(noise, 1e-6), quantised)
 
 
 def _transfer(sums: Mapping[str, np.ndarray], where: np.ndarray) -> float:

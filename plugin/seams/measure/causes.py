@@ -25,8 +25,10 @@ MIN_BALANCED_OFFSET = 0.03  # of the mosaic's range of values: what one source w
 MIN_UNEVENNESS = 0.35  # of what a tone leaves over, explained by where on the ground it is
 MAX_BLURRED_TRANSFER = 0.93  # of fine detail that comes over; a hard cut has 0.99 to 1.01, a Gaussian of 0.5 px 0.6
 MIN_SHARPENED_TRANSFER = 1.07
-MAX_BLURRED_COMPRESSED = 0.33  # compression at quality 65 lets 0.38 of weak detail pass, a Gaussian of 0.8 px 0.35
+BENT_TRANSFER = 0.25  # power of a power function's exponent that comes over at most: 1.6 made 1.1, 0.6 left 0.93
+MAX_BLURRED_COMPRESSED = 0.4  # of strong detail: compression at quality 65 left 0.43 or more, a Gaussian of 0.8 px 0.36
 MAX_FEATHERED_KEPT = 0.97  # of the finest detail in the strip along the seam, and certainly less than all of it
+SURE_FEATHER_PX = 15.0  # wider than compression or a wrong border make a cut
 MIN_BLENDED_KEPT = 0.2  # two images that have nothing in common keep 0.5 of it mixed half and half; made ones kept 0.27
 MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took it along the seam
 MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
@@ -36,6 +38,7 @@ MIN_MIXED_WIDTH_PX = 4.0  # of what is mixed: borders are known no better
 MIN_CUT_MISFIT_SHARE = 0.35  # the same where images were cut, and the misfit took nothing
 MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
 MIN_RESAMPLED_PX = 0.08  # off the pixels of the source
+WIDE_FEATHER_PX, MIN_MIXED_RESAMPLED_PX = 100.0, 0.22  # within such a feather, whose images' parallax made up to 0.2
 MIN_NOISE_DN = 1.0  # rounding to whole values leaves 0.3 to 0.8
 MIN_COMPRESSED_DN = 0.5
 MAX_NOISE_RISE = 1.7  # from weak to strong detail: noise does not ask, a power function or a wrong place do
@@ -66,6 +69,9 @@ class Texture:
     least_transfer: float
     """The same of the source of which least comes over."""
     most_transfer: float
+    """The same of the source of which most comes over."""
+    strong_transfer: float
+    """Of what has most detail, which quantisation spares and a blur does not."""
     noise_dn: float
     """Standard deviation of what is not from the sources, in weak detail."""
     noise_rise: float
@@ -133,12 +139,14 @@ class CauseEvidence:
 
     @property
     def has_seam_loss(self) -> bool:
-        """Whether less than all is kept along a seam, for sure; without a profile, whether much is a mixture."""
+        """Whether less than all is kept along a seam, and that for sure or because of a feather that is plain to see;
+        without a profile, whether much is a mixture."""
         found = self.profile
         if found is None:
             return self.mixed >= MIN_MIXED
         kept = found.kept[0]
-        return kept is not None and kept <= MAX_FEATHERED_KEPT and found.high < 1
+        is_sure = found.high < 1 or (found.feather_width_px or 0) >= SURE_FEATHER_PX
+        return kept is not None and kept <= MAX_FEATHERED_KEPT and is_sure
 
     @property
     def is_smoothed_seam(self) -> bool:
@@ -183,6 +191,13 @@ class CauseEvidence:
         return 1.0 if self.sharpness is None or self.is_mixed_all_over else self.sharpness
 
     @property
+    def bends(self) -> tuple[float, float]:
+        """What power functions alone may have left of fine detail, at least, and made of it, at most: of grey values
+        that were evened out over 8 px they bend what is finer once more."""
+        exponents = [1.0, *(tone.gamma for tone in self.tones)]
+        return min(exponents) ** BENT_TRANSFER, max(exponents) ** BENT_TRANSFER
+
+    @property
     def off_seam_lost(self) -> float:
         """Share of the window's finest detail energy that is gone and that neither the seams nor clipping took, so that
         all that was taken adds up to what the sharpness says."""
@@ -195,9 +210,18 @@ class CauseEvidence:
 
     @property
     def is_resampled(self) -> bool:
-        """Told by ground that is not mixed: a mixture lies between two images."""
-        is_told = self.texture is not None and self.mixed < MIN_MOSTLY_MIXED
-        return is_told and self.off_pixel >= MIN_RESAMPLED_PX
+        """Told by ground that is not mixed where there is such: a mixture lies between its two images."""
+        width = self.profile.feather_width_px if self.profile else None
+        is_wide = self.mixed >= MIN_MIXED or (width or 0.0) >= WIDE_FEATHER_PX
+        least = MIN_MIXED_RESAMPLED_PX if is_wide else MIN_RESAMPLED_PX
+        return self.mixed < MIN_MOSTLY_MIXED and self.off_pixel >= least
+
+    @property
+    def is_blurred(self) -> bool:
+        """Whether less fine detail comes over than compression or a power function leave."""
+        if self.is_compressed and self.texture is not None:
+            return self.texture.strong_transfer <= MAX_BLURRED_COMPRESSED
+        return self.least_transfer <= MAX_BLURRED_TRANSFER * self.bends[0]
 
     @property
     def spread(self) -> tuple[float, float]:
@@ -252,8 +276,7 @@ def _other_mixture(found: CauseEvidence) -> float | None:
 def _blur(found: CauseEvidence) -> float | None:
     if found.is_smoothed_seam:
         return found.lost
-    most = MAX_BLURRED_COMPRESSED if found.is_compressed else MAX_BLURRED_TRANSFER
-    return None if found.is_resampled or found.least_transfer > most else found.off_seam_lost
+    return found.off_seam_lost if found.is_blurred and not found.is_resampled else None
 
 
 def _resampled(found: CauseEvidence) -> float | None:
@@ -261,13 +284,14 @@ def _resampled(found: CauseEvidence) -> float | None:
 
 
 def _sharpened(found: CauseEvidence) -> float | None:
-    return None if found.texture is None or found.texture.most_transfer < MIN_SHARPENED_TRANSFER else 0.0
+    least = MIN_SHARPENED_TRANSFER * found.bends[1]
+    return None if found.texture is None or found.texture.most_transfer < least else 0.0
 
 
 def _compressed(found: CauseEvidence) -> float | None:
     if found.texture is None or not found.is_compressed:
         return None
-    is_told = found.is_resampled or found.least_transfer <= MAX_BLURRED_COMPRESSED  # by another cause
+    is_told = found.is_resampled or found.is_blurred  # by another cause
     return 0.0 if is_told else found.off_seam_lost
 
 

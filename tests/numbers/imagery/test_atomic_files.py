@@ -2,11 +2,17 @@
 from __future__ import annotations
 
 import os
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import pytest
-from seam_inspector.plugin.imagery.atomic_files import drop_unfinished, save_text, unfinished_name, whole_file
+from seam_inspector.plugin.imagery.atomic_files import (
+    UnfinishedFile,
+    drop_unfinished,
+    save_text,
+    unfinished_name,
+    whole_file,
+)
 from seam_inspector.plugin.imagery.errors import SettingsError
 
 from tests.numbers.disks import full_disk
@@ -115,3 +121,31 @@ def test_the_reason_of_the_system_is_translated(tmp_path: Path) -> None:
     said: list[str] = []
     failed.value.message.worded(lambda template: said.append(template) or template)
     assert "No such file or directory" in said
+
+
+@pytest.mark.parametrize("is_replaced", [True, False])
+def test_what_belongs_to_the_older_file_goes_with_it_or_stays_with_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_replaced: bool
+) -> None:
+    path, beside = tmp_path / "windows.gpkg", tmp_path / "windows.gpkg-wal"
+    path.write_text("older")
+    beside.write_text("ahead of the older")
+    file = UnfinishedFile(path)
+    file.written.write_text("newer")
+    moves, replace = [], os.replace
+
+    def move(source: Path, target: Path) -> None:
+        moves.append(Path(target))
+        if target == path:
+            assert not beside.exists()  # at no moment beside the new one
+            if not is_replaced:
+                raise PermissionError
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", move)
+    with nullcontext() if is_replaced else pytest.raises(PermissionError):
+        file.keep(("-wal", "-shm"))
+    file.drop()
+    assert path in moves
+    assert path.read_text() == ("newer" if is_replaced else "older")
+    assert sorted(tmp_path.iterdir()) == ([path] if is_replaced else [path, beside])

@@ -29,7 +29,7 @@ RATIOS = (0.38, 0.52, 0.88)
 EVIDENCE = CauseEvidence(
     missing=0.17, profile=None, lost=0.1, mixed=0.1, sharpness=0.69, clipped=0.031, clipped_lost=0.03,
     tones=(SourceTone(0.6, 0.62, 0.41, 0.6, 1.24), SourceTone(0.4, 0.50, 0.4, 1.0, 1.1)), unevenness=0.0,
-    misfit=Misfit(1.4, 0.6), off_pixel=0.31, texture=Texture(0.9, 0.69, 1.42, 2.34, 1.1, 0.0),
+    misfit=Misfit(1.4, 0.6), off_pixel=0.31, texture=Texture(0.9, 0.69, 1.42, 0.9, 2.34, 1.1, 0.0),
     lossy_file=False,
 )  # fmt: skip
 PROFILE = SeamProfile(
@@ -356,7 +356,7 @@ def told(causes: str, profile: SeamProfile = PROFILE, values: dict[str, Any] | N
 
 def test_what_the_whole_window_lost_is_told_apart_with_its_share(qgis_app: QgsApplication) -> None:
     """0.85 of the sharpness is 0.72 of the energy: 28 % less, of which the seam took 10 and clipping 3."""
-    texture = Texture(0.9, 0.85, 1.0, 0.3, 1.0, 0.0)
+    texture = Texture(0.9, 0.85, 1.0, 0.9, 0.3, 1.0, 0.0)
     values = {"sharpness": 0.85, "misfit": 2.0, "feather_width": 1.5, "visibility": 1.4}
     said = told("resampled; misregistration; feathering; clipping; balanced", values=values, texture=texture,
                 off_pixel=0.31, sharpness=0.85)  # fmt: skip
@@ -377,7 +377,7 @@ def test_a_blur_along_the_seam_is_no_blur_of_the_window(qgis_app: QgsApplication
         f"Significant loss. {STRIP}: it is softened along the seam, where mixing alone would leave 98 %. {SHARP}"
     )
     whole = told(
-        "blur", texture=Texture(0.9, 0.9, 1.0, 0.3, 1.0, 0.0), values={"sharpness": 0.9}, sharpness=0.9,
+        "blur", texture=Texture(0.9, 0.9, 1.0, 0.9, 0.3, 1.0, 0.0), values={"sharpness": 0.9}, sharpness=0.9,
         clipped_lost=0.0, lost=0.0,
     )  # fmt: skip
     assert whole == (

@@ -11,9 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..tone import Tone, whole_squares
+from .boxes import near_border
 from .followed_source import FollowedSource
 
 LEAST_GAIN_CHANGE, LEAST_BIAS = 1e-6, 1e-2
+_EASED_PX = 48  # beside a seam
+_FEWEST_FAR = 64  # squares
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,5 +97,9 @@ def _as_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:
 
 
 def follows_at(following: FollowedSource, source: int, levels: int) -> np.ndarray:
-    """Squares of 2^R px that follow one source clearly and wholly, (rows / 2^R, columns / 2^R) bool."""
-    return whole_squares((following.labels == source) & following.clear, levels)
+    """Squares of 2^R px that follow one source clearly and wholly, (rows / 2^R, columns / 2^R) bool; where there are
+    enough, those away from its seams, over which feathers and blends of several bands ease tones."""
+    found, side = whole_squares((following.labels == source) & following.clear, levels), 2**levels
+    eased = near_border(following.labels[::side, ::side], -(-_EASED_PX // side))[: found.shape[0], : found.shape[1]]
+    far = found & ~eased
+    return far if np.count_nonzero(far) >= _FEWEST_FAR else found

@@ -49,7 +49,7 @@ class BlockRun:
         crew = Crew(executor, ahead, cancelled)
         keys = self._request.keys()
         clock = Clock(len(keys))
-        for done in journaled(FIRST_LOOK, keys, self._request.block, self._journal, crew, clock):
+        for done in journaled(FIRST_LOOK, keys, self._request.block, self._journal, crew, clock, self._is_ours):
             scan = done.scan
             if self._looks_twice:
                 self._squares[place_of(scan.key, SQUARES)] = global_numbers(scan, self._request.numbers)[scan.squares]
@@ -58,8 +58,13 @@ class BlockRun:
             return
         second = {one.key: one for one in self._second_look()}
         clock.more(len(second))
-        for done in journaled(SECOND_LOOK, list(second), second.__getitem__, self._journal, crew, clock):
+        look = SECOND_LOOK, list(second), second.__getitem__
+        for done in journaled(*look, self._journal, crew, clock, self._is_ours):
             yield ScanStep(done.share, done.seconds_left, done.notices, done.scan)
+
+    def _is_ours(self, scan: BlockScan) -> bool:
+        """Whether it knows no source that this scan does not have."""
+        return self._request.numbers.keys() >= set(scan.sources)
 
     def _second_look(self) -> Iterator[BlockRequest]:
         """Row by row, and by what the journal holds: units of the whole mosaic are more than memory holds."""

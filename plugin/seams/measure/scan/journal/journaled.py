@@ -89,12 +89,13 @@ class Clock:
 
 def journaled(
     part: BlockLook, keys: Sequence[BlockKey], request: Callable[[BlockKey], Request],
-    journal: ScanJournal, crew: Crew, clock: Clock,
+    journal: ScanJournal, crew: Crew, clock: Clock, is_ours: Callable[[Scan], bool] = lambda scan: True,
 ) -> Iterator[JournaledScan]:
-    """The blocks that a journal holds, then the others as they are measured."""
+    """The blocks that a journal holds, then the others as they are measured. ``is_ours``: whether a block that it holds
+    can be one of this scan."""
     missing_keys = []
     for key in keys:
-        if (scan := _held(part, journal, key, _name(part, key))) is not None:
+        if (scan := _held(part, journal, key, _name(part, key), is_ours)) is not None:
             yield JournaledScan(clock.held(), None, scan)
         else:
             missing_keys.append(key)
@@ -131,13 +132,15 @@ def held(part: BlockLook, journal: ScanJournal, key: BlockKey) -> Scan | None:
     return _held(part, journal, key, name) or _held(part, journal, key, f"{_INCOMPLETE} {name}")
 
 
-def _held(part: BlockLook, journal: ScanJournal, key: BlockKey, name: str) -> Scan | None:
+def _held(
+    part: BlockLook, journal: ScanJournal, key: BlockKey, name: str, is_ours: Callable[[Scan], bool] = lambda scan: True
+) -> Scan | None:
     """None as well for a record that is of no such block, which is forgotten."""
     if name not in journal.keys:
         return None
     try:
         scan = part.scan_of(journal.load(name))
-        if scan.key == key:
+        if scan.key == key and is_ours(scan):
             return scan
     except NotUnderstoodError:
         pass
