@@ -28,7 +28,7 @@ from .misfit import misfit_of, placed_misfit
 from .profile.cell_table import CELL_PX, CellTable
 from .profile.loss_picture import LossPicture, loss_picture
 from .profile.seam_profile import SeamProfile
-from .seam_cells import UNKNOWN
+from .seam_cells import UNKNOWN, is_one_of
 from .tone import Tone, whole_squares
 from .verdicts import Ratios, curve_ratios
 from .visibility import window_visibility
@@ -331,7 +331,8 @@ def _misfit(cut: HardCut, shifts: Sequence[Shift | None], wavelet: str) -> Misfi
     shown, labels = cut.around.expected.shown, cut.around.expected.labels
     if any(i not in shown for i in pair):
         return None
-    coarse = np.where(np.isin(labels, pair), labels, np.uint8(UNKNOWN))[::_EVERY, ::_EVERY]
+    coarse = labels[::_EVERY, ::_EVERY]
+    coarse = np.where(is_one_of(coarse, pair), coarse, np.uint8(UNKNOWN))
     seam = enlarged(near_border(coarse, _ABOUT_PX // _EVERY) & (coarse != UNKNOWN), _EVERY)
     seam = seam[: labels.shape[0], : labels.shape[1]]
     return misfit_of(placed_misfit(between, first, second), shown, (pair[0], pair[1]), seam, wavelet)

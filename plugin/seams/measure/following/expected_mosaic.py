@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..seam_cells import UNKNOWN
+from ..seam_cells import UNKNOWN, is_one_of
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
 from .followed_source import FollowedSource
@@ -198,7 +198,7 @@ class _Window:
         pair: Sequence[int], few: Sequence[int],
     ) -> MixedGround | None:
         """Where two sources mixed nearly everywhere explain more than each on its own side; None for other windows."""
-        where = np.isin(labels, (*pair, *few, UNKNOWN))
+        where = is_one_of(labels, (*pair, *few, UNKNOWN))
         for i in pair:
             where &= self.valid.get(i, True)
         inside = np.where(where, labels, np.uint8(UNKNOWN))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....imagery.shifts import shifted
-from ..seam_cells import UNKNOWN
+from ..seam_cells import UNKNOWN, is_one_of
 from .border import BORDER_PX
 from .boxes import near_border
 from .levelling import Levelled
@@ -68,7 +68,7 @@ def find_filters(
 
 def share_left(own: np.ndarray, made: np.ndarray, labels: np.ndarray, of: Sequence[int]) -> float:
     """Share of the mosaic's fine detail that some sources leave over, by what was made of them, a ``SAMPLE``."""
-    sample, plane = _chosen(np.isin(labels[SAMPLE], of), own[SAMPLE], made)
+    sample, plane = _chosen(is_one_of(labels[SAMPLE], of), own[SAMPLE], made)
     total = float(sample @ sample)
     return float((sample - plane) @ (sample - plane)) / total if total > 0 else 0.0
 

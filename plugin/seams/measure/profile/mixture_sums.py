@@ -13,6 +13,8 @@ GROUPS = 8
 """Of blocks of 32 px, each left out in turn: the jackknife (Tukey 1958)."""
 LEAST_ERROR = 0.02
 """Of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's noise."""
+WIDE_ERROR, WIDE_PX = 0.03, 200.0
+"""Of kept, of a feather so wide: there is less unmixed ground to learn tones and filters of."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
 _AT_A_TIME = 32  # seams, whose groups take eight times their memory
@@ -115,7 +117,8 @@ class MixedStrips:
         variance = (GROUPS - 1) / GROUPS * (deviations**2).sum(axis=0)
         value = self.levels[0]
         error = np.sqrt(variance) / np.maximum(value, 1e-6)
-        total = np.sqrt(error**2 + LEAST_ERROR**2)
+        widths = np.nan_to_num(self.feather_widths_px())
+        total = np.sqrt(error**2 + LEAST_ERROR**2 + (WIDE_ERROR * np.minimum(widths / WIDE_PX, 1)) ** 2)
         # The floor is known, the rest comes of few groups (Welch and Satterthwaite).
         freedom = (GROUPS - 1) * (total / np.maximum(error, 1e-3)) ** 4
         return Kept.of(value, total, freedom)
