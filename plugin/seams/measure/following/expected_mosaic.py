@@ -14,7 +14,7 @@ from ..seam_cells import UNKNOWN, is_one_of
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
 from .followed_source import FollowedSource
-from .levelling import SQUARE_PX, Levelled, levelled, square_means
+from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, square_means
 from .likely_source import FINE, LikelySource, Sampling, likely_source
 from .mixed_ground import MixedGround, mixed_ground
 from .mosaic_filter import FEWEST_PIXELS, filtered
@@ -155,7 +155,7 @@ class _Window:
         pair, few = self._mixable(made, labels)
         ground = self._ground(in_tone, found, made, labels, pair, few) if len(pair) == 2 else None
         if ground is not None:
-            return self._mixed(labels, in_tone, found, pair, few, ground)
+            return self._mixed(labels, found, pair, few, *ground)
         # A filter that was learned of a mixture takes what that took.
         is_doubtful = np.count_nonzero(anywhere) > np.count_nonzero(unmixed)
         if is_doubtful and share_left(own, made, labels, present(labels)) > MOST_LEFT_MIXED:
@@ -163,12 +163,11 @@ class _Window:
         return found, labels, in_tone
 
     def _mixed(
-        self, labels: np.ndarray, in_tone: Mapping[int, Levelled], found: Filters, pair: Sequence[int],
-        few: Sequence[int], ground: MixedGround,
+        self, labels: np.ndarray, found: Filters, pair: Sequence[int], few: Sequence[int], ground: MixedGround,
+        gains: Mapping[int, np.ndarray],
     ) -> tuple[Filters, np.ndarray, dict[int, Levelled]]:
         """The same where two sources are mixed nearly everywhere."""
         found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
-        gains = {i: ground.gain * in_tone[i].gain for i in pair if i in in_tone}
         # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
         made = ground.mosaic[SAMPLE]
         chance = {i for i in few if share_left(self.fine[0], made, labels, [i]) <= MOST_LEFT_OF_THIRD}
@@ -196,8 +195,9 @@ class _Window:
     def _ground(
         self, in_tone: Mapping[int, Levelled], found: Filters, made: np.ndarray, labels: np.ndarray,
         pair: Sequence[int], few: Sequence[int],
-    ) -> MixedGround | None:
-        """Where two sources mixed nearly everywhere explain more than each on its own side; None for other windows."""
+    ) -> tuple[MixedGround, dict[int, np.ndarray]] | None:
+        """Where two sources mixed nearly everywhere explain more than each on its own side, and their gains; None for
+        other windows."""
         where = is_one_of(labels, (*pair, *few, UNKNOWN))
         for i in pair:
             where &= self.valid.get(i, True)
@@ -205,12 +205,14 @@ class _Window:
         left = share_left(self.fine[0], made, inside, pair)
         if left < MIN_LEFT_UNMIXED:
             return None
-        images = [(in_tone[i].gain if i in in_tone else np.float32(1)) * self.fine[1 + i] for i in pair]
+        gains = [in_tone[i].gain if i in in_tone else np.float32(1) for i in pair]
+        gains = evened_gains([self.planes[i] for i in pair], gains, where)
+        images = [gain * self.fine[1 + i] for i, gain in zip(pair, gains)]
         shown = [found.placed(i, one) if i in found.taps else one for i, one in zip(pair, images)]
         ground = mixed_ground(self.fine[0], images, shown, where)
         if ground is None or share_left(self.fine[0], ground.mosaic[SAMPLE], inside, pair) > MOST_LEFT_OF_THAT * left:
             return None
-        return ground
+        return ground, {i: ground.gain * gain for i, gain in zip(pair, gains) if i in in_tone}
 
     def _made(self, in_tone: Mapping[int, Levelled], found: Filters, labels: np.ndarray) -> np.ndarray:
         """What the sources make of the mosaic's fine detail, each on its own side, a ``SAMPLE``."""

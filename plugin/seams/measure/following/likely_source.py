@@ -34,6 +34,7 @@ _ROUNDS = 5
 _MIN_TEXTURED = 8  # times the least energy
 _STRIP_CELLS = 4  # a side of the least part that no source explains: a seam leaves something over along itself
 _ALIKE_CELLS = 12  # the same where a source does resemble it
+_EVEN_PART, _EVEN_SHARE = 0.5, 0.4  # of what is left over around: most cells leave so much, of a step of tones few do
 
 
 @dataclass(frozen=True)
@@ -140,23 +141,31 @@ def _unexplained(
         np.copyto(energy, gain**2 * energies[i], where=of)
         np.copyto(product, gain * products[i], where=of)
     least = np.float32(LEAST_ENERGY * CELL_PX**2)
+    rest = own - 2 * product + energy
     wide, energy, product = (box_means(one, (WIDE_CELLS,))[0] for one in (own, energy, product))
     wide += least
     energy += least
     # Where the mosaic shows nothing of a source's texture it was clipped, or blurred away.
     textured = (wide > _MIN_TEXTURED * least) & (wide >= MIN_TEXTURE * energy)
     left = np.maximum(wide - np.maximum(product, 0) ** 2 / energy, 0)
-    found = _strange_parts(wide, left, textured, sampling)
+    if _is_explained(wide, left, textured):
+        return np.zeros_like(textured)
+    # A step of tones leaves over much along a line, and nothing beside it.
+    even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
+    found = _strange_parts(wide, left, textured, even, sampling)
     if not found.any():
         return found
     for i, j in combinations(sources, 2):  # a mixture of two that are given is nothing strange
         common = square_sums(sources[i], sources[j], CELL_PX)
         np.minimum(left, _left_by_two(own, energies[i], energies[j], products[i], products[j], common), out=left)
-    return _strange_parts(wide, left, textured, sampling) if len(sources) > 1 else found
+    return _strange_parts(wide, left, textured, even, sampling) if len(sources) > 1 else found
 
 
-def _strange_parts(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, sampling: Sampling) -> np.ndarray:
-    """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool."""
+def _strange_parts(
+    wide: np.ndarray, left: np.ndarray, textured: np.ndarray, even: np.ndarray, sampling: Sampling
+) -> np.ndarray:
+    """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool, and
+    evenly."""
     if _is_explained(wide, left, textured):
         return np.zeros_like(textured)
     ground = learn_best_ground(wide[textured], left[textured])
@@ -165,7 +174,8 @@ def _strange_parts(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, sam
     if ground.is_of_none and sampling is FINE:  # a part of a block has too little ground to say that
         return textured
     strange, alike = ground.strangeness(wide, left)
-    found = opened(textured & (strange > MIN_STRANGE), _STRIP_CELLS) | opened(textured & alike, _ALIKE_CELLS)
+    seen = textured & even
+    found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS) | opened(seen & alike, _ALIKE_CELLS)
     if not found.any():
         return found
     found = _to_borders(found, strange)

@@ -60,14 +60,25 @@ def mixed_ground(
         taps = fit_filters(mosaic, [gain * weight * one for weight, one in zip(weights, fine)], where)
         if taps is None:
             return None
-        scale = float(taps.sum()) / len(taps)  # how it is divided among them low frequencies don't tell
+        made = [filtered(one, own_taps) for one, own_taps in zip(fine, taps)]
+        passed = np.array([_amplitude(b, where) / max(_amplitude(a, where), 1e-9) for a, b in zip(fine, made)])
+        if passed.min() <= 0:
+            return None
+        # A filter that passes more and a weight that is less are the same: they are told apart as if both passed alike.
+        even = np.exp(np.log(passed).mean()) / passed
+        taps = even[:, np.newaxis, np.newaxis].astype(np.float32) * taps
+        scale = float(taps.sum()) / len(taps)
         if scale <= 0:
             return None
         gain, taps = gain * scale, taps / scale
-        shown = [gain * filtered(one, own_taps) for one, own_taps in zip(fine, taps)]
+        shown = [np.float32(gain / scale * by) * one for by, one in zip(even, made)]
     assert taps is not None
     made = weights[0] * shown[0] + weights[1] * shown[1]
     return MixedGround(gain, (taps[0], taps[1]), made)
+
+
+def _amplitude(plane: np.ndarray, where: np.ndarray) -> float:
+    return float(np.sqrt(np.square(plane, where=where, out=np.zeros_like(plane)).mean()))
 
 
 def _first_weights(mosaic: np.ndarray, shown: Sequence[np.ndarray], held: np.ndarray) -> np.ndarray | None:

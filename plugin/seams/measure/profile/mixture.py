@@ -39,7 +39,8 @@ needed. A cosine feather of 13 px has 0.45, one of 33 px 0.2."""
 _NO_MIXTURE, _A_MIXTURE = 0.15, 0.25
 """Of the other source beside the border, where a feather mixes halves: what is no more there, and everywhere alike, is
 what one image resampled takes of another of the same ground."""
-_FOLLOWED = 0.6  # of a mixture: what has surely more of a source than halves follows that
+_EITHER, _FOLLOWED = 0.4, 0.6
+"""Of a mixture: what has surely more of a source than halves follows that. Of halves nobody knows which is followed."""
 MOST_EVERYWHERE = 0.25
 """The same far off, of which a width is taken above that."""
 _CUT, _FEATHERED = 1.0, 0.6
@@ -91,9 +92,11 @@ def mixed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -
 
 def followed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
     """Of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the wrong place
-    that is the other one."""
+    that is the other one, and of halves it is the mean of both: a border that is drawn through them goes round whatever
+    has more detail."""
     ss, _, oo = (products[..., of] for of in _ENERGIES[before])
-    return np.asarray(np.where(other > _FOLLOWED, oo, ss))
+    of_other = np.clip((other - _EITHER) / (_FOLLOWED - _EITHER), 0, 1)
+    return np.asarray((1 - of_other) * ss + of_other * oo)
 
 
 def feather_width_px(other: np.ndarray) -> float:

@@ -69,5 +69,5 @@ def test_sources_are_shown_as_sharp_as_they_were_mixed(images: list[np.ndarray],
     found = expected_mosaic(mosaic, images, fine, following, {})
     for number, true in enumerate(placed):
         own, expected = high_pass(found.shown[number]), high_pass(true)
-        assert np.square(own).sum() == pytest.approx(np.square(expected).sum(), rel=0.12)
+        assert np.square(own).sum() == pytest.approx(np.square(expected).sum(), rel=0.14)
         assert np.corrcoef(own.ravel(), expected.ravel())[0, 1] > 0.98
