@@ -1,7 +1,11 @@
 """What a feather of some width would leave of two sources' detail, known before any mosaic exists.
 
-The two are feathered, and cut, along every place where the seam may run, and the blend's detail is compared with the
-cut's. Texture is not even, so it is summed where it lies: over the window, and over the feather's own strip.
+The two are mixed along every place where the seam may run,
+
+    kept = sum |(1 - a) p + a q|^2 / sum |the one that is followed|^2
+
+with p and q their own details: what a cut adds, its edge, is detail of neither. Texture is not even, so it is summed
+where it lies: over the window, and over the feather's own strip.
 """
 from __future__ import annotations
 
@@ -24,8 +28,6 @@ class PlacedFeather:
 
     weight: np.ndarray
     """Share of the second source, 0 to 1, float32."""
-    second_side: np.ndarray
-    """Where the second source would lie without a feather, bool."""
     strip: np.ndarray
     """The feather's full width, bool."""
 
@@ -36,18 +38,17 @@ def place_feather(distance: np.ndarray, ramp: str, width_m: float, pixel_m: tupl
     ``distance``: (rows, columns) m from the seam, negative on one side. ``ramp``: one of ``limits.RAMPS``.
     ``pixel_m``: height and width of a pixel.
     """
-    second_side = distance > 0
     if ramp == GAUSSIAN:
-        weight = _smoothed(second_side, width_m / SIGMAS_PER_WIDTH / np.array(pixel_m))
+        weight = _smoothed(distance > 0, width_m / SIGMAS_PER_WIDTH / np.array(pixel_m))
     else:
         across = np.clip(distance / width_m, -0.5, 0.5)
         weight = 0.5 + (across if ramp == LINEAR else np.sin(np.pi * across) / 2)
-    return PlacedFeather(weight.astype(np.float32), second_side, abs(distance) <= width_m / 2)
+    return PlacedFeather(weight.astype(np.float32), abs(distance) <= width_m / 2)
 
 
 @dataclass(frozen=True)
 class KeptDetail:
-    """Detail variance of the feathered sources over that of the cut ones, levels 1..R; None where there is none."""
+    """Detail variance of the feathered sources over their own, levels 1..R; None where there is none."""
 
     window: tuple[float | None, ...]
     """In the whole window."""
@@ -63,16 +64,16 @@ def kept_detail(
     Detail is summed over all places where the seam may run, and over both ways of sharing the sides out to the sources.
     """
     planes = np.stack([first, second]).astype(np.float32)
-    shared = [own.sum(axis=1, keepdims=True) for own in detail_components(planes, wavelet, levels)]
     energies = np.zeros((2, 2, levels))  # feathered and cut; window and strip
-    for feather in feathers:
-        blend = planes[0] + feather.weight * (planes[1] - planes[0])
-        mosaics = np.stack([blend, np.where(feather.second_side, planes[1], planes[0])])
-        for level, details in enumerate(detail_components(mosaics, wavelet, levels)):
-            swapped = shared[level] - details  # the decomposition is linear, and the weights add up to 1
-            energy = np.sum(details**2 + swapped**2, axis=0)
-            energies[:, 0, level] += energy.sum(axis=(1, 2), dtype=np.float64)
-            energies[:, 1, level] += np.sum(energy * _square_means(feather.strip, 2 ** (level + 1)), axis=(1, 2))
+    for level, details in enumerate(detail_components(planes, wavelet, levels)):
+        own, both = (details**2).sum(axis=(0, 1)), 2 * (details[:, 0] * details[:, 1]).sum(axis=0)
+        for feather in feathers:
+            # Of (1 - a) p + a q and a p + (1 - a) q together.
+            apart = 2 * feather.weight * (1 - feather.weight)
+            lost, strip = (_square_means(one, 2 ** (level + 1)) for one in (apart, feather.strip))
+            for row, energy in enumerate(((1 - lost) * own + lost * both, own)):
+                energies[row, 0, level] += float(energy.sum(dtype=np.float64))
+                energies[row, 1, level] += float((energy * strip).sum(dtype=np.float64))
     least = imagery_limits.MIN_SHARE * planes.size * float(planes.var(axis=(1, 2), dtype=np.float64).sum())
     feathered, cut = energies
     window, strip = (
@@ -100,7 +101,7 @@ def _smoothed(mask: np.ndarray, sigma_px: np.ndarray) -> np.ndarray:
     return np.asarray(ndimage.zoom(smooth, side, order=1, grid_mode=True, mode="nearest")) if side > 1 else smooth
 
 
-def _square_means(mask: np.ndarray, side: int) -> np.ndarray:
-    """Share of each coefficient's square of ``side`` px that lies in the mask."""
-    rows, columns = mask.shape
-    return mask.reshape(rows // side, side, columns // side, side).mean(axis=(1, 3))
+def _square_means(values: np.ndarray, side: int) -> np.ndarray:
+    """Over each coefficient's square of ``side`` px; of a mask the share that lies in it."""
+    rows, columns = values.shape
+    return values.reshape(rows // side, side, columns // side, side).mean(axis=(1, 3))
