@@ -95,6 +95,11 @@ class WindowResult:
     """What the verdict was taken by."""
 
     @property
+    def levels(self) -> int:
+        """R."""
+        return len(self.judgement.ratios.detail)
+
+    @property
     def profile(self) -> SeamProfile | None:
         """What is kept along the seam; None without one, or where it can't be told."""
         return self.explanation.profile if self.explanation else None
