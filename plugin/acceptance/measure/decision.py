@@ -168,13 +168,17 @@ class Decision:
     """What is done with a delivery, and why."""
 
     accepted: bool
+    """Whether all rules are kept."""
     sentences: tuple[Message, ...]
     """The decision with its risk first, then its reasons, then what could not be measured or told."""
     rules: AcceptanceRules
+    """By which it was taken."""
     delivery: Delivery
+    """What was decided on."""
     outcomes: tuple[RuleOutcome, ...]
     """Of the rules that decide."""
     whole: MetreFigures
+    """The metres of all sheets together."""
     sheets: tuple[MetreFigures, ...]
     """In the order of ``Delivery.sheets``; one without seams has no pieces."""
     failed_share: Interval | None

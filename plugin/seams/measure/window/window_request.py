@@ -48,12 +48,15 @@ class WindowRequest:
     """All that is needed to measure one window, in plain data that can cross threads and processes."""
 
     window_id: int
+    """What its result is known by."""
     mosaic: Raster
+    """Whose grid the window lies on."""
     sources: tuple[Source, ...]
     """Those that may cover the window."""
     window: PixelWindow | None
     """On the mosaic's grid; None when the drawn rectangle can't be measured."""
     settings: InspectionSettings
+    """How it is measured and judged."""
     reason: Message | None = None
     """Why there is no window."""
     cells: tuple[Cell, ...] = ()

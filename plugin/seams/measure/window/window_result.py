@@ -76,6 +76,7 @@ class WindowResult:
     """What was measured in one window."""
 
     window_id: int
+    """The request's."""
     window: PixelWindow | None
     """The pixels of the mosaic that were measured."""
     judgement: Judgement
@@ -85,6 +86,7 @@ class WindowResult:
     clips: tuple[ClipResult, ...] = ()
     """The mosaic first, then the sources that took part."""
     pairs: tuple[PairResult, ...] = ()
+    """The mosaic against each source that covers the window, band by band."""
     explanation: Explanation | None = None
     """Why contrast was lost; None where nothing could be compared."""
     notices: tuple[Message, ...] = field(default=(), compare=False)
