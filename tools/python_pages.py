@@ -46,7 +46,7 @@ class Entry:
     def line(self) -> str:
         """The first sentence of its docstring."""
         text = " ".join((ast.get_docstring(self.node) or "").split("\n\n")[0].split())
-        return _cell(re.split(r"(?<=[.:]) (?=[A-Z`])", text)[0].rstrip(":"))
+        return _cell(re.split(r"(?<=[.]) (?=[A-Z`])", text)[0])
 
 
 def entries() -> list[Entry]:

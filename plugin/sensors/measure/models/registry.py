@@ -164,11 +164,11 @@ def sensor_model(
     size: tuple[float, float] | None = None,
     rpc: Rational | None = None,
 ) -> ModelRequest:
-    """Which model ``adjust`` fits, by its name in ``KINDS``: ``polynomial_2d``, ``polynomial_3d``, ``rational``,
-    ``rational_terms``, ``dlt``, ``pushbroom`` or ``rpc_bias``.
+    """What ``adjust`` takes for a sensor model.
 
-    ``variant``: an order such as ``2``, or a correction such as ``shift``; the first one where empty. A pushbroom takes
-    the nominal ``orbit_height_m`` and the image's ``size`` (columns, rows), ``rpc_bias`` the image's own ``rpc``.
-    Raises KeyError for another name.
+    ``name``: ``polynomial_2d``, ``polynomial_3d``, ``rational``, ``rational_terms``, ``dlt``, ``pushbroom`` or
+    ``rpc_bias``. ``variant``: an order such as ``2``, or a correction such as ``shift``; the first one where empty. A
+    pushbroom takes the nominal ``orbit_height_m`` and the image's ``size`` (columns, rows), ``rpc_bias`` the image's
+    own ``rpc``. Raises KeyError for another name.
     """
     return KINDS[name].request(variant, orbit_height_m=orbit_height_m, size=size, rpc=rpc)

@@ -32,9 +32,9 @@ def read_seam_features(path: str, wkt: str) -> tuple[list[SeamFeature], Message 
         dataset = _opened(file)
         layer = None if dataset is None else (dataset.GetLayerByName(name) if name else dataset.GetLayer(0))
         if layer is None:
-            is_there = os.path.exists(file) or file.startswith("/vsi")
-            failure = messages.SEAM_FILE_NOT_READ if is_there else imagery_messages.NOT_FOUND
-            raise SeamlineError(failure(path=path if is_there else file))
+            if os.path.exists(file) or file.startswith("/vsi"):
+                raise SeamlineError(messages.SEAM_FILE_NOT_READ(path=path))
+            raise SeamlineError(imagery_messages.NOT_FOUND(path=file))
         system = layer.GetSpatialRef()
         own_wkt = wkt if system is None else str(system.ExportToWkt())
         features: list[SeamFeature] = []
