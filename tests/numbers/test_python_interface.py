@@ -137,7 +137,8 @@ def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
 
 
 def test_cells_say_which_source_is_where(folder: Path) -> None:
-    found = open_block(folder / "mosaic.tif", sorted(folder.glob("strip*.tif")), f"{folder}/seamlines.gpkg|layername=cells")
+    sources, cells = sorted(folder.glob("strip*.tif")), f"{folder}/seamlines.gpkg|layername=cells"
+    found = open_block(folder / "mosaic.tif", sources, cells)
     assert len(found.cells) == len(found.sources)
 
 
