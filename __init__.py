@@ -9,6 +9,8 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
+_NO_GDAL = "GDAL's Python bindings are missing: install python3-gdal of the system, or gdal of conda"
+
 
 def classFactory(iface: object) -> object:
     """The plugin, as QGIS asks for it. ``iface`` is None in qgis_process."""
@@ -26,7 +28,12 @@ def __getattr__(name: str) -> Any:
     module = _modules().get(name)
     if module is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(module, __name__), name)
+    try:
+        return getattr(import_module(module, __name__), name)
+    except ModuleNotFoundError as error:
+        if error.name != "osgeo":
+            raise
+        raise ImportError(_NO_GDAL) from error
 
 
 def __dir__() -> list[str]:

@@ -246,3 +246,9 @@ def test_a_delivery_in_degrees_is_moved_to_metres() -> None:
 def test_limits_that_cannot_be_are_refused(limits: dict[str, float]) -> None:
     with pytest.raises(SeamInspectorError, match=next(iter(limits))):
         limit_rules(**limits)
+
+
+def test_without_gdal_a_sentence_says_what_to_install() -> None:
+    code = "import sys; sys.modules['osgeo'] = None\nfrom seam_inspector import open_block"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert run.stderr.splitlines()[-1].startswith("ImportError: GDAL's Python bindings are missing")
