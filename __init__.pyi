@@ -3,6 +3,7 @@
 # A mosaic with its orthoimages
 from .plugin.seams.measure.inspection import open_block as open_block
 from .plugin.seams.measure.inspection import Block as Block
+from .plugin.seams.measure.source_images import Source as Source
 
 # Windows
 from .plugin.seams.measure.inspection import inspect_window as inspect_window
@@ -15,12 +16,19 @@ from .plugin.seams.measure.profile.seam_profile import ProfileBin as ProfileBin
 from .plugin.seams.measure.profile.loss_picture import LossPicture as LossPicture
 from .plugin.seams.measure.verdicts import Verdict as Verdict
 from .plugin.seams.measure.causes import Cause as Cause
+from .plugin.seams.measure.verdicts import Judgement as Judgement
+from .plugin.seams.measure.verdicts import Ratios as Ratios
+from .plugin.seams.measure.explanation import Explanation as Explanation
+from .plugin.seams.measure.window.window_result import ClipResult as ClipResult
+from .plugin.seams.measure.window.window_result import PairResult as PairResult
 
 # A whole mosaic
 from .plugin.seams.measure.scan.whole_scan import scan as scan
 from .plugin.seams.measure.scan.scan_settings import ScanSettings as ScanSettings
 from .plugin.seams.measure.scan.results.gathering import ScanResult as ScanResult
 from .plugin.seams.measure.scan.results.judged_pieces import JudgedPiece as JudgedPiece
+from .plugin.seams.measure.scan.lines.seam_pieces import SeamPiece as SeamPiece
+from .plugin.seams.measure.placing.window_placing import PlacedWindow as PlacedWindow
 
 # Tables
 from .plugin.seams.measure.window.window_tables import window_rows as window_rows
@@ -37,6 +45,10 @@ from .plugin.acceptance.measure.deciding import decide as decide
 from .plugin.acceptance.measure.acceptance_rules import AcceptanceRules as AcceptanceRules
 from .plugin.acceptance.measure.delivery import Delivery as Delivery
 from .plugin.acceptance.measure.decision import Decision as Decision
+from .plugin.acceptance.measure.decision import DecidedPiece as DecidedPiece
+from .plugin.acceptance.measure.decision import FailureRun as FailureRun
+from .plugin.acceptance.measure.decision import MetreFigures as MetreFigures
+from .plugin.acceptance.measure.decision import RuleOutcome as RuleOutcome
 
 # Pixels
 from .plugin.imagery.open_raster import OpenRaster as OpenRaster
@@ -76,7 +88,8 @@ from .plugin.sensors.measure.orthorectification import OrthoRequest as OrthoRequ
 from .plugin.sensors.measure.orthorectification import orthorectify as orthorectify
 from .plugin.sensors.measure.orthorectification import Ortho as Ortho
 
-# What goes wrong
+# What is told, and what goes wrong
+from .plugin.imagery.message import Message as Message
 from .plugin.imagery.errors import SeamInspectorError as SeamInspectorError
 from .plugin.imagery.errors import SeamInspectorWarning as SeamInspectorWarning
 

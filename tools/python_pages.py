@@ -17,6 +17,8 @@ from itertools import groupby
 from pathlib import Path
 from textwrap import dedent
 
+import seam_inspector
+
 REPOSITORY = Path(__file__).parents[1]
 STUB = REPOSITORY / "__init__.pyi"
 PAGES = REPOSITORY / "docs" / "python"
@@ -113,19 +115,22 @@ def _section(entry: Entry) -> Iterator[str]:
         yield f"```python\n{_signature(entry.node)}\n```\n"
     yield _docstring(entry.node)
     if isinstance(entry.node, ast.ClassDef):
-        rows = [*_members(entry.node)]
+        rows = [*_members(entry.node, getattr(seam_inspector, entry.name))]
         if rows:
             yield "\n".join(["| name | type | what it is |", "|---|---|---|", *rows]) + "\n"
 
 
-def _members(node: ast.ClassDef) -> Iterator[str]:
-    """Fields and words, then properties and methods, as rows of a table."""
+def _members(node: ast.ClassDef, loaded: type) -> Iterator[str]:
+    """Fields with their defaults and words, then properties and methods, as rows of a table."""
     for one, after in zip(node.body, [*node.body[1:], None]):
         told = after.value.value if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant) else ""
         if isinstance(one, ast.AnnAssign) and isinstance(one.target, ast.Name):
-            yield _row(one.target.id, ast.unparse(one.annotation), told)
+            default = getattr(loaded, one.target.id, None)
+            shown = f" = {default!r}" if type(default) in (int, float, str, bool) and default != "" else ""
+            yield _row(one.target.id, ast.unparse(one.annotation) + shown, told)
         elif isinstance(one, ast.Assign) and isinstance(one.targets[0], ast.Name):
-            yield _row(one.targets[0].id, ast.unparse(one.value), told)
+            name = one.targets[0].id
+            yield _row(name, repr(getattr(loaded, name).value), told)
     for one in node.body:
         if isinstance(one, ast.FunctionDef) and not one.name.startswith("_"):
             is_property = any("property" in ast.unparse(decorator) for decorator in one.decorator_list)

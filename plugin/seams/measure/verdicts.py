@@ -49,6 +49,7 @@ class Judgement:
     """The verdict of one window against all of its sources."""
 
     verdict: Verdict
+    """By the reference that was asked for."""
     ratios: Ratios
     """The largest over the sources, level by level, so that a flag means "against every source"."""
     reason: Message | None = None

@@ -69,9 +69,9 @@ class OrthoRequest:
     extent: Extent | None = None
     """In the target system; None: the whole image."""
     resampling: str = "cubic"
-    """One of ``limits.RESAMPLINGS``."""
+    """``nearest``, ``bilinear``, ``cubic``, ``cubicspline``, ``lanczos`` or ``average``."""
     format: str = "GTiff"
-    """One of ``limits.ORTHO_FORMATS``."""
+    """``GTiff`` or ``COG``."""
 
 
 @dataclass(frozen=True)

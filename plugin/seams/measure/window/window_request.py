@@ -28,7 +28,7 @@ class InspectionSettings:
     max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
     """Largest ratio_1 that is a significant loss."""
     reference: str = REFERENCES[0]
-    """What the verdict is taken by, one of ``REFERENCES``."""
+    """What the verdict is taken by: ``seam``, the sources' ``composite``, or whole ``sources`` as in the paper."""
     min_kept: float = limits.MAX_SIGNIFICANT_KEPT
     """Share of the finest detail along the seam, kept_1, at or below which a loss is significant."""
     directions: bool = False

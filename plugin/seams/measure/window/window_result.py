@@ -39,12 +39,15 @@ class PairResult:
     source: str
     """File name without its folder, or ``composite``."""
     band: str
+    """``luminance``, ``red``, ``green``, ``blue``, ``nir`` or ``band_N``."""
     ratios: Ratios
+    """The mosaic's shares over the source's."""
     similarity: float | None
     """Correlation of the coarse components at level R; None where one of them is constant."""
     offset_x: float
-    """Sub-pixel offset of the source's pixel grid, px."""
+    """Sub-pixel offset of the source's pixel grid to the right, px."""
     offset_y: float
+    """The same downwards."""
     resampled: bool
     """Whether the source was warped to the mosaic's grid."""
     change: Change | None = None
