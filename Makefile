@@ -68,8 +68,9 @@ test-matrix: link ## Run the tests on the QGIS of this machine, of Debian trixie
 guide: link ## Make the guide of docs, in build/guide/index.html
 	$(PYTHON) -m sphinx -W --keep-going -q -j auto -b html docs build/guide
 
-help-pages: link ## Make the tables of docs/algorithms and the help that comes with the plugin anew
+help-pages: link ## Make anew what the guide has from the code (tables of the algorithms, reference and notebook of Python), and the plugin's help
 	QT_QPA_PLATFORM=offscreen $(PYTHON) tools/algorithm_tables.py
+	$(PYTHON) -m tools.python_pages
 	$(PYTHON) tools/help_pages.py
 
 pictures: link ## Make the pictures of the guide's first pages anew, of what `make demo` left
@@ -115,7 +116,7 @@ translate: link ## Collect new texts into the translations, then compile them
 soak: link ## Inspect 5,000 windows and judge 500 in the real application, and tell what grows; FEWER=20 for a try
 	$(PYTHON) -m tests.desktop.soak $(if $(FEWER),--fewer $(FEWER))
 
-package: link ## Make the plugin's zip and the workers' wheel of the last commit, in build/, and check the zip
+package: link ## Make the plugin's zip and the wheel for Python without QGIS of the last commit, in build/, and check the zip
 	@zip=$$($(PYTHON) -m tools.make_package) && wheel=$$($(PYTHON) -m tools.make_wheel) && \
 		$(PYTHON) -m tools.check_package "$$zip" && echo "$$zip" && echo "$$wheel"
 

@@ -15,20 +15,12 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from seam_inspector import OpenRaster, WindowResult, inspect_window, open_block
 from seam_inspector.plugin.imagery import limits as imagery_limits
 from seam_inspector.plugin.imagery.clips import read_clip
-from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosaic
-from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.charts.curve_chart import draw_curves
 from seam_inspector.plugin.seams.charts.window_curves import window_curves
 from seam_inspector.plugin.seams.loss_colours import LOSS_OPACITY, loss_rgba
-from seam_inspector.plugin.seams.measure.inspection import (
-    InspectionSettings,
-    inspect_window,
-    make_block,
-    window_request,
-)
-from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 
 from demo import block
 from demo.findings import Profile, ProfilePoint
@@ -104,11 +96,10 @@ def draw_all(folder: Path, output: Path) -> None:
 
 def measured(folder: Path, corner_m: tuple[float, float]) -> tuple[WindowResult, np.ndarray]:
     """What is found in a window of a block, and the mosaic's pixels there."""
-    mosaic = describe_mosaic(RasterRef(str(folder / "mosaic.tif")))
-    sources = [RasterRef(str(path)) for path in sorted(folder.glob("strip*.tif"))]
-    inputs, _ = make_block(mosaic, sources)
+    inputs = open_block(folder / "mosaic.tif", sorted(folder.glob("strip*.tif")))
+    mosaic = inputs.mosaic
     left, top = mosaic.grid.left + corner_m[0], mosaic.grid.top - corner_m[1]
-    request = window_request(inputs, 1, (left, top - SIDE_M, left + SIDE_M, top), InspectionSettings())
+    request = inputs.window((left, top - SIDE_M, left + SIDE_M, top))
     assert request.window is not None
     clip = read_clip(OpenRaster(mosaic.ref), mosaic, request.window)
     return inspect_window(request), stretched(np.moveaxis(clip.bands[:3], 0, -1))

@@ -11556,5 +11556,10 @@
         <source>the file there is damaged</source>
         <translation>istniejący plik jest uszkodzony</translation>
     </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="44"/>
+        <source>No seamlines can be read from {path}; check that it is a vector file, and the name of its layer.</source>
+        <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
+    </message>
 </context>
 </TS>

@@ -1,4 +1,6 @@
-"""Make the wheel of what measures, for the workers of a cluster, of the last commit; the same bytes every time.
+"""Make the wheel of what needs no QGIS, of the last commit; the same bytes every time.
+
+It is the Python interface (docs/python) for notebooks and pipelines, and what the workers of a cluster need.
 
     python -m tools.make_wheel [FOLDER]
 """
@@ -34,7 +36,7 @@ def make_wheel(folder: Path) -> Path:
 
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(description="Make the wheel for workers of the last commit.")
+    parser = argparse.ArgumentParser(description="Make the wheel for Python without QGIS of the last commit.")
     parser.add_argument("folder", type=Path, nargs="?", default=REPOSITORY / "build")
     folder = parser.parse_args().folder
     refuse_what_is_not_committed()

@@ -18,6 +18,10 @@ class SeamInspectorError(Exception):
         return str(self.message)
 
 
+class SeamInspectorWarning(UserWarning):
+    """Something was left out or assumed, and the work goes on."""
+
+
 class SettingsError(SeamInspectorError):
     """A setting is out of its range, or the inputs together make no job."""
 

@@ -32,6 +32,7 @@ class Message:
     template: str
     """English text with ``{name}`` where a value goes."""
     level: Level = Level.ERROR
+    """How grave it is."""
     values: Mapping[str, object] = field(default_factory=dict, hash=False)
     """What goes into the template: numbers, texts, other messages or a tuple of those."""
 

@@ -40,8 +40,11 @@ class Raster:
     """What there is to know about a raster before its pixels are read."""
 
     ref: RasterRef
+    """Where it is."""
     columns: int
+    """Number of columns, px."""
     rows: int
+    """Number of rows, px."""
     geotransform: GeoTransform | None
     """From columns and rows to map coordinates; None when it has no place on the map, as a photograph or a scan."""
     own_wkt: str

@@ -18,13 +18,11 @@ from .measure.scan.lines.given_seams import given_seams
 from .measure.scan.lines.seam_features import SeamFeature
 from .measure.scan.results.gathering import ScanResult
 from .measure.scan.scan_settings import ScanSettings
-from .measure.scan.whole_scan import WholeScan, whole_scan
+from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
 from .measure.source_images import Source
 from .scan_picture import PictureSoFar
 from .tables.scan_file import write_scan_file
 
-MEASURED = 0.9
-"""Of the time: the rest is to put the blocks together."""
 _NEWS_S = 0.2
 _AHEAD = 2  # blocks under way per thread
 

@@ -1,16 +1,16 @@
 """Where windows are measured: threads of this machine, or a Dask cluster."""
 from __future__ import annotations
 
-import os
 import tempfile
 import zipfile
 from collections.abc import Iterator
-from concurrent.futures import Executor, ThreadPoolExecutor
+from concurrent.futures import Executor
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..imagery.errors import SettingsError
+from ..imagery.reading.own_threads import ahead_of, own_threads
 from . import messages
 from .watched_executor import WatchedExecutor
 
@@ -32,7 +32,6 @@ pool = sys.modules.get("{__package__.rpartition(".")[0]}.imagery.raster_pool")
 if pool:
     pool.close_rasters()
 """  # else the workers, which live on, would keep the last rasters of the run open
-_AHEAD = 2  # windows under way per worker: one is measured while the next waits
 
 
 @contextmanager
@@ -47,9 +46,8 @@ def open_executor(scheduler: str = "") -> Iterator[tuple[Executor, int]]:
         with _dask_executor(scheduler) as opened:
             yield opened
         return
-    workers = os.cpu_count() or 1
-    with ThreadPoolExecutor(workers, thread_name_prefix="seam-inspector") as executor:
-        yield executor, _AHEAD * workers
+    with own_threads() as opened:
+        yield opened
 
 
 @contextmanager
@@ -69,7 +67,7 @@ def _dask_executor(scheduler: str) -> Iterator[tuple[Executor, int]]:
         _prepare(client, scheduler)
         executor = WatchedExecutor(client, scheduler)
         try:
-            yield executor, _AHEAD * threads
+            yield executor, ahead_of(threads)
         finally:
             executor.shutdown()
             if client.status == "running":

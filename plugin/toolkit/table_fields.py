@@ -1,39 +1,14 @@
-"""Tables as rows of columns: a column says its field, and how its value comes from a result."""
+"""Columns of a table of results as the fields and rows of a layer."""
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any, Callable, Generic, TypeVar
 
-import numpy as np
 from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
+from ..imagery.message import Message
+from ..imagery.records.columns import Column, Result
+from .translation import sentence
 from .version_differences import field
-
-Result = TypeVar("Result")
-
-
-@dataclass(frozen=True)
-class Column(Generic[Result]):
-    """A column of a table of results."""
-
-    name: str
-    kind: str
-    """``integer``, ``real`` or ``text``."""
-    value: Callable[[Result], Any]
-    """What a result has there, None where it has nothing."""
-    by_level: bool = False
-    """Whether there are columns ``name_1``..``name_R``; the value is then that of all levels, in their order."""
-
-    def names(self, levels: int) -> list[str]:
-        """Of the fields."""
-        return [f"{self.name}_{level}" for level in range(1, levels + 1)] if self.by_level else [self.name]
-
-    def values(self, result: Result, levels: int) -> Sequence[object]:
-        """Of the fields."""
-        found = self.value(result)
-        listed = ([None] * levels if found is None else found) if self.by_level else [found]
-        return [value.item() if isinstance(value, np.generic) else value for value in listed]  # fields take no numpy's
 
 
 def column_fields(columns: Iterable[Column[Result]], levels: int = 0) -> QgsFields:
@@ -42,8 +17,9 @@ def column_fields(columns: Iterable[Column[Result]], levels: int = 0) -> QgsFiel
 
 
 def column_values(columns: Iterable[Column[Result]], result: Result, levels: int = 0) -> list[object]:
-    """What a result has in these columns, field by field."""
-    return [value for column in columns for value in column.values(result, levels)]
+    """What a result has in these columns, field by field; sentences in the user's language."""
+    values = (value for column in columns for value in column.values(result, levels))
+    return [sentence(value) if isinstance(value, Message) else value for value in values]
 
 
 def column_features(

@@ -2,8 +2,13 @@
 nothing that the plugin repository refuses."""
 from __future__ import annotations
 
+import json
 import os
+import re
 import subprocess
+import sys
+import sysconfig
+import venv
 import zipfile
 from importlib.util import find_spec
 from pathlib import Path
@@ -11,7 +16,9 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.toolkit.executors import measuring_modules
 
+from demo.block import make_block
 from tests.releases import built, cloned, run_tool
+from tools import python_pages
 from tools.check_package import check_metadata, check_package
 
 ELSEWHERE = {"TZ": "Pacific/Auckland", "LC_ALL": "pl_PL.UTF-8", "LANG": "pl_PL.UTF-8", "QT_HASH_SEED": "7"}
@@ -19,6 +26,7 @@ CHECKED = pytest.mark.skipif(
     not all(map(find_spec, ("bandit", "detect_secrets", "flake8"))),
     reason="bandit, detect-secrets or flake8 is missing",
 )
+NUMBER = re.compile(r"[0-9]+(?:[.][0-9]+)?")
 TRANSLATION = "i18n/seam_inspector_pl.qm"
 
 
@@ -32,19 +40,24 @@ def package(clone: Path) -> Path:
     return built(clone, "make_package")
 
 
+@pytest.fixture(scope="module")
+def wheel(clone: Path) -> Path:
+    return built(clone, "make_wheel")
+
+
 def git(clone: Path, *arguments: str) -> str:
     return subprocess.run(["git", *arguments], cwd=clone, capture_output=True, text=True, check=True).stdout
 
 
 def test_another_machine_at_another_time_makes_the_same_bytes(
-    clone: Path, package: Path, repository: Path, tmp_path: Path
+    package: Path, wheel: Path, repository: Path, tmp_path: Path
 ) -> None:
     other = cloned(repository, tmp_path / "a clone with spaces")
     for setting in ("core.autocrlf=true", "core.eol=crlf", "tar.umask=0077"):
         git(other, "config", *setting.split("="))
     for path in [other, *other.rglob("*")]:
         os.utime(path, (1_000_000_000, 1_000_000_000))
-    for tool, expected in (("make_package", package), ("make_wheel", built(clone, "make_wheel"))):
+    for tool, expected in (("make_package", package), ("make_wheel", wheel)):
         made = built(other, tool, environment=ELSEWHERE, umask=0o077)
         assert made.name == expected.name
         assert made.read_bytes() == expected.read_bytes()
@@ -68,15 +81,45 @@ def test_it_holds_what_is_committed_and_the_compiled_translations(clone: Path, p
     assert not {"tests", "docs", "demo", "tools", "Makefile"} & {name.split("/")[0] for name in wanted}
 
 
-def test_the_wheel_holds_what_a_cluster_is_given(clone: Path) -> None:
+def test_the_wheel_holds_what_a_cluster_is_given_and_its_types(clone: Path, wheel: Path) -> None:
     given = {path.relative_to(clone).as_posix() for path in measuring_modules(clone / "plugin")}
-    given |= {"__init__.py", "plugin/__init__.py"}
-    with zipfile.ZipFile(built(clone, "make_wheel")) as wheel:
-        names = {name for name in wheel.namelist() if ".dist-info/" not in name}
+    given |= {"__init__.py", "__init__.pyi", "py.typed", "metadata.txt", "plugin/__init__.py"}
+    with zipfile.ZipFile(wheel) as held:
+        names = {name for name in held.namelist() if ".dist-info/" not in name}
         assert names == {f"seam_inspector/{name}" for name in given}
-        told = next(name for name in wheel.namelist() if name.endswith("/METADATA"))
-        assert b"Requires-Dist: numpy" in wheel.read(told)
+        told = held.read(next(name for name in held.namelist() if name.endswith("/METADATA"))).decode()
+    for needed in ("numpy", "scipy", "PyWavelets"):
+        assert re.search(f"^Requires-Dist: {needed}", told, re.MULTILINE | re.IGNORECASE)
     assert "plugin/seams/measure/inspection.py" in given
+
+
+def test_the_guides_notebook_runs_with_the_wheel_alone(wheel: Path, repository: Path, tmp_path: Path) -> None:
+    """In an environment that sees the system's GDAL and numpy, and pandas where this one has it; QGIS can't be
+    imported there. What the guide says that it prints is what it prints."""
+    pytest.importorskip("pandas")
+    venv.create(tmp_path / "venv", system_site_packages=True)
+    python = tmp_path / "venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+    own = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    ask = [python, "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]
+    packages = Path(subprocess.run(ask, env=own, capture_output=True, text=True, check=True).stdout.strip())
+    pip = [sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps", "--target", packages, wheel]
+    subprocess.run(pip, env=own, check=True)
+    (packages / "pandas.pth").write_text(sysconfig.get_path("purelib"), encoding="utf-8")
+    make_block(tmp_path / "block", extent_m=(120.0, 100.0))
+    run = subprocess.run(
+        [python, repository / "tests" / "notebook_cells.py", python_pages.NOTEBOOK], cwd=tmp_path,
+        env={**own, "MPLBACKEND": "agg"}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    made = json.loads(run.stdout)
+    assert len(made) == len(python_pages.printed())
+    for found, told in zip(made, python_pages.printed()):
+        assert NUMBER.sub("", found).split() == NUMBER.sub("", told).split()
+        assert numbers(found) == pytest.approx(numbers(told), rel=0.05, abs=0.03)
+
+
+def numbers(text: str) -> list[float]:
+    return [float(one) for one in NUMBER.findall(text)]
 
 
 def test_what_is_not_committed_is_refused_and_never_inside(clone: Path, package: Path, tmp_path: Path) -> None:

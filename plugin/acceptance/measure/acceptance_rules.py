@@ -1,11 +1,12 @@
-"""The rules by which a delivery is accepted or rejected: what they check, against which limits, from which source.
-"""
+"""The rules by which a delivery is accepted or rejected: what they check, against which limits, from which source."""
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
 
-from .limits import STANDARD_MEASURED_SHARE
+from ...imagery.errors import SettingsError
+from . import messages
+from .limits import STANDARD_FAILED_SHARE, STANDARD_KEPT, STANDARD_LONGEST_M, STANDARD_MEASURED_SHARE
 
 KEPT, FAILED_SHARE, LONGEST_FAILURE = "kept", "failed_share", "longest_failure"
 MEASURED_SHARE, SAMPLING = "measured_share", "sampling"
@@ -73,3 +74,36 @@ class AcceptanceRules:
 def standard_measured() -> AcceptanceRule:
     """What holds where nothing is said of how much has to be measured."""
     return AcceptanceRule(MEASURED_SHARE, STANDARD_MEASURED_SHARE, OWN_LIMIT)
+
+
+def limit_rules(
+    min_kept: float = STANDARD_KEPT,
+    max_share: float = STANDARD_FAILED_SHARE,
+    max_run_m: float = STANDARD_LONGEST_M,
+    min_measured: float = STANDARD_MEASURED_SHARE,
+) -> AcceptanceRules:
+    """The rules that four limits make.
+
+    ``min_kept``: kept_1 below which a piece of seam fails, 0 to 1. ``max_share``: of the measured metres that may fail,
+    0 to 1. ``max_run_m``: metres that may fail without a break. ``min_measured``: share of the metres that has to be
+    measured, 0 to 1. Raises SettingsError for a limit that can't be.
+    """
+    for name, value in (("min_kept", min_kept), ("max_share", max_share), ("min_measured", min_measured)):
+        if not 0 <= value <= 1:
+            raise SettingsError(messages.LIMIT_NO_SHARE(parameter=name, value=value, least=0, most=1))
+    if not 0 <= max_run_m < math.inf:
+        raise SettingsError(messages.LIMIT_NEGATIVE(parameter="max_run_m", value=max_run_m))
+
+    def source(value: float, standard: float) -> str:
+        return OWN_LIMIT if value == standard else "stated for this decision"
+
+    return AcceptanceRules(
+        f"at least {min_kept:g} kept, at most {100 * max_share:g} % failed, at most {max_run_m:g} m without a break",
+        min_kept,
+        source(min_kept, STANDARD_KEPT),
+        (
+            AcceptanceRule(FAILED_SHARE, max_share, source(max_share, STANDARD_FAILED_SHARE)),
+            AcceptanceRule(LONGEST_FAILURE, max_run_m, source(max_run_m, STANDARD_LONGEST_M)),
+            AcceptanceRule(MEASURED_SHARE, min_measured, source(min_measured, STANDARD_MEASURED_SHARE)),
+        ),
+    )

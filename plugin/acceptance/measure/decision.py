@@ -27,7 +27,9 @@ class DecidedPiece:
     """A piece of seam, held against the least that it must keep."""
 
     piece: DeliveredPiece
+    """As it was delivered."""
     state: PieceState
+    """Passed, failed or not measured."""
     is_unclear: bool
     """Its 95 % interval holds the limit, so that nobody can tell on which side of it the piece is."""
     run: int | None
@@ -79,6 +81,7 @@ class FailureRun:
     pieces: tuple[int, ...]
     """The pieces' numbers, in the order in which they follow each other."""
     sheets: tuple[str, ...]
+    """That it lies in."""
     place: tuple[float, float]
     """A point half-way along it, in the delivery's reference system."""
     parts: tuple[FailedPart, ...]
@@ -96,10 +99,15 @@ class MetreFigures:
     name: str
     """Of the sheet; empty for the whole delivery."""
     piece_count: int
+    """All pieces."""
     failed_count: int
+    """Pieces that failed."""
     total_m: float
+    """Of all seams."""
     measured_m: float
+    """Of the pieces that could be measured."""
     failed_m: float
+    """Of the failed parts of those."""
     unclear_m: float
     """In pieces of which the interval holds the limit, failed or passed."""
     longest_failure_m: float | None
@@ -107,6 +115,7 @@ class MetreFigures:
 
     @property
     def not_measured_m(self) -> float:
+        """Of the pieces that could not be measured."""
         return self.total_m - self.measured_m
 
     @property
@@ -116,6 +125,7 @@ class MetreFigures:
 
     @property
     def measured_share(self) -> float:
+        """Of all seams, 0 to 1."""
         return self.measured_m / self.total_m if self.total_m else 0.0
 
 
@@ -168,13 +178,17 @@ class Decision:
     """What is done with a delivery, and why."""
 
     accepted: bool
+    """Whether all rules are kept."""
     sentences: tuple[Message, ...]
     """The decision with its risk first, then its reasons, then what could not be measured or told."""
     rules: AcceptanceRules
+    """By which it was taken."""
     delivery: Delivery
+    """What was decided on."""
     outcomes: tuple[RuleOutcome, ...]
     """Of the rules that decide."""
     whole: MetreFigures
+    """The metres of all sheets together."""
     sheets: tuple[MetreFigures, ...]
     """In the order of ``Delivery.sheets``; one without seams has no pieces."""
     failed_share: Interval | None

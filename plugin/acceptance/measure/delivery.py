@@ -150,11 +150,13 @@ class Delivery:
     """All that is judged together."""
 
     pieces: tuple[DeliveredPiece, ...]
+    """Of all sheets, in order."""
     wkt: str
     """The reference system of all coordinates."""
     unit_m: float = 1.0
     """Metres in a unit of the coordinates."""
     windows: tuple[SeenWindow, ...] = ()
+    """That were inspected, and judged perhaps."""
     lot_size: int | None = None
     """Pieces of the lot that the pieces are a sample of; None where they are no sample."""
     outlines: tuple[SheetOutline, ...] = ()

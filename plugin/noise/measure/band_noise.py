@@ -49,6 +49,7 @@ class BandNoise:
     """The noise of one band of a clip."""
 
     curve: Curve
+    """Relative variances of the components."""
     kurtosis: tuple[float | None, ...]
     """Of level 1 (finest), 2, ..., R: fourth central moment over squared variance of the level's three detail
     components, each less its mean, pooled; 3 for Gaussian noise, more for edges and structure. Without the coefficients
@@ -56,6 +57,7 @@ class BandNoise:
     sigma: float | None
     """Robust standard deviation of the noise, DN; None for a constant band."""
     verdict: NoiseVerdict
+    """What they say about random noise."""
     note: Message | None = None
     """Why it can't be measured, or what to take care of."""
     largest_sigma: float | None = None

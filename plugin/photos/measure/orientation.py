@@ -61,7 +61,9 @@ class OrientationSettings:
     min_correlation: float = limits.DEFAULT_MIN_CORRELATION
     """Smallest correlation of a measured mark."""
     surface: SurfaceBasis = SurfaceBasis.CORRELATION
+    """What the surface is laid through that places a mark to a fraction of a pixel."""
     model: PlaneModel = PlaneModel.AFFINE
+    """The transformation from the scan to the calibration."""
 
 
 @dataclass(frozen=True)

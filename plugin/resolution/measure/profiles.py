@@ -37,7 +37,9 @@ class Segment:
     """A line across the bars, in pixels of the raster."""
 
     start: Point
+    """Column and row, px."""
     end: Point
+    """Column and row, px."""
 
     @property
     def length(self) -> float:

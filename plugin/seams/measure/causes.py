@@ -338,6 +338,7 @@ class Cause(str, Enum):
     nothing are told in this order."""
 
     took: Took
+    """Share of the window's finest detail energy that it took, by the evidence; None where it took no part."""
 
     def __new__(cls, word: str, took: Took) -> Cause:
         made = str.__new__(cls, word)

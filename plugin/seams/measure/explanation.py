@@ -48,6 +48,7 @@ class Explanation:
     causes: tuple[Cause, ...]
     """All that took part, what took most first."""
     evidence: CauseEvidence
+    """The figures that the causes were found by."""
     profile: SeamProfile | None
     """None without a seam, or with too little ground around it."""
     has_seam: bool

@@ -1,15 +1,21 @@
-"""One window: request -> result."""
+"""A mosaic with its sources, and one window of it: request -> result."""
 from __future__ import annotations
 
+import os
+import warnings
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from typing import Union
 
-from ...imagery.errors import WindowError
-from ...imagery.grids import Extent, PixelWindow, snap_window
+from ...imagery import limits as imagery_limits
+from ...imagery.errors import SeamInspectorWarning, WindowError
+from ...imagery.grids import Extent, PixelWindow, snap_window, standard_side_px, standard_window
 from ...imagery.message import Message
+from ...imagery.open_raster import describe_mosaic
 from ...imagery.rasters import Raster, RasterRef
 from . import messages
 from .inputs.mosaic_copies import leave_out_copies
+from .scan.lines.seam_files import read_cells
 from .seam_cells import Cell, cells_over, source_stem
 from .source_images import Source, gather_sources, sources_in
 from .window.explained_window import explain_window
@@ -17,19 +23,72 @@ from .window.measured_window import MeasuredWindow, MeasureWindow, measure_windo
 from .window.window_request import InspectionSettings, WindowRequest
 from .window.window_result import WindowClips, WindowResult, not_comparable
 
+PathLike = Union[str, "os.PathLike[str]"]
+"""A file, or whatever else GDAL opens, as ``/vsicurl/https://...``."""
+
 
 @dataclass(frozen=True)
 class Block:
     """A mosaic and the orthoimages it may have been made from."""
 
     mosaic: Raster
+    """North-up, on the map."""
     sources: tuple[Source, ...]
+    """Each once, with its footprint in the mosaic's reference system."""
     cells: tuple[Cell, ...] = ()
     """Which source each part of the mosaic was cut from, where that is known."""
 
     def sources_over(self, window: PixelWindow) -> tuple[Source, ...]:
         """Those whose footprint meets the window, wholly or in part."""
         return sources_in(self.sources, self.mosaic.grid.window_extent(window))
+
+    def window(
+        self, extent: Extent, settings: InspectionSettings | None = None, window_id: int = 1
+    ) -> WindowRequest:
+        """What ``inspect_window`` takes for a rectangle: xmin, ymin, xmax, ymax in the mosaic's reference system.
+
+        It is snapped to the mosaic's pixels and trimmed to a multiple of ``2 ** levels`` of them, at least 64 px. One
+        that can't be measured makes a request that says why, and its result will. ``settings``: the standard ones
+        where None. Raises SettingsError for settings out of their range.
+        """
+        settings = settings or InspectionSettings()
+        settings.check()
+        return window_request(self, window_id, extent, settings)
+
+    def window_at(
+        self, x: float, y: float, side_m: float = imagery_limits.STANDARD_SIDE_M,
+        settings: InspectionSettings | None = None, window_id: int = 1,
+    ) -> WindowRequest:
+        """The same for a standard window about a place in the mosaic's reference system.
+
+        Its side is the smallest power of two of pixels that spans at least ``side_m`` metres.
+        """
+        grid = self.mosaic.grid
+        window = standard_window(grid, x, y, standard_side_px(grid, side_m))
+        return self.window(grid.window_extent(window), settings, window_id)
+
+
+def open_block(mosaic: PathLike, sources: Iterable[PathLike] = (), cells: PathLike = "") -> Block:
+    """Open a mosaic with the orthoimages that it may have been made from.
+
+    ``mosaic``: a north-up raster with a reference system. ``sources``: rasters in any reference system, each opened for
+    its footprint; without any the block can be scanned along given seamlines only. ``cells``: a vector file of polygons
+    that name in a field which source each part of the mosaic was cut from, as ``file.gpkg|layername=cells`` where it
+    has several layers.
+
+    What is left out (sources that can't be opened, copies of the mosaic) is told by a SeamInspectorWarning each. Raises
+    RasterError when the mosaic can't be used, SeamlineError when the cells can't.
+    """
+    raster = describe_mosaic(RasterRef(os.fspath(mosaic)))
+    refs = [RasterRef(os.fspath(source)) for source in sources]
+    known = read_cells(os.fspath(cells), raster) if cells else ()
+    if not refs:
+        return Block(raster, (), tuple(known))
+    block, notices = make_block(raster, refs, (), known)
+    block, of_copies = without_copies(block)
+    for notice in (*notices, *of_copies):
+        warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
+    return block
 
 
 def make_block(

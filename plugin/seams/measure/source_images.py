@@ -23,6 +23,7 @@ class Source:
     """An orthoimage that may take part, with its footprint; the file itself is opened when a window needs it."""
 
     ref: RasterRef
+    """Where it is."""
     extent: Extent
     """Bounding box in the reference system of the windows, the mosaic's where there is one."""
 

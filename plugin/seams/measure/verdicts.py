@@ -25,9 +25,13 @@ class Verdict(str, Enum):
     """What a window's ratios say. The values are the words that tables hold."""
 
     SIGNIFICANT = "significant"
+    """So much detail is lost that an eye sees it."""
     REDUCED = "reduced"
+    """Less is left than the sources have, surely."""
     PRESERVED = "preserved"
+    """Nothing is lost, as far as can be told."""
     NOT_COMPARABLE = "not_comparable"
+    """It can't be told; the reason says why."""
 
 
 @dataclass(frozen=True)
@@ -45,6 +49,7 @@ class Judgement:
     """The verdict of one window against all of its sources."""
 
     verdict: Verdict
+    """By the reference that was asked for."""
     ratios: Ratios
     """The largest over the sources, level by level, so that a flag means "against every source"."""
     reason: Message | None = None

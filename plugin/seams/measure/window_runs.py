@@ -8,6 +8,7 @@ from typing import Callable, TypeVar
 
 from ...imagery.errors import WorkersLostError
 from ...imagery.message import Message
+from ...imagery.reading.own_threads import own_threads
 from . import messages
 from .inspection import WindowRequest, inspect_in_stages, inspect_window
 from .window.measured_window import MeasureWindow
@@ -20,10 +21,19 @@ _PATIENCE_SECONDS = 0.2  # between two looks at whether the run was cancelled
 
 
 def inspect_windows(
-    requests: Iterable[WindowRequest], executor: Executor, ahead: int, cancelled: Callable[[], bool] = lambda: False
+    requests: Iterable[WindowRequest],
+    executor: Executor | None = None,
+    ahead: int = 0,
+    cancelled: Callable[[], bool] = lambda: False,
 ) -> Iterator[WindowResult]:
-    """``inspect_window`` for many; one that fails in a way nobody foresaw is ``not_comparable`` for that reason."""
-    return in_order(requests, inspect_window, not_comparable, executor, ahead, cancelled)
+    """``inspect_window`` for many, in their order, each as soon as it is ready.
+
+    ``executor``: where they are measured, a thread per core where None; ``ahead``: how many it should have under way,
+    twice this machine's cores where 0. A window that fails in a way nobody foresaw is ``not_comparable`` for that
+    reason.
+    """
+    with own_threads(executor, ahead) as opened:
+        yield from in_order(requests, inspect_window, not_comparable, *opened, cancelled)
 
 
 def inspect_one(request: WindowRequest, measure: MeasureWindow) -> Iterator[WindowClips | WindowResult]:

@@ -9,8 +9,8 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsLineString, QgsRast
 
 from ...toolkit import layers
 from ...toolkit.table_fields import column_features, column_fields, column_values, feature
+from ..measure.scan.results.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from .result_tables import PLACED_COLUMNS
-from .scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 
 if TYPE_CHECKING:
     from ..measure.scan.inputs.scan_request import ScanRequest

@@ -1,5 +1,5 @@
-"""The fields of a window layer, one entry each: its type, what it is called, where its value comes from, how the desk
-shows it and what its filter calls it.
+"""The fields of a window layer, one entry each: what it is called, how the desk shows it and what its filter calls
+it. Type and value of what is measured are those of ``WINDOW_COLUMNS``.
 
 Layers, records, aliases, the desk's columns and its filter are made of these. The names are contracts.
 """
@@ -11,12 +11,11 @@ from typing import Any
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery.message import Message
+from ...imagery.records.columns import Column
 from ...imagery.statistics.observers import JUDGING_FIELDS
 from ...toolkit.field_titles import give_titles
-from ...toolkit.table_fields import Column
-from ...toolkit.translation import sentence
 from ..measure.window.window_result import WindowResult
+from ..measure.window.window_tables import WINDOW_COLUMNS
 
 
 def _nothing(result: WindowResult) -> None:
@@ -49,69 +48,68 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
         return self.attribute or self.name
 
 
+def _measured(name: str, **words: Any) -> WindowField:
+    """A field of a column that is measured, and what it is called."""
+    column = _COLUMNS[name]
+    return WindowField(column.name, column.kind, column.value, column.by_level, **words)
+
+
+_COLUMNS = {one.name: one for one in WINDOW_COLUMNS}
+
 MEASURED = (
-    WindowField("window_id", "integer", lambda result: result.window_id, called=("id",)),
-    WindowField("verdict", "text", lambda result: result.judgement.verdict.value),
-    WindowField("reason", "text", lambda result: reason_words(result.judgement.reason)),
-    WindowField("sources", "integer", lambda result: result.source_count),
-    WindowField(
-        "ratio", "real", by_level=True, value=lambda result: result.judgement.ratios.detail, attribute="ratios",
-        title=QT_TRANSLATE_NOOP("@default", "ratio {level}"),
-    ),
-    WindowField(
-        "background_ratio", "real", lambda result: result.judgement.ratios.background,
-        title=QT_TRANSLATE_NOOP("@default", "ratio of the background"),
-    ),
+    _measured("window_id", called=("id",)),
+    _measured("verdict"),
+    _measured("reason"),
+    _measured("sources"),
+    _measured("ratio", attribute="ratios", title=QT_TRANSLATE_NOOP("@default", "ratio {level}")),
+    _measured("background_ratio", title=QT_TRANSLATE_NOOP("@default", "ratio of the background")),
     WindowField("observer", "text"),  # the operator's word, not ours
-    WindowField(
-        "composite_ratio", "real", by_level=True, value=lambda result: _composite_ratios(result),
+    _measured(
+        "composite_ratio",
         attribute="composite_ratios", title=QT_TRANSLATE_NOOP("@default", "ratio {level} against the composite"),
     ),
-    WindowField(
-        "expected_ratio", "real", by_level=True,
-        value=lambda result: result.explanation and result.explanation.expected, attribute="expected_ratios",
-        title=QT_TRANSLATE_NOOP("@default", "ratio {level} expected of a feather"),
+    _measured(
+        "expected_ratio",
+        attribute="expected_ratios", title=QT_TRANSLATE_NOOP("@default", "ratio {level} expected of a feather"),
     ),
-    WindowField(
-        "unclear_share", "real", lambda result: result.explanation and result.explanation.unclear_share, is_share=True,
-        title=QT_TRANSLATE_NOOP("@default", "share where no source wins clearly"),
+    _measured(
+        "unclear_share",
+        is_share=True, title=QT_TRANSLATE_NOOP("@default", "share where no source wins clearly"),
     ),
-    WindowField("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
-    WindowField(
-        "causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None,
+    _measured("cause"),
+    _measured(
+        "causes",
         heading=QT_TRANSLATE_NOOP("@default", "all causes"), shown="causes",
         help=QT_TRANSLATE_NOOP("@default", "All that happened to the contrast, what took most first."),
     ),
-    WindowField("reference", "text", lambda result: result.reference),
-    WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value, called=("paper",)),
-    WindowField(
-        "kept", "real", by_level=True, value=lambda result: result.profile and result.profile.kept, is_share=True,
-    ),
-    WindowField(
-        "kept_low", "real", lambda result: result.profile and result.profile.low,
+    _measured("reference"),
+    _measured("paper_verdict", called=("paper",)),
+    _measured("kept", is_share=True),
+    _measured(
+        "kept_low",
         heading=QT_TRANSLATE_NOOP("@default", "kept from"), shown="percent", is_share=True,
         help=QT_TRANSLATE_NOOP("@default", "Lower end of the 95 % interval of what is kept along the seam."),
     ),
-    WindowField(
-        "kept_high", "real", lambda result: result.profile and result.profile.high,
+    _measured(
+        "kept_high",
         heading=QT_TRANSLATE_NOOP("@default", "kept to"), shown="percent", is_share=True,
         help=QT_TRANSLATE_NOOP("@default", "Upper end of the 95 % interval of what is kept along the seam."),
     ),
-    WindowField(
-        "band_width", "real", lambda result: result.band_width_m,
+    _measured(
+        "band_width",
         heading=QT_TRANSLATE_NOOP("@default", "band width"), shown="metres", called=("band",),
         help=QT_TRANSLATE_NOOP("@default", "Width of the band along the seam in which detail was lost."),
     ),
-    WindowField(
-        "feather_width", "real", lambda result: result.feather_width_m,
+    _measured(
+        "feather_width",
         heading=QT_TRANSLATE_NOOP("@default", "feather width"), shown="metres", called=("feather",),
         help=QT_TRANSLATE_NOOP(
             "@default",
             "Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut."
         ),
     ),
-    WindowField(
-        "visibility", "real", lambda result: result.visibility,
+    _measured(
+        "visibility",
         heading=QT_TRANSLATE_NOOP("@default", "visibility"), shown="tenths",
         help=QT_TRANSLATE_NOOP(
             "@default",
@@ -119,29 +117,27 @@ MEASURED = (
             "differences, JND)."
         ),
     ),
-    WindowField(
-        "misfit", "real", lambda result: result.misfit,
+    _measured(
+        "misfit",
         title=QT_TRANSLATE_NOOP("@default", "images apart in the mosaic (px)"),
         heading=QT_TRANSLATE_NOOP("@default", "misfit"), shown="px",
         help=QT_TRANSLATE_NOOP("@default", "How far apart the two images lie where they meet, as the mosaic has them."),
     ),
-    WindowField(
-        "contrast_1", "real", lambda result: result.explanation and result.explanation.contrast, attribute="contrast",
-        called=("contrast",),
-    ),
-    WindowField(
-        "sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness,
+    _measured("contrast_1", attribute="contrast", called=("contrast",)),
+    _measured(
+        "sharpness_1",
         attribute="sharpness", heading=QT_TRANSLATE_NOOP("@default", "sharpness"), shown="percent", is_share=True,
         called=("sharpness",),
         help=QT_TRANSLATE_NOOP("@default", "Sharpness of the whole window against the composite of its sources."),
     ),
-    WindowField(
-        "added_1", "real", lambda result: result.explanation and result.explanation.added, attribute="added",
-        heading=QT_TRANSLATE_NOOP("@default", "added"), shown="percent", is_share=True, called=("added",),
+    _measured(
+        "added_1",
+        attribute="added", heading=QT_TRANSLATE_NOOP("@default", "added"), shown="percent", is_share=True,
+        called=("added",),
         help=QT_TRANSLATE_NOOP("@default", "Share of the mosaic's finest detail that its sources don't have."),
     ),
-    WindowField(
-        "explained", "real", lambda result: result.explained,
+    _measured(
+        "explained",
         title=QT_TRANSLATE_NOOP("@default", "share that the sources explain"),
         heading=QT_TRANSLATE_NOOP("@default", "explained"), shown="percent", is_share=True,
         help=QT_TRANSLATE_NOOP("@default", "Share of the pixels whose detail the given sources explain."),
@@ -196,11 +192,3 @@ give_titles({one.name: one.title for one in WINDOW_FIELDS if one.title})
 def in_filter(fields: Sequence[WindowField] = WINDOW_FIELDS) -> dict[str, WindowField]:
     """Fields by all names that a filter may call them, those by level without it."""
     return {name: one for one in fields for name in (one.name, *one.called)}
-
-
-def _composite_ratios(result: WindowResult) -> tuple[float | None, ...] | None:
-    return next(iter(result.explanation.ratios.values())).detail if result.explanation else None
-
-
-def reason_words(reason: Message | None) -> str | None:
-    return sentence(reason) if reason else None

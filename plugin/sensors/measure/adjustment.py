@@ -49,8 +49,11 @@ class Adjustment:
     """A model fitted to control points and judged on all."""
 
     request: ModelRequest
+    """Which model it is."""
     points: Points
+    """Control and check points."""
     fitted: FittedModel
+    """To the control points that are no blunders."""
     residuals_px: np.ndarray
     """(n, 2) model minus measured: column, row."""
     residuals_m: np.ndarray

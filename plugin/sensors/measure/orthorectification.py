@@ -47,17 +47,21 @@ class OrthoRequest:
     """What to rectify and how."""
 
     image: RasterRef
+    """What is rectified."""
     model: SensorModel
     """In the image's own pixels."""
     wkt: str
     """System of the points that the model was fitted to."""
     domain: Domain
+    """Where the model is used."""
     dem: RasterRef | None
+    """Terrain heights; None with a constant ``height``."""
     datum: Datum
     """What the heights of ``dem`` refer to."""
     height: float | None
     """Constant height above the ellipsoid, m, instead of ``dem``."""
     output: Path
+    """The file that is written."""
     target_wkt: str = ""
     """Empty: the UTM zone of the image's centre."""
     pixel_size: float | None = None
@@ -65,9 +69,9 @@ class OrthoRequest:
     extent: Extent | None = None
     """In the target system; None: the whole image."""
     resampling: str = "cubic"
-    """One of ``limits.RESAMPLINGS``."""
+    """``nearest``, ``bilinear``, ``cubic``, ``cubicspline``, ``lanczos`` or ``average``."""
     format: str = "GTiff"
-    """One of ``limits.ORTHO_FORMATS``."""
+    """``GTiff`` or ``COG``."""
 
 
 @dataclass(frozen=True)
@@ -75,17 +79,25 @@ class Ortho:
     """An orthoimage as made."""
 
     path: Path
+    """Its file."""
     wkt: str
+    """Its reference system."""
     extent: Extent
+    """xmin, ymin, xmax, ymax, map units."""
     pixel_size: float
+    """Map units."""
     columns: int
+    """Number of columns, px."""
     rows: int
+    """Number of rows, px."""
     rms_px: float
     """Of what GDAL does against the exact model, in pixels of the image, on a grid over the orthoimage."""
     max_px: float
+    """The largest of the same."""
     uncovered: float
     """Share of the image without terrain heights."""
     notices: tuple[Message, ...]
+    """What the user should know."""
 
 
 @dataclass(frozen=True)

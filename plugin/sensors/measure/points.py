@@ -14,6 +14,7 @@ class Points:
     """Places known on the ground and in the image."""
 
     ids: tuple[str, ...]
+    """n names."""
     image: np.ndarray
     """(n, 2) column, row in px."""
     ground: np.ndarray

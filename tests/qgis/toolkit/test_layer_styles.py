@@ -10,8 +10,8 @@ from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFe
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.acceptance.paper.defect_layer import DEFECT_COLUMNS
 from seam_inspector.plugin.imagery.statistics.observers import JUDGING_FIELDS
+from seam_inspector.plugin.seams.measure.scan.results.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS, PLACED_COLUMNS
-from seam_inspector.plugin.seams.tables.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from seam_inspector.plugin.seams.tables.window_fields import WINDOW_FIELDS
 from seam_inspector.plugin.toolkit.field_titles import field_title
 from seam_inspector.plugin.toolkit.layer_styles import load_style

@@ -41,16 +41,21 @@ class ProfileBin:
     """One level at one distance from the seam."""
 
     level: int
+    """1 is the finest."""
     near_px: float
+    """Where it begins, pixels of the mosaic from the seam."""
     far_px: float
     """Infinite in the last bin."""
     kept: float
+    """Share of the sources' detail variance, relative to the ground around."""
     low: float
+    """Lower end of its 95 % interval."""
     high: float
-    """95 % interval of ``kept``."""
+    """Upper end."""
     gain: float
     """The same by the detail that is the sources' own, so that what was added in the band does not count."""
     area_px: float
+    """How many pixels lie in it."""
     mixture: float | None = None
     """Share of the source beyond the seam, the mean of both sides; None where it was not looked for."""
 
@@ -67,13 +72,15 @@ class SeamProfile:
     kept: tuple[float | None, ...]
     """In the strip beside the seam, levels 1..R; None where there is too little to be measured."""
     low: float
+    """Lower end of the 95 % interval of kept_1."""
     high: float
-    """95 % interval of kept_1."""
+    """Upper end."""
     band_width_px: float
     """Full width of the band in which less than 0.9 is kept; 0 where there is none."""
     added_beside: float
     """By how much more of the detail in the strip than around is not the sources', as a share."""
     bins: tuple[ProfileBin, ...]
+    """By level, then by distance from the seam."""
     feather_width_px: float | None = None
     """Full width of the feather, by where the mixture goes from 10 to 90 %; 0 for a cut, None where it was not looked
     for."""

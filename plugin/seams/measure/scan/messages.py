@@ -40,6 +40,9 @@ SOURCE_WITHOUT_BAND = Message(
 SEAMS_CUT_OFF = Message(
     "{outside:.0f} m of the {given:.0f} m of seamlines lie outside the mosaic and are left out.", WARNING
 )
+SEAM_FILE_NOT_READ = Message(
+    "No seamlines can be read from {path}; check that it is a vector file, and the name of its layer."
+)
 SEAM_FIELD_MISSING = Message("The seamline layer has no field '{field}'; choose one of its fields: {known}.")
 SEAMS_ELSEWHERE = Message(
     "None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both."

@@ -28,9 +28,9 @@ class ScanSettings:
     levels: int = imagery_limits.DEFAULT_LEVELS
     """R, 1 to 4."""
     density: str = SEAMS
-    """One of ``DENSITIES``."""
+    """``seams``: everything along the seams, samples elsewhere; ``full``: everything everywhere."""
     cell_px: int = 2 * CELL_PX
-    """Side of a pixel of the picture of losses, one of ``CELLS_PX``."""
+    """Side of a pixel of the picture of losses, px of the mosaic: 16, 32, 64, 128 or 256."""
     piece_m: float = limits.STANDARD_PIECE_M
     """Length of the pieces into which seams are cut."""
     corridor_m: float = 0.0

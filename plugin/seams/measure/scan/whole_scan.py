@@ -1,6 +1,8 @@
 """A whole mosaic: request -> blocks -> result, and what a scan that was stopped has left."""
 from __future__ import annotations
 
+import os
+import tempfile
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager
@@ -11,16 +13,25 @@ from typing import Callable, Protocol
 from ....imagery.atomic_files import drop_unfinished
 from ....imagery.message import Message
 from ....imagery.raster_pool import rasters_kept
+from ....imagery.rasters import Raster
+from ....imagery.reading.own_threads import own_threads
+from ..inspection import Block, PathLike
 from .block_runs import BlockRun, ScanStep
-from .inputs.scan_request import ScanRequest
+from .inputs.scan_request import ScanRequest, scan_request
 from .journal.scan_fingerprint import fingerprint_of
 from .journal.scan_journal import ScanJournal, open_journal
+from .lines.given_seams import GivenSeams, given_seams
+from .lines.seam_files import read_seam_features
 from .lone.lone_scan import LoneScanning
 from .results.gathering import Gathering, ScanResult
 from .results.judged_pieces import dated
+from .scan_settings import ScanSettings
 
 JOURNAL_ENDING = ".scan"
 """Of the file beside the first output that holds what is measured until the scan is complete."""
+
+MEASURED = 0.9
+"""Of the time of a scan: the rest is to put the blocks together."""
 
 GoesOn = Callable[[float], bool]
 """Takes the share that is done, and says whether more is wanted."""
@@ -90,3 +101,54 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
         yield WholeScan(request, journal, notice)
     finally:
         journal.close()
+
+
+def scan(
+    block: Block,
+    settings: ScanSettings | None = None,
+    *,
+    seamlines: PathLike = "",
+    source_field: str = "",
+    loss: PathLike = "",
+    executor: Executor | None = None,
+    ahead: int = 0,
+    progress: Callable[[float], object] = lambda share: None,
+) -> ScanResult:
+    """Scan a whole mosaic: what each piece of its seams kept, and windows of the places that kept least.
+
+    ``settings``: the standard ones where None. ``seamlines``: a vector file of lines, or of polygons that are filled
+    from one source each, as ``file.gpkg|layername=name`` where it has several layers; without it seams are found from
+    the pixels. ``source_field``: the field that names the source of such a polygon, where that can't be guessed.
+    ``loss``: a GeoTIFF for the picture of losses; a scan that was stopped goes on when it is started again with the
+    same one. ``executor``: where blocks are measured, a thread per core where None; ``ahead``: how many it should have
+    under way, twice this machine's cores where 0. ``progress`` is told the share that is done, 0 to 1, now and then;
+    what it raises ends the scan.
+
+    What was left out or assumed stands in the result's ``notices``. Raises SettingsError when the inputs make no scan,
+    SeamlineError for seamlines that are none, RasterError when the picture can't be written.
+    """
+    path = os.fspath(seamlines)
+    given, told = _given(path, block.mosaic, source_field) if path else (None, [])
+    request, notices = scan_request(block.mosaic, block.sources, settings or ScanSettings(), given)
+    told += notices
+
+    def goes_on(share: float) -> bool:
+        progress(MEASURED + (1 - MEASURED) * share)
+        return True
+
+    with tempfile.TemporaryDirectory() as folder:
+        output = Path(os.fspath(loss) or Path(folder) / "loss.tif")
+        with whole_scan(request, output) as whole, own_threads(executor, ahead) as opened:
+            told += [whole.notice] if whole.notice else []
+            for step in whole.steps(*opened):
+                told += step.notices
+                progress(MEASURED * step.share)
+            result = whole.result(os.fspath(loss), goes_on)
+            assert result is not None  # it goes on
+            whole.finish()
+    return replace(result, notices=tuple(dict.fromkeys((*told, *result.notices))))
+
+
+def _given(path: str, mosaic: Raster, source_field: str) -> tuple[GivenSeams, list[Message]]:
+    features, lost = read_seam_features(path, mosaic.wkt)
+    return given_seams(features, mosaic.grid, source_field), [] if lost is None else [lost]

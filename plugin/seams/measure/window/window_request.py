@@ -28,7 +28,7 @@ class InspectionSettings:
     max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
     """Largest ratio_1 that is a significant loss."""
     reference: str = REFERENCES[0]
-    """What the verdict is taken by, one of ``REFERENCES``."""
+    """What the verdict is taken by: ``seam``, the sources' ``composite``, or whole ``sources`` as in the paper."""
     min_kept: float = limits.MAX_SIGNIFICANT_KEPT
     """Share of the finest detail along the seam, kept_1, at or below which a loss is significant."""
     directions: bool = False
@@ -48,12 +48,15 @@ class WindowRequest:
     """All that is needed to measure one window, in plain data that can cross threads and processes."""
 
     window_id: int
+    """What its result is known by."""
     mosaic: Raster
+    """Whose grid the window lies on."""
     sources: tuple[Source, ...]
     """Those that may cover the window."""
     window: PixelWindow | None
     """On the mosaic's grid; None when the drawn rectangle can't be measured."""
     settings: InspectionSettings
+    """How it is measured and judged."""
     reason: Message | None = None
     """Why there is no window."""
     cells: tuple[Cell, ...] = ()

@@ -39,12 +39,15 @@ class PairResult:
     source: str
     """File name without its folder, or ``composite``."""
     band: str
+    """``luminance``, ``red``, ``green``, ``blue``, ``nir`` or ``band_N``."""
     ratios: Ratios
+    """The mosaic's shares over the source's."""
     similarity: float | None
     """Correlation of the coarse components at level R; None where one of them is constant."""
     offset_x: float
-    """Sub-pixel offset of the source's pixel grid, px."""
+    """Sub-pixel offset of the source's pixel grid to the right, px."""
     offset_y: float
+    """The same downwards."""
     resampled: bool
     """Whether the source was warped to the mosaic's grid."""
     change: Change | None = None
@@ -76,6 +79,7 @@ class WindowResult:
     """What was measured in one window."""
 
     window_id: int
+    """The request's."""
     window: PixelWindow | None
     """The pixels of the mosaic that were measured."""
     judgement: Judgement
@@ -85,6 +89,7 @@ class WindowResult:
     clips: tuple[ClipResult, ...] = ()
     """The mosaic first, then the sources that took part."""
     pairs: tuple[PairResult, ...] = ()
+    """The mosaic against each source that covers the window, band by band."""
     explanation: Explanation | None = None
     """Why contrast was lost; None where nothing could be compared."""
     notices: tuple[Message, ...] = field(default=(), compare=False)
@@ -93,6 +98,11 @@ class WindowResult:
     """The mosaic's pixel size, m."""
     reference: str = REFERENCES[0]
     """What the verdict was taken by."""
+
+    @property
+    def levels(self) -> int:
+        """R."""
+        return len(self.judgement.ratios.detail)
 
     @property
     def profile(self) -> SeamProfile | None:

@@ -23,6 +23,7 @@ class Domain:
     columns: tuple[float, float]
     """First and last, px."""
     rows: tuple[float, float]
+    """First and last, px."""
     heights: tuple[float, float]
     """Lowest and highest, m above the ellipsoid."""
     middle: tuple[float, float]

@@ -46,6 +46,7 @@ class ScanResult:
     worst: tuple[PlacedWindow, ...]
     """The least kept places, the least first."""
     notices: tuple[Message, ...] = ()
+    """What was left out, assumed or could not be judged."""
 
     @property
     def seam_metres(self) -> float:

@@ -35,6 +35,7 @@ class JudgedPiece:
     band_width_m: float | None
     """Full width of the band in which less than 0.9 is kept."""
     verdict: Verdict
+    """By what it kept beside the seam."""
     reason: Message | None = None
     """Why there is no verdict."""
     visibility: float | None = None

@@ -1,9 +1,14 @@
-"""The layers of a scan, one entry per column. The field names are contracts."""
+"""The tables of a scan, one entry per column. The field names are contracts; layers and plain rows are made of them."""
 from __future__ import annotations
 
-from ...toolkit.table_fields import Column
-from ..measure.scan.results.judged_pieces import JudgedPiece
-from .window_fields import reason_words
+import numpy as np
+
+from .....imagery.records.columns import Column, Row, rows_of
+from .gathering import ScanResult
+from .judged_pieces import JudgedPiece
+
+GEOMETRY = "geometry"
+"""In plain rows, where a layer has lines."""
 
 SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
     Column("seam_id", "integer", lambda one: one.piece.seam_id),
@@ -20,9 +25,24 @@ SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
     Column("feather_width", "real", lambda one: one.feather_width_m),
     Column("visibility", "real", lambda one: one.visibility),
     Column("verdict", "text", lambda one: one.verdict.value),
-    Column("reason", "text", lambda one: reason_words(one.reason)),
+    Column("reason", "text", lambda one: one.reason),
 )
 """SEAMS: one line per piece of seam."""
 
 CELL_COLUMNS: tuple[Column[str], ...] = (Column("source", "text", lambda name: name),)
 """CELLS: one polygon per source."""
+
+
+def seam_rows(result: ScanResult) -> list[Row]:
+    """One row per piece of seam: what it kept with its 95 % interval, widths (m), verdict.
+
+    The fields are those of the layer SEAMS (docs/reference/tables.md), and ``geometry``: the line as WKT in the
+    mosaic's reference system.
+    """
+    levels = max((len(one.kept) for one in result.pieces if one.kept), default=1)
+    rows = rows_of(SEAM_COLUMNS, result.pieces, levels)
+    return [{**row, GEOMETRY: _line_wkt(one.piece.vertices)} for row, one in zip(rows, result.pieces)]
+
+
+def _line_wkt(vertices: np.ndarray) -> str:
+    return f"LINESTRING ({', '.join(f'{x!r} {y!r}' for x, y in vertices.tolist())})"

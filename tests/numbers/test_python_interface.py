@@ -1,0 +1,255 @@
+"""The Python interface: what ``from seam_inspector import ...`` gives, and what the guide says of it."""
+from __future__ import annotations
+
+import ast
+import inspect
+import json
+import subprocess
+import sys
+import warnings
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+import seam_inspector
+from osgeo import gdal, ogr, osr
+from seam_inspector import (
+    Block,
+    SeamInspectorError,
+    SeamInspectorWarning,
+    decide,
+    inspect_window,
+    inspect_windows,
+    limit_rules,
+    make_delivery,
+    open_block,
+    profile_rows,
+    scan,
+    seam_rows,
+    window_rows,
+)
+
+from demo.block import make_block
+from tools import python_pages
+
+LOADED = """
+import json, sys
+import seam_inspector
+names = [name for name in dir(seam_inspector) if not name.startswith("_")]
+before = sorted(sys.modules)
+for name in names:
+    if name != "classFactory":
+        getattr(seam_inspector, name)
+json.dump([names, before, sorted(sys.modules)], sys.stdout)
+"""
+HEAVY = {"numpy", "scipy", "pywt", "osgeo"}
+NEVER = {"qgis", "PyQt5", "PyQt6", "matplotlib", "pandas"}
+METRES = 'LOCAL_CS["here",UNIT["metre",1]]'
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A generated block of 120 x 100 m."""
+    made = tmp_path_factory.mktemp("block")
+    make_block(made, extent_m=(120.0, 100.0))
+    return made
+
+
+@pytest.fixture(scope="module")
+def block(folder: Path) -> Block:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        return open_block(folder / "mosaic.tif", sorted(folder.glob("strip*.tif")))
+
+
+def roots(modules: list[str]) -> set[str]:
+    return {name.partition(".")[0] for name in modules}
+
+
+def test_importing_costs_nothing_and_no_name_brings_qgis() -> None:
+    run = subprocess.run([sys.executable, "-c", LOADED], capture_output=True, text=True, check=True)
+    names, before, after = json.loads(run.stdout)
+    assert not (HEAVY | NEVER) & roots(before)
+    assert not NEVER & roots(after)
+    assert {one.name for one in python_pages.entries()} == {*names} - {"classFactory", "cache", "annotations", "Any"}
+
+
+def test_an_unknown_name_is_no_attribute() -> None:
+    assert not hasattr(seam_inspector, "serverClassFactory")
+    with pytest.raises(ImportError, match="nothing_like_it"):
+        from seam_inspector import nothing_like_it  # type: ignore[attr-defined] # noqa: F401
+
+
+def test_the_version_is_that_of_the_metadata(repository: Path) -> None:
+    assert f"version={seam_inspector.__version__}" in (repository / "metadata.txt").read_text("utf-8").splitlines()
+
+
+@pytest.mark.parametrize("entry", python_pages.entries(), ids=lambda entry: entry.name)
+def test_a_name_is_typed_and_documented(entry: python_pages.Entry) -> None:
+    assert getattr(seam_inspector, entry.name).__name__ == entry.name
+    assert entry.line.endswith(".")
+    if isinstance(entry.node, ast.FunctionDef):
+        found = inspect.signature(getattr(seam_inspector, entry.name))
+        assert found.return_annotation is not inspect.Signature.empty
+        assert all(one.annotation is not inspect.Parameter.empty for one in found.parameters.values())
+    else:
+        body = entry.node.body
+        bare = [
+            ast.unparse(one.target) for one, after in zip(body, [*body[1:], None])
+            if isinstance(one, ast.AnnAssign) and not isinstance(after, ast.Expr)
+        ]
+        methods = [one for one in body if isinstance(one, ast.FunctionDef) and not one.name.startswith("_")]
+        assert [*bare, *(one.name for one in methods if not ast.get_docstring(one))] == []
+
+
+def test_the_reference_and_the_notebook_are_made_anew() -> None:
+    """`make help-pages` makes them."""
+    assert python_pages.REFERENCE.read_text("utf-8") == python_pages.reference()
+    assert python_pages.NOTEBOOK.read_text("utf-8") == python_pages.notebook()
+
+
+def test_a_window_is_the_same_one_by_one_and_in_threads(block: Block) -> None:
+    xmin, ymin, xmax, ymax = block.mosaic.extent
+    requests = [block.window_at(xmin + 80, ymin + 75, side_m=25), block.window((xmax, ymin, xmax + 50, ymax))]
+    assert requests[0].window is not None
+    assert requests[0].window.width == 256
+    single = [inspect_window(one) for one in requests]
+    assert [one.judgement for one in inspect_windows(requests)] == [one.judgement for one in single]
+    inside, outside = window_rows(single)
+    assert inside["verdict"] == "significant"
+    assert (outside["verdict"], outside["kept_1"]) == ("not_comparable", None)
+    assert isinstance(outside["reason"], str)
+    assert {row["level"] for row in profile_rows(single)} == {1, 2, 3}
+
+
+def test_a_setting_out_of_its_range_is_told_at_once(block: Block) -> None:
+    with pytest.raises(SeamInspectorError, match="9 levels"):
+        block.window(block.mosaic.extent, seam_inspector.InspectionSettings(levels=9))
+
+
+def test_what_is_left_out_is_a_warning(folder: Path, tmp_path: Path) -> None:
+    with pytest.warns(SeamInspectorWarning, match=r"none\.tif") as told:
+        found = open_block(folder / "mosaic.tif", [folder / "strip1_0141.tif", tmp_path / "none.tif"])
+    assert len(told) == 1
+    assert told[0].filename == __file__
+    assert [one.ref.name for one in found.sources] == ["strip1_0141.tif"]
+    with pytest.raises(SeamInspectorError, match="does not exist"):
+        open_block(tmp_path / "none.tif")
+
+
+def test_cells_say_which_source_is_where(folder: Path) -> None:
+    sources, cells = sorted(folder.glob("strip*.tif")), f"{folder}/seamlines.gpkg|layername=cells"
+    found = open_block(folder / "mosaic.tif", sources, cells)
+    assert len(found.cells) == len(found.sources)
+
+
+@pytest.mark.parametrize("has_sources", [True, False])
+def test_a_scan_goes_along_seamlines(block: Block, folder: Path, tmp_path: Path, has_sources: bool) -> None:
+    scanned = block if has_sources else open_block(folder / "mosaic.tif")
+    shares: list[float] = []
+    with ThreadPoolExecutor(1) as executor:
+        found = scan(
+            scanned, seamlines=folder / "seamlines.gpkg", loss=tmp_path / "loss.tif", executor=executor, ahead=2,
+            progress=shares.append,
+        )  # fmt: skip
+    assert 250 < found.seam_metres < 320
+    assert shares == sorted(shares)
+    assert shares[-1] == 1
+    assert gdal.Open(str(tmp_path / "loss.tif")).RasterCount == 5
+    rows = seam_rows(found)
+    assert sum(row["length"] for row in rows) == pytest.approx(found.seam_metres)
+    assert {row["left_source"] for row in rows} <= {path.name for path in folder.glob("strip*.tif")}
+    line = ogr.CreateGeometryFromWkt(rows[0]["geometry"])
+    assert line.Length() == pytest.approx(rows[0]["length"], rel=0.01)
+
+
+def test_a_scan_that_was_ended_goes_on(block: Block, tmp_path: Path) -> None:
+    def end(share: float) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        scan(block, loss=tmp_path / "loss.tif", progress=end)
+    assert list(tmp_path.glob("*.scan"))
+    found = scan(block, loss=tmp_path / "loss.tif")
+    assert "goes on where it stopped" in str(found.notices[0])
+    assert any(one.kept for one in found.pieces)
+    assert not list(tmp_path.glob("*.scan"))
+
+
+def test_seamlines_that_are_none_are_told(block: Block, folder: Path, tmp_path: Path) -> None:
+    (tmp_path / "text.gpkg").write_text("no vectors")
+    for path, words in (
+        (tmp_path / "none.gpkg", "does not exist"), (tmp_path / "text.gpkg", "No seamlines"),
+        (f"{folder}/seamlines.gpkg|layername=other", "No seamlines"),
+    ):  # fmt: skip
+        with pytest.raises(SeamInspectorError, match=words):
+            scan(block, seamlines=path)
+
+
+def test_seamlines_may_lie_in_another_system_and_have_dates(folder: Path, tmp_path: Path) -> None:
+    moved = str(tmp_path / "cells.gpkg")
+    gdal.VectorTranslate(
+        moved, f"{folder}/seamlines.gpkg", SQLStatement="SELECT geom, source AS cliche FROM cells", dstSRS="EPSG:4326",
+        layerName="cells", reproject=True,
+    )  # fmt: skip
+    dataset = ogr.Open(moved, 1)
+    layer = dataset.GetLayer(0)
+    layer.CreateField(ogr.FieldDefn("acquisition_date", ogr.OFTDate))
+    for feature in list(layer):
+        feature.SetField("acquisition_date", 2019, 7, 4, 0, 0, 0, 0)
+        layer.SetFeature(feature)
+    del feature, layer, dataset
+    found = scan(open_block(folder / "mosaic.tif"), seamlines=moved)
+    assert 250 < found.seam_metres < 320
+    assert {one.left_date for one in found.pieces} == {"2019-07-04"}
+
+
+def piece(kept: object, number: int, **others: object) -> dict[str, object]:
+    line = f"LINESTRING ({25 * number} 0, {25 * number + 25} 0)"
+    return {"seam_id": 1.0, "station": 25.0 * number, "length": 25.0, "kept_1": kept, "geometry": line, **others}
+
+
+def test_a_delivery_is_decided_by_rows() -> None:
+    nothing = float("nan")
+    rows = [piece(0.9, 0), piece(0.5, 1), piece(nothing, 2), piece(0.8, 3, length=None)]
+    delivery = make_delivery({"one": rows}, METRES)
+    assert [one.kept_1 for one in delivery.pieces] == [0.9, 0.5, None, 0.8]
+    assert {one.seam_id for one in delivery.pieces} == {"1"}
+    assert delivery.pieces[3].length_m == 25
+    decision = decide(delivery, limit_rules(max_share=0.5, min_measured=0.7))
+    assert decision.accepted
+    assert decision.whole.measured_m == 75
+    assert not decide(delivery, limit_rules(max_share=0.1, min_measured=0.7)).accepted
+
+
+def test_a_delivery_of_nothing_is_refused_and_a_row_without_line_is_told() -> None:
+    for sheets, words in (
+        ({}, "empty"), ({"one": []}, "empty"), ({"one": [{"geometry": "LINESTRING (0 0, 1 0)"}]}, "kept_1"),
+        ({"one": [piece(70, 0)]}, "one"),
+    ):  # fmt: skip
+        with pytest.raises(SeamInspectorError, match=words):
+            make_delivery(sheets, METRES)
+    with pytest.warns(SeamInspectorWarning, match="left out"):
+        found = make_delivery({"one": [piece(0.9, 0), piece(0.9, 1, geometry="nowhere")]}, METRES)
+    assert len(found.pieces) == 1
+
+
+def test_a_delivery_in_degrees_is_moved_to_metres() -> None:
+    degrees = osr.SpatialReference()
+    degrees.ImportFromEPSG(4326)
+    row = piece(0.9, 0, geometry="LINESTRING (20 50, 20.001 50)", length=71.7)
+    found = make_delivery({"one": [row]}, degrees.ExportToWkt())
+    assert "UTM" in found.wkt
+    assert found.pieces[0].vertices[0] == pytest.approx([428333.55, 5539109.82], abs=0.5)
+
+
+@pytest.mark.parametrize("limits", [{"min_kept": 1.5}, {"max_share": -0.1}, {"min_measured": 2}, {"max_run_m": -1}])
+def test_limits_that_cannot_be_are_refused(limits: dict[str, float]) -> None:
+    with pytest.raises(SeamInspectorError, match=next(iter(limits))):
+        limit_rules(**limits)
+
+
+def test_without_gdal_a_sentence_says_what_to_install() -> None:
+    code = "import sys; sys.modules['osgeo'] = None\nfrom seam_inspector import open_block"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert run.stderr.splitlines()[-1].startswith("ImportError: GDAL's Python bindings are missing")

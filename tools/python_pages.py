@@ -1,0 +1,201 @@
+"""Write what the guide says of the Python interface: its reference, and its notebook.
+
+    python -m tools.python_pages
+
+docs/python/reference.md is made of `__init__.pyi` and the docstrings, docs/python/first_steps.ipynb of first_steps.md.
+A test fails where they differ.
+"""
+from __future__ import annotations
+
+import ast
+import json
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from itertools import groupby
+from pathlib import Path
+from textwrap import dedent
+
+import seam_inspector
+
+REPOSITORY = Path(__file__).parents[1]
+STUB = REPOSITORY / "__init__.pyi"
+PAGES = REPOSITORY / "docs" / "python"
+REFERENCE, FIRST_STEPS, NOTEBOOK = PAGES / "reference.md", PAGES / "first_steps.md", PAGES / "first_steps.ipynb"
+
+_IMPORT = re.compile(r"from \.(\S+) import (\w+) as \2$")
+_FENCE = re.compile(r"^```(python|text)\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
+_PICTURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n", re.MULTILINE)
+_HEAD = """\
+# Reference of the Python interface
+
+Made of the docstrings. Whatever is listed here is imported from `seam_inspector` itself; `help(name)` says the same.
+Arrays have their shape in brackets, names of lengths end in `_m` (metres on the ground) or `_px`, grey values are those
+of the file (DN).
+"""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A name of the interface."""
+
+    name: str
+    chapter: str
+    node: ast.FunctionDef | ast.ClassDef
+
+    @property
+    def line(self) -> str:
+        """The first sentence of its docstring."""
+        text = " ".join((ast.get_docstring(self.node) or "").split("\n\n")[0].split())
+        return _cell(re.split(r"(?<=[.]) (?=[A-Z`])", text)[0])
+
+
+def entries() -> list[Entry]:
+    """All names in the stub's order, each under the comment above it."""
+    found, chapter = [], ""
+    for line in STUB.read_text("utf-8").splitlines():
+        if line.startswith("# "):
+            chapter = line[2:]
+        elif match := _IMPORT.match(line):
+            found.append(Entry(match[2], chapter, _definition(match[1], match[2])))
+    return found
+
+
+def reference() -> str:
+    """The page: what each chapter holds, then each name by itself."""
+    made = [_HEAD]
+    for chapter, of_chapter in groupby(entries(), lambda entry: entry.chapter):
+        listed = list(of_chapter)
+        rows = "".join(f"| [`{one.name}`](#{one.name.lower()}) | {one.line} |\n" for one in listed)
+        made.append(f"## {chapter}\n\n| name | what it is |\n|---|---|\n{rows}")
+        made += ["\n".join(_section(one)) for one in listed]
+    return "\n".join(made)
+
+
+def cells() -> list[tuple[str, str]]:
+    """The notebook's cells as kind and text: ``code`` of what is Python on the page, ``markdown`` of all else."""
+    page, found, start = FIRST_STEPS.read_text("utf-8"), [], 0
+    for fence in _FENCE.finditer(page):
+        found.append(("markdown", page[start : fence.start()]))
+        start = fence.end()
+        if fence[1] == "python":
+            found.append(("code", fence[2]))
+    found.append(("markdown", page[start:]))
+    stripped = ((kind, _PICTURE.sub("", text).strip("\n")) for kind, text in found)
+    return [(kind, text) for kind, text in stripped if text]
+
+
+def printed() -> list[str]:
+    """For each cell of code what the page says that it prints; empty where it says nothing."""
+    found: list[str] = []
+    for fence in _FENCE.finditer(FIRST_STEPS.read_text("utf-8")):
+        if fence[1] == "python":
+            found.append("")
+        else:
+            found[-1] = fence[2]
+    return found
+
+
+def notebook() -> str:
+    """The file, clean of outputs."""
+    made = [
+        {"cell_type": kind, "id": f"cell-{number}", "metadata": {}, "source": text.splitlines(keepends=True),
+         **({"execution_count": None, "outputs": []} if kind == "code" else {})}
+        for number, (kind, text) in enumerate(cells(), 1)
+    ]  # fmt: skip
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    whole = {"cells": made, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
+    return json.dumps(whole, indent=1, ensure_ascii=False) + "\n"
+
+
+def _section(entry: Entry) -> Iterator[str]:
+    yield f"### {entry.name}\n"
+    if isinstance(entry.node, ast.FunctionDef):
+        yield f"```python\n{_signature(entry.node)}\n```\n"
+    yield _docstring(entry.node)
+    if isinstance(entry.node, ast.ClassDef):
+        rows = [*_members(entry.node, getattr(seam_inspector, entry.name))]
+        if rows:
+            yield "\n".join(["| name | type | what it is |", "|---|---|---|", *rows]) + "\n"
+
+
+def _members(node: ast.ClassDef, loaded: type) -> Iterator[str]:
+    """Fields with their defaults and words, then properties and methods, as rows of a table."""
+    for one, after in zip(node.body, [*node.body[1:], None]):
+        told = after.value.value if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant) else ""
+        if isinstance(one, ast.AnnAssign) and isinstance(one.target, ast.Name):
+            default = getattr(loaded, one.target.id, None)
+            shown = f" = {default!r}" if type(default) in (int, float, str, bool) and default != "" else ""
+            yield _row(one.target.id, ast.unparse(one.annotation) + shown, told)
+        elif isinstance(one, ast.Assign) and isinstance(one.targets[0], ast.Name):
+            name = one.targets[0].id
+            yield _row(name, repr(getattr(loaded, name).value), told)
+    for one in node.body:
+        if isinstance(one, ast.FunctionDef) and not one.name.startswith("_"):
+            is_property = any("property" in ast.unparse(decorator) for decorator in one.decorator_list)
+            names = [argument.arg for argument in (*one.args.args, *one.args.kwonlyargs) if argument.arg != "self"]
+            called = one.name if is_property else f"{one.name}({', '.join(names)})"
+            yield _row(called, ast.unparse(one.returns) if one.returns else "", ast.get_docstring(one) or "")
+
+
+def _row(name: str, kind: str, told: str) -> str:
+    return f"| `{name}` | `{_cell(kind)}` | {_cell(dedent(told).split(chr(10) * 2)[0])} |"
+
+
+def _cell(text: str) -> str:
+    """On one line, as a table of Markdown takes it."""
+    return _markdown(" ".join(text.split())).replace("|", "\\|")
+
+
+def _signature(node: ast.FunctionDef) -> str:
+    """One argument a line where they are many."""
+    arguments = ast.unparse(node.args)
+    whole = f"{node.name}({arguments}) -> {ast.unparse(node.returns) if node.returns else 'None'}"
+    if len(whole) <= 100:
+        return whole
+    parts = "".join(f"    {part},\n" for part in _split(arguments))
+    return f"{node.name}(\n{parts}) -> {ast.unparse(node.returns) if node.returns else 'None'}"
+
+
+def _split(arguments: str) -> Iterable[str]:
+    """At the commas outside of brackets."""
+    depth, part = 0, ""
+    for letter in arguments:
+        depth += (letter in "([{") - (letter in ")]}")
+        if letter == "," and not depth:
+            yield part.strip()
+            part = ""
+        else:
+            part += letter
+    yield part.strip()
+
+
+def _docstring(node: ast.FunctionDef | ast.ClassDef) -> str:
+    return _markdown(ast.get_docstring(node) or "") + "\n"
+
+
+def _markdown(text: str) -> str:
+    return text.replace("``", "`")
+
+
+@cache
+def _module(name: str) -> ast.Module:
+    return ast.parse((REPOSITORY / name.replace(".", "/")).with_suffix(".py").read_text("utf-8"))
+
+
+def _definition(module: str, name: str) -> ast.FunctionDef | ast.ClassDef:
+    return next(
+        node for node in _module(module).body
+        if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and node.name == name
+    )
+
+
+def main() -> None:
+    """Command line."""
+    REFERENCE.write_text(reference(), encoding="utf-8")
+    NOTEBOOK.write_text(notebook(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
