@@ -92,11 +92,22 @@ def mixed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -
 
 def followed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
     """Of the detail of the source that is truly followed, DN squared; beyond a border that was drawn in the wrong place
-    that is the other one, and of halves it is the mean of both: a border that is drawn through them goes round whatever
-    has more detail."""
+    that is the other one, and of halves that do not end it is the mean of both: a border that is drawn through them
+    goes round whatever has more detail."""
     ss, _, oo = (products[..., of] for of in _ENERGIES[before])
-    of_other = np.clip((other - _EITHER) / (_FOLLOWED - _EITHER), 0, 1)
+    of_other = np.where(other > _FOLLOWED, 1.0, 0.0)
+    of_either = np.clip((other - _EITHER) / (_FOLLOWED - _EITHER), 0, 1)
+    of_other = np.where(_is_endless(products[..., _AREA], other), of_either, of_other)
     return np.asarray((1 - of_other) * ss + of_other * oo)
+
+
+def _is_endless(area: np.ndarray, other: np.ndarray) -> np.ndarray:
+    """Slots on a side on which the mixture is one of halves as far as it is known, (..., SLOTS) bool."""
+    sides = (*area.shape[:-1], 2, MIXED_BINS)
+    known, shares = (area > 0).reshape(sides), np.broadcast_to(other, area.shape).reshape(sides)
+    last = MIXED_BINS - 1 - known[..., ::-1].argmax(axis=-1)
+    far = np.take_along_axis(shares, last[..., np.newaxis], axis=-1) >= _EITHER
+    return np.asarray(np.broadcast_to(far, shares.shape).reshape(area.shape))
 
 
 def feather_width_px(other: np.ndarray) -> float:

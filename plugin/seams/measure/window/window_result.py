@@ -13,7 +13,7 @@ from ..changes import Change
 from ..explanation import Explanation
 from ..profile.loss_picture import LossPicture
 from ..profile.seam_profile import SeamProfile
-from ..verdicts import Judgement, Ratios, Verdict
+from ..verdicts import MAX_KEPT_LOW, Judgement, Ratios, Verdict
 from ..window_records import COMPOSITE, REFERENCES
 from .window_request import WindowRequest
 
@@ -106,8 +106,10 @@ class WindowResult:
 
     @property
     def profile(self) -> SeamProfile | None:
-        """What is kept along the seam; None without one, or where it can't be told."""
-        return self.explanation.profile if self.explanation else None
+        """What is kept along the seam; None without one, or where it can't be told, as where it is more than any seam
+        leaves."""
+        found = self.explanation.profile if self.explanation else None
+        return None if found is not None and found.low > MAX_KEPT_LOW else found
 
     @property
     def loss(self) -> LossPicture | None:

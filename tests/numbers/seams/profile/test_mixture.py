@@ -2,6 +2,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
+from statistics import harmonic_mean
 
 import numpy as np
 import pytest
@@ -205,7 +207,9 @@ def test_the_mean_of_two_images_keeps_what_they_have_in_common(in_common: float)
     mean = made.with_mosaic_of(np.full(made.labels.shape, 0.5))
     found = mean.profile()
     assert found.by_mixture == pytest.approx((1 + in_common) / 2, abs=0.03)
-    assert found.by_mixture == pytest.approx(mean.truth(), abs=0.01)
+    # Nobody knows which of two halves is followed.
+    either = [mean.truth(), replace(mean, labels=1 - mean.labels).truth()]
+    assert found.by_mixture == pytest.approx(harmonic_mean(either), abs=0.01)
     assert shares_of(mean) == pytest.approx(0.5, abs=0.03)
 
 
