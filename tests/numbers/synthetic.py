@@ -4,6 +4,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -22,17 +23,20 @@ Colour = tuple[int, ...]
 # --- arrays ----------------------------------------------------------------------------------------------------
 
 
+@lru_cache(maxsize=16)
 def texture(shape: tuple[int, int], beta: float = 2.0, seed: int = 0) -> np.ndarray:
     """A periodic texture of mean 0 and standard deviation 1 whose power falls with frequency as f^-beta.
 
-    0 is white noise, 2 looks like an orthoimage, 5 is very smooth.
+    0 is white noise, 2 looks like an orthoimage, 5 is very smooth. Tests share it, so it can't be written to.
     """
     rows, columns = shape
     noise = np.random.default_rng(seed).standard_normal(shape)
     frequency = np.hypot(np.fft.fftfreq(rows)[:, np.newaxis], np.fft.rfftfreq(columns))
     frequency[0, 0] = np.inf
     made = np.fft.irfft2(np.fft.rfft2(noise) * frequency ** (-beta / 2), shape)
-    return (made - made.mean()) / made.std()
+    made = (made - made.mean()) / made.std()
+    made.flags.writeable = False
+    return made
 
 
 def patchy_texture(shape: tuple[int, int], beta: float = 2.0, seed: int = 0) -> np.ndarray:

@@ -117,6 +117,7 @@ def assert_they_say_the_same(
     assert np.median(differences) < np.median(widths) / 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [0, 13, 33, 66])
 def test_of_made_up_images(tmp_path: Path, width: int) -> None:
     given = images()
@@ -166,17 +167,20 @@ def is_single(piece: JudgedPiece, one: Delivery) -> bool:
     return sum(ogr.CreateGeometryFromWkb(cell.wkb).Intersects(around) for cell in one.known_cells()) == 2
 
 
+@pytest.mark.slow
 def test_of_the_demo_block_along_its_seamlines(tmp_path: Path, demo_block: Delivery) -> None:
     assert_they_say_the_same(
         demo_block, tmp_path, True, 10.0, 6, lambda piece: is_single(piece, demo_block) and not is_hidden(piece)
     )
 
 
+@pytest.mark.slow
 @pytest.mark.xfail(strict=True, reason="the corridor along a seam is too narrow for a feather of 33 m")
 def test_of_a_feather_that_is_wider_than_the_corridor(tmp_path: Path, demo_block: Delivery) -> None:
     assert_they_say_the_same(demo_block, tmp_path, True, 10.0, 3, is_hidden)
 
 
+@pytest.mark.slow
 @pytest.mark.xfail(strict=True, reason="the ground beside a window in a dodged field was dodged, a scan's was not")
 def test_of_the_demo_block_along_the_seams_that_are_found(tmp_path: Path, demo_block: Delivery) -> None:
     assert_they_say_the_same(demo_block, tmp_path, False, 20.0, 4)

@@ -56,6 +56,7 @@ def test_true_sources_on_the_very_pixels_of_the_mosaic_stay(paths: list[str]) ->
     assert told(paths[2], paths) == (["a.tif", "b.tif"], {})
 
 
+@pytest.mark.slow
 def test_copies_overviews_and_vrts_are_left_out_with_their_reason(paths: list[str], tmp_path: Path) -> None:
     mosaic = gdal.Open(paths[2])
     made = {name: str(tmp_path / name) for name in ("copy.tif", "grown.tif", "half.tif", "eighth.tif", "of.vrt")}
@@ -94,6 +95,7 @@ def triplet(make_raster: MakeRaster) -> dict[str, str]:
     return {name: make_raster(f"{name}.tif", one) for name, one in zip(("a", "b", "c", "mosaic"), [*images, mosaic])}
 
 
+@pytest.mark.slow
 def test_images_that_are_alike_everywhere_are_no_copies_where_the_mosaic_turns_from_one_to_the_other(
     triplet: dict[str, str], tmp_path: Path
 ) -> None:
@@ -104,6 +106,7 @@ def test_images_that_are_alike_everywhere_are_no_copies_where_the_mosaic_turns_f
     assert notices == {"lossy.tif": messages.COPY_AMONG_SOURCES.template}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["jpeg", "png", "equal"])
 def test_windows_are_inspected_without_a_copy_of_the_mosaic(
     paths: list[str], images: list[np.ndarray], make_raster: MakeRaster, tmp_path: Path, kind: str

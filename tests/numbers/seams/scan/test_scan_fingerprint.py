@@ -103,6 +103,7 @@ def test_a_remote_mosaic_and_few_remote_sources_are_asked_for(files: dict[str, s
         assert {answer.path for answer in server.answers} == {"/mosaic.tif"}
 
 
+@pytest.mark.slow
 def test_another_process_finds_the_same(files: dict[str, str]) -> None:
     code = f"""
 from tests.numbers.seams.scan.test_scan_fingerprint import taken
@@ -112,6 +113,7 @@ print(taken({files!r}))
     assert found.stdout.strip() == taken(files)
 
 
+@pytest.mark.slow
 def test_a_hundred_thousand_sources_take_seconds_and_none_is_opened(
     make_raster: MakeRaster, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
