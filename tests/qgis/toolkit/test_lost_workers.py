@@ -28,7 +28,7 @@ from tests.qgis.clusters import needs_dask, scheduler_process, two_workers, work
 
 pytestmark = [needs_dask, pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")]
 
-SIDE, WINDOWS, LOSSES = 1024, 60, 3
+SIDE, WINDOWS, LOSSES = 512, 24, 3
 
 
 @pytest.fixture
