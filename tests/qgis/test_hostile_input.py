@@ -16,7 +16,7 @@ from tests.qgis.runs import algorithm
 from tests.qgis.test_overwriting import INPUTS
 from tests.qgis.test_provider import NAMES
 
-pytestmark = pytest.mark.usefixtures("provider")
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("provider")]
 
 
 def test_every_algorithm_has_a_sound_call(provider: QgsProcessingProvider) -> None:

@@ -22,7 +22,7 @@ from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence
 from tests.qgis.scenes import BLURRED, SHARP, Scene, saved, windows
 from tests.qgis.test_provider import NAMES
 
-pytestmark = pytest.mark.usefixtures("provider")
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("provider")]
 
 LAYERS = (QgsProcessingParameterFeatureSink, QgsProcessingParameterRasterDestination)
 

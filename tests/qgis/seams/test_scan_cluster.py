@@ -24,7 +24,7 @@ from tests.qgis.clusters import needs_dask, two_workers, worker_processes
 from tests.qgis.runs import run
 from tests.qgis.scenes import Scene
 
-pytestmark = needs_dask
+pytestmark = [pytest.mark.slow, needs_dask]
 
 SIDE = 4200
 """Of the mosaic, px: 3 x 3 blocks."""
