@@ -40,7 +40,7 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 def request_(tmp_path_factory: pytest.TempPathFactory) -> ScanRequest:
     """A mosaic cut hard out of two images along a crooked line."""
     folder = tmp_path_factory.mktemp("large")
-    west, east = (orthoimage((SIDE, SIDE), bands=1, seed=seed) for seed in (1, 2))
+    west, east = (np.tile(orthoimage((SIDE, SIDE // 4), bands=1, seed=seed), (1, 1, 4)) for seed in (1, 2))
     seam = SIDE / 2 + 90 * np.sin(np.arange(SIDE) / 300)
     mosaic = np.where(np.arange(SIDE) < seam[:, np.newaxis], west, east)
     refs = [
