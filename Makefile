@@ -3,8 +3,10 @@
 PYTHON := .venv/bin/python
 QT6 := .venv-qt6/bin/python
 PACKAGE := build/plugins/seam_inspector
-# Tests of one file share what they make, so a file goes to one process
-SIDE_BY_SIDE := -n auto --maxprocesses 4 --dist loadfile
+# Tests of one file share what they make, so a file goes to one process; those with slow tests come first
+SIDE_BY_SIDE := -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
+# Processes side by side take the cores already
+ONE_THREAD := OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 # Tests of what draws and listens, which ask little of QGIS; those that ask more are skipped
 ALSO_UNDER_QT6 := $(addprefix tests/qgis/,$(addprefix seams/desk/,images judging profile/test_profile_panel.py \
 	test_curves_panel.py test_windows_panel.py) $(addprefix toolkit/,test_attribute_values.py test_figure_files.py \
@@ -18,7 +20,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint test test-numbers test-qt6 test-qgis test-desktop test-matrix guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz soak translate package icon clean
+.PHONY: help install link lint check test mutants test-numbers test-qt6 test-qgis test-desktop test-matrix guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -40,10 +42,13 @@ lint: link ## Check style and types, and that nothing is left unused
 	$(PYTHON) -m vulture
 	$(PYTHON) -m mypy -p seam_inspector.plugin $(patsubst %/run.py,-p %,$(wildcard demo/run.py benchmarks/run.py fuzz/run.py))
 
+check: lint ## Before every commit, in two minutes: style, types, and the quick tests of the numbers
+	$(ONE_THREAD) $(PYTHON) -m pytest -q -p no:pytest_qgis $(SIDE_BY_SIDE) --quick tests/numbers
+
 test: lint test-numbers test-qt6 test-qgis test-desktop ## Check style and types, then run all tests
 
 test-numbers: link ## Run the tests of the numbers, without QGIS
-	$(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/numbers
+	$(ONE_THREAD) $(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/numbers
 
 test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what draws without QGIS
 	@tools/install_qt6.sh
@@ -54,12 +59,15 @@ test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what 
 
 test-qgis: link ## Run the tests inside QGIS, offscreen
 	@rm -rf .qgis-settings
-	QT_QPA_PLATFORM=offscreen $(PYTHON) -m pytest $(SIDE_BY_SIDE) tests/qgis
+	QT_QPA_PLATFORM=offscreen $(ONE_THREAD) $(PYTHON) -m pytest $(SIDE_BY_SIDE) tests/qgis
 
 test-desktop: link ## Run the tests of the real application, each on a virtual screen of its own
 ifneq ($(wildcard tests/desktop/test_*.py),)
 	$(PYTHON) -m pytest -p no:pytest_qgis -n auto --maxprocesses 4 --dist worksteal tests/desktop
 endif
+
+mutants: link ## Change the measuring code at random, and tell which changes no test sees: N=40 SEED=1
+	$(ONE_THREAD) $(PYTHON) -m tools.mutants $(if $(N),--count $(N)) $(if $(SEED),--seed $(SEED))
 
 test-matrix: link ## Run the tests on the QGIS of this machine, of Debian trixie and of sid, in chroots; FULL=1 for all of them
 	$(PYTHON) -m tools.qgis_matrix.run $(if $(FULL),--full) $(if $(MIRROR),--mirror "$(MIRROR)") \

@@ -18,14 +18,44 @@ if not LINK.exists():
     LINK.symlink_to("../..", target_is_directory=True)
 sys.path.insert(0, str(PLUGINS))
 
-settings.register_profile(
-    "seam_inspector",
-    derandomize=True,
-    deadline=None,
-    max_examples=60,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
-)
-settings.load_profile("seam_inspector")
+for profile, examples in (("all", 60), ("quick", 10)):
+    settings.register_profile(
+        profile,
+        derandomize=True,
+        deadline=None,
+        max_examples=examples,
+        suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+    )
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--quick", action="store_true", help="without tests that are slow or read real data; few examples")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    settings.load_profile("quick" if config.getoption("quick") else "all")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    long_files = {item.path for item in items if _is_slow(item)}
+    items.sort(key=lambda item: item.path not in long_files)  # begun first, so that none is left for the end
+    if config.getoption("quick"):
+        config.hook.pytest_deselected(items=[item for item in items if _is_slow(item)])
+        items[:] = [item for item in items if not _is_slow(item)]
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    if session.config.getoption("quick"):
+        sys.addaudithook(_refuse_processes)
+
+
+def _refuse_processes(event: str, _arguments: object) -> None:
+    if event in ("subprocess.Popen", "os.fork", "os.posix_spawn"):
+        raise AssertionError("A quick test starts no process: mark it as slow.")
+
+
+def _is_slow(item: pytest.Item) -> bool:
+    return item.get_closest_marker("slow") is not None or "data_folder" in getattr(item, "fixturenames", ())
 
 
 @pytest.fixture(scope="session")

@@ -59,14 +59,6 @@ def test_dangers(small_block: Path, tmp_path: Path) -> None:
     assert run.seconds_to_exit < 60  # a few seconds on a machine of its own
 
 
-def test_quitting_asks_nothing_about_unseen_work(tmp_path: Path) -> None:
-    """What the desk does by itself is cancelled, also when QGIS closes seconds after a project was opened."""
-    run = play(SCENARIOS / "quitting.py", tmp_path, seconds=100)
-    check(run)
-    assert run.report["busy_at_exit"]
-    assert "A dialog keeps QGIS" not in run.output, run.output
-
-
 @pytest.mark.parametrize(
     ("name", "options"),
     [

@@ -4,6 +4,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ import pywt
 from osgeo import gdal, gdal_array, osr
 
 UTM33 = 32633
+_MOST_SHARED_PX = 1024**2
 ORIGIN = (500000.0, 5000000.0)
 """x and y of the upper left corner of rasters, unless a test says otherwise."""
 
@@ -25,8 +27,19 @@ Colour = tuple[int, ...]
 def texture(shape: tuple[int, int], beta: float = 2.0, seed: int = 0) -> np.ndarray:
     """A periodic texture of mean 0 and standard deviation 1 whose power falls with frequency as f^-beta.
 
-    0 is white noise, 2 looks like an orthoimage, 5 is very smooth.
+    0 is white noise, 2 looks like an orthoimage, 5 is very smooth. Tests share small ones, which can't be written to.
     """
+    return (_shared_texture if shape[0] * shape[1] <= _MOST_SHARED_PX else _texture)(shape, beta, seed)
+
+
+@lru_cache(maxsize=16)
+def _shared_texture(shape: tuple[int, int], beta: float, seed: int) -> np.ndarray:
+    made = _texture(shape, beta, seed)
+    made.flags.writeable = False
+    return made
+
+
+def _texture(shape: tuple[int, int], beta: float, seed: int) -> np.ndarray:
     rows, columns = shape
     noise = np.random.default_rng(seed).standard_normal(shape)
     frequency = np.hypot(np.fft.fftfreq(rows)[:, np.newaxis], np.fft.rfftfreq(columns))

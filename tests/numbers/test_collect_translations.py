@@ -33,6 +33,7 @@ def test_what_is_no_text_is_left_out(code: str) -> None:
     assert list(texts_of(code)) == []
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("pylupdate5") is None, reason="PyQt5's tool is not installed")
 def test_qt_5_finds_the_same_texts_and_changes_no_entry(repository: Path, tmp_path: Path) -> None:
     sources, path = sorted((repository / "plugin").rglob("*.py")), tmp_path / "pl.ts"

@@ -19,6 +19,7 @@ def anchors(page: Path) -> set[str]:
     return {title.replace(" ", "-") for title in titles}
 
 
+@pytest.mark.slow
 def test_the_guide_builds_without_a_warning(repository: Path, tmp_path: Path) -> None:
     """Sphinx follows every link, anchor and picture of its pages, and wants each page in the tree."""
     command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-b", "dummy", "docs", str(tmp_path)]

@@ -61,6 +61,8 @@ def imported(tree: ast.Module, path: Path) -> tuple[dict[str, Path], dict[str, t
 
 def uses(code: str, path: Path) -> Iterator[Use]:
     """Every use of a message in a file."""
+    if "messages" not in code:
+        return
     tree = ast.parse(code)
     parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
     modules, names = imported(tree, path)

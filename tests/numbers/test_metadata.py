@@ -83,6 +83,7 @@ def test_what_belongs_to_one_machine_is_recognised(line: str) -> None:
     assert OF_ONE_MACHINE.search(line.replace("@", ""))
 
 
+@pytest.mark.slow
 def test_files_name_no_registry_and_no_path_of_one_machine(repository: Path) -> None:
     listed = subprocess.run(
         ["git", "-c", "safe.directory=*", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],

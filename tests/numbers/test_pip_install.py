@@ -23,6 +23,8 @@ from seam_inspector.plugin.toolkit.executors import measuring_modules
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import orthoimage
 
+pytestmark = pytest.mark.slow
+
 IMPORT_ALL = """
 import importlib, pkgutil, sys
 import seam_inspector

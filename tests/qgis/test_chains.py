@@ -16,6 +16,8 @@ from tests.qgis.chains import CHAINS, KINDS
 from tests.qgis.runs import Log, run_unchecked
 from tests.qgis.scenes import BLURRED, SHARP, Scene, windows
 
+pytestmark = pytest.mark.slow
+
 SAID_BY_THE_SCENE = {
     "placewindows OUTPUT": 4,
     "inspectwindows OUTPUT": 4,

@@ -16,7 +16,7 @@ from tests.qgis.runs import algorithm
 from tests.qgis.test_overwriting import INPUTS
 from tests.qgis.test_provider import NAMES
 
-pytestmark = pytest.mark.usefixtures("provider")
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("provider")]
 
 
 def test_every_algorithm_has_a_sound_call(provider: QgsProcessingProvider) -> None:
@@ -68,7 +68,7 @@ QUICK = {
     "placewindows", "inspectwindows", "planinspection", "predictloss", "minimumheight", "simulatebayer", "comparemarks",
     "enhancephoto", "orthorectify", "report",
 }
-COUNT = 50
+COUNT = 15
 
 
 def test_a_few_cases_find_nothing(tmp_path: Path) -> None:

@@ -22,6 +22,8 @@ from tests.qgis.plugin_lives import action_of, assert_leaves_nothing
 from tests.qgis.scenes import Scene, outline, windows
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_for_tasks, wait_until
 
+pytestmark = pytest.mark.slow
+
 BOXES = [(column, row, 64, 64) for row in range(0, 192, 32) for column in range(0, 448, 64)]
 
 

@@ -17,6 +17,8 @@ from tests.qgis.resolution.bar_scenes import bar_layer, make_bar_scene
 from tests.qgis.runs import run
 from tests.qgis.scenes import BLURRED, SHARP, windows
 
+pytestmark = pytest.mark.slow
+
 Report = Callable[[dict[str, Any], Path, Path], None]
 """From the inputs and a folder for more of them to the report's file."""
 

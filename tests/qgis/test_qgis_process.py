@@ -14,7 +14,7 @@ from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 from tests.qgis.runs import assert_sentence
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, windows
 
-pytestmark = NEEDED
+pytestmark = [pytest.mark.slow, NEEDED]
 
 Finished = subprocess.CompletedProcess[str]
 Process = Callable[..., Finished]

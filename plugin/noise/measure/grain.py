@@ -90,16 +90,18 @@ def grain_spectrum(wavelet: str, levels: int, size: float) -> tuple[float, ...]:
     aliases = frequency[:, np.newaxis] + np.arange(-3, 4)  # a scanner samples what is finer than its pixels as well
     power = np.exp(-np.square(2 * np.pi * aliases * size)).sum(axis=1)
     power /= power.mean()
-    bank = pywt.Wavelet(wavelet)
     variances = []
     for level in range(levels):
-        low, high = (_gain(taps, frequency * 2**level) for taps in (bank.dec_lo, bank.dec_hi))
+        low, high = _gains(wavelet, level)
         across, power = power * high, power * low
         variances.append(float(2 * across.mean() * power.mean() + across.mean() ** 2) / 3)
     return tuple(variances)
 
 
-def _gain(taps: Sequence[float], frequency: np.ndarray) -> np.ndarray:
-    """What a filter makes of the power at each frequency, cycles per sample."""
-    phases = np.exp(-2j * np.pi * np.outer(frequency, np.arange(len(taps))))
-    return np.asarray(np.abs(phases @ np.asarray(taps)) ** 2)
+@lru_cache(maxsize=32)
+def _gains(wavelet: str, level: int) -> tuple[np.ndarray, np.ndarray]:
+    """What the low-pass and the high-pass filter of a level, from 0 on, make of the power at each frequency."""
+    bank, frequency = pywt.Wavelet(wavelet), np.fft.fftfreq(_FREQUENCIES) * 2**level
+    phases = np.exp(-2j * np.pi * np.outer(frequency, np.arange(bank.dec_len)))
+    low, high = (np.asarray(np.abs(phases @ np.asarray(taps)) ** 2) for taps in (bank.dec_lo, bank.dec_hi))
+    return low, high

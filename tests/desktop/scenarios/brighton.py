@@ -1,4 +1,4 @@
-"""Eight real sources and 100 windows along the seams, and how soon a curve follows a click.
+"""Eight real sources and 100 windows along the seams, their looks on the map, and how soon a curve follows a click.
 
 Parameters: ``brighton`` and ``block`` (folders; the latter may be empty), ``screenshots`` (folder).
 """
@@ -10,10 +10,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from qgis.core import QgsApplication
+from qgis.gui import QgsMessageBarItem
 from qgis.PyQt.QtCore import Qt
+from qgis.utils import iface
 
 from demo.desk import Desk
 from demo.gaps import Gaps
+from tests.desktop.scenarios import dense
 
 MOSAIC = "mosaic_feather0p4m"
 SIDE_M, SPACING_M = 1.9, 2.2  # 64 px: larger windows would share too many pixels for 100 of them to have room
@@ -30,6 +33,7 @@ def play(desk: Desk) -> None:
     desk.report["sources"] = len(desk.session.inputs.sources)
     place(desk)
     inspect(desk)
+    dense.look(desk, shots)
     judge(desk)
     desk.screenshot(shots / "brighton.png")
     desk.save_and_reopen()
@@ -60,6 +64,7 @@ def inspect(desk: Desk) -> None:
     session = desk.session
     session.select([session.windows()[0].fid])
     desk.pause(1)
+    iface.messageBar().clearWidgets()
     start = time.perf_counter()
     with Gaps() as gaps:
         desk.dock.inspect.trigger()
@@ -67,6 +72,7 @@ def inspect(desk: Desk) -> None:
         desk.report["run_s"] = time.perf_counter() - start
         desk.pause(0.5)
     desk.wait_for_work()
+    desk.report["said_over_the_map"] = len(iface.messageBar().findChildren(QgsMessageBarItem))
     desk.report["results"] = sum(session.result(row.fid) is not None for row in session.windows())
     desk.report["verdicts"] = sorted({row.verdict for row in session.windows()})
     desk.report["compared"] = sum(row.verdict != "not_comparable" for row in session.windows())

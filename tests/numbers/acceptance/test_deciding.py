@@ -5,7 +5,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.acceptance.measure.acceptance_rules import SamplingRule
 from seam_inspector.plugin.acceptance.measure.deciding import decide
@@ -19,7 +19,6 @@ KEPT = st.one_of(st.none(), st.floats(0.0, 1.3))
 SAMPLING = SamplingRule("1.0", "II", "normal", "contract")
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(st.lists(KEPT, min_size=1, max_size=12), st.floats(0.5, 40)), min_size=1, max_size=5),
        st.floats(0.0, 1.0), st.floats(0.0, 100.0), st.floats(0.05, 1.2))
 def test_metres_add_up_and_the_rules_decide(

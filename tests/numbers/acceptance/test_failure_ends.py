@@ -35,6 +35,7 @@ def errors() -> np.ndarray:
     return np.array(rows)
 
 
+@pytest.mark.slow
 def test_the_estimate_halves_the_error_of_whole_pieces_without_a_bias(errors: np.ndarray) -> None:
     one = errors[errors[:, 3] == 1]
     whole, estimated = (np.sqrt(np.mean(one[:, column] ** 2)) for column in (0, 1))

@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.acceptance.measure.sampling.characteristic import (
@@ -24,6 +24,7 @@ from seam_inspector.plugin.imagery.errors import SettingsError
 RISK = StatedRisk(0.01, 0.05, 0.08, 0.10)
 
 
+@pytest.mark.slow
 def test_the_characteristic_is_that_of_2000_drawn_lots() -> None:
     random, lots, size = np.random.default_rng(3), 2000, 1000
     plan = single_sampling_plan(size, "1.0")
@@ -76,7 +77,6 @@ def test_reduced_inspection_accepts_up_to_its_rejection_number() -> None:
     assert found == pytest.approx(stats.binom.cdf(2, 50, 0.02))
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.lists(st.integers(1, 60), min_size=1, max_size=8), st.integers(0, 200), st.integers(0, 2**31))
 def test_a_sample_is_in_proportion_and_repeats(sizes: list[int], count: int, seed: int) -> None:
     strata = [number for number, size in enumerate(sizes) for _ in range(size)]

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 from seam_inspector.plugin.imagery.records.array_records import packed, unpacked
@@ -14,7 +14,6 @@ any_array = kinds.flatmap(lambda kind: arrays(np.dtype(kind), shapes))
 
 
 @given(st.dictionaries(st.text(min_size=1, max_size=8), any_array, max_size=6), st.integers(1, 3))
-@settings(deadline=None, max_examples=100)
 def test_what_was_packed_comes_back_bit_for_bit(given_arrays: dict[str, np.ndarray], every: int) -> None:
     compressed = list(given_arrays)[::every]
     found = unpacked(packed(given_arrays, compressed))

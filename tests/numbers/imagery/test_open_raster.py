@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
@@ -16,6 +16,7 @@ from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.value_ranges import is_range_known, value_range
 
+from tests.examples import at_most
 from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, write_plain, write_raster
 
 MakeRaster = Callable[..., str]
@@ -85,7 +86,7 @@ def rasters(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     return {name: write_raster(folder / f"{name}.tif", array, options=options) for name, options in layouts.items()}
 
 
-@settings(max_examples=40, deadline=None)
+@at_most(40)
 @given(
     layout=st.sampled_from(["tiles", "strips", "rows"]), most=st.integers(1, 90_000), column=st.integers(0, 200),
     row=st.integers(0, 290), width=st.integers(1, 210), height=st.integers(1, 300),

@@ -8,11 +8,13 @@ from enum import Enum
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.message import INFO, WARNING, Message
 from seam_inspector.plugin.imagery.records.array_records import packed
 from seam_inspector.plugin.imagery.records.plain_data import NotUnderstoodError, record_of, value_of
+
+from tests.examples import times
 
 FAR = Message("It lies {metres:.1f} m off, since {why}.", WARNING)
 WHY = Message("nobody looked", INFO)
@@ -52,7 +54,7 @@ wholes = st.builds(
 
 
 @given(wholes)
-@settings(deadline=None, max_examples=200)
+@times(3)
 def test_what_was_recorded_comes_back(whole: Whole) -> None:
     found = value_of(Whole, record_of(whole), SENTENCES)
     assert found == whole
@@ -109,7 +111,7 @@ class Bomb:
 
 
 @given(st.binary(max_size=400))
-@settings(deadline=None, max_examples=300)
+@times(5)
 def test_any_bytes_are_refused(record: bytes) -> None:
     with pytest.raises(NotUnderstoodError):
         value_of(Whole, record, SENTENCES)

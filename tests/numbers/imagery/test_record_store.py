@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.records.record_keeper import RecordKeeper
@@ -83,7 +83,6 @@ def test_a_damaged_payload_is_as_if_it_were_not_there(tmp_path: Path) -> None:
 
 
 @given(st.integers(0, 2**16), st.integers(1, 255))
-@settings(deadline=None, max_examples=60)
 def test_no_flipped_bit_brings_a_payload_that_nobody_saved(place: int, change: int) -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "records"

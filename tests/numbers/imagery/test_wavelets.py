@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import pywt
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import gdal
 from scipy import ndimage
@@ -94,6 +94,7 @@ def test_curve_of_smooth_clips_with_every_wavelet(wavelet: str) -> None:
         assert_curve(curve_of(band, wavelet, 4), band, wavelet, 4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wavelet", ["haar", "db2", "coif3", "sym20", "db38", "coif17", "dmey"])
 @pytest.mark.parametrize("levels", range(1, 9))
 def test_curve_at_every_level(wavelet: str, levels: int) -> None:
@@ -101,7 +102,6 @@ def test_curve_at_every_level(wavelet: str, levels: int) -> None:
         assert_curve(curve_of(band, wavelet, levels), band, wavelet, levels)
 
 
-@settings(max_examples=300)
 @given(
     seed=st.integers(0, 2**32 - 1),
     wavelet=st.sampled_from(imagery_limits.WAVELETS),
@@ -154,6 +154,7 @@ KINDS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("side", SIDES)
 @pytest.mark.parametrize("kind", KINDS)
 def test_curve_of_a_window(kind: str, side: int) -> None:
@@ -161,6 +162,7 @@ def test_curve_of_a_window(kind: str, side: int) -> None:
     assert_curve(curve_of(band, "coif3", 3), band, "coif3", 3)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wavelet", FLOAT32_WAVELETS)
 @pytest.mark.parametrize("levels", [1, 4, 7])
 def test_curve_of_a_window_with_every_wavelet_in_float32(wavelet: str, levels: int) -> None:
@@ -265,6 +267,7 @@ def test_directional_components_are_those_of_pywavelets(wavelet: str) -> None:
     np.testing.assert_allclose(np.array(energies) / band.size, np.array(curve.detail) * curve.variance, rtol=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wavelet", imagery_limits.WAVELETS)
 @pytest.mark.parametrize("shape", [(1, 512, 512), (2, 104, 200), (1, 520, 72)])
 def test_components_of_float32_planes_with_every_wavelet(wavelet: str, shape: tuple[int, int, int]) -> None:

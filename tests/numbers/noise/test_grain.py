@@ -1,12 +1,13 @@
 """Grain coarser than a pixel: its spectrum, and that it is never taken for low noise."""
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 import pywt
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.imagery.limits import WAVELETS
@@ -15,6 +16,7 @@ from seam_inspector.plugin.noise.measure.grain import Grain, curve_if_white, gra
 from seam_inspector.plugin.noise.measure.quiet_ground import clipped_pixels, quiet_ground
 from skimage.restoration import estimate_sigma
 
+from tests.examples import at_most
 from tests.numbers.synthetic import luminance, patchy_texture, read_pixels, texture
 
 SCANNED, DRONE = Path("fiducials/unbc/15BCC02013_114.jpg"), Path("noise/seneca/IMG_0460.jpg")
@@ -42,23 +44,29 @@ def measured(band: np.ndarray, wavelet: str = "coif3", levels: int = 3) -> BandN
 # --- the spectrum ----------------------------------------------------------------------------------------------
 
 
+@lru_cache(maxsize=1)
+def scanned_grain(size: float) -> np.ndarray:
+    """1024 x 1024 px, as a scanner samples what is finer than its pixels."""
+    return grain(1, 4 * size, (4096, 4096))[::4, ::4].copy() if size else grain(1, 0, (1024, 1024))
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("wavelet", ["haar", "db4", "coif3", "sym8"])
 @pytest.mark.parametrize("size", [0.0, 0.5, 1.0, 1.5])
 def test_the_spectrum_of_grain_is_what_pywavelets_makes_of_it(wavelet: str, size: float) -> None:
-    made = grain(1, 4 * size, (4096, 4096)) if size else grain(1, 0, (1024, 1024))
-    made = made[::4, ::4] if size else made  # as a scanner samples what is finer than its pixels
+    made = scanned_grain(size)
     details = pywt.wavedec2(made, wavelet, mode="periodization", level=4)[:0:-1]
     expected = [np.mean(np.square(level)) / made.var() for level in details]
     assert grain_spectrum(wavelet, 4, size) == pytest.approx(expected, rel=0.06)
 
 
-@settings(max_examples=20, deadline=None)
+@at_most(20)
 @given(wavelet=st.sampled_from([one for one in WAVELETS if one != "dmey"]))
 def test_white_noise_is_as_strong_on_every_level(wavelet: str) -> None:
     assert grain_spectrum(wavelet, 5, 0.0) == pytest.approx([1] * 5, rel=1e-6)
 
 
-@settings(max_examples=30, deadline=None)
+@at_most(30)
 @given(size=st.floats(0, 1.5), sigma=st.floats(0, 30))
 def test_the_curve_of_grain_on_flat_ground_is_that_of_white_noise(size: float, sigma: float) -> None:
     own = [3 / 4**level * share * sigma**2 for level, share in enumerate(grain_spectrum("coif3", 3, size), 1)]
@@ -69,7 +77,7 @@ def test_the_curve_of_grain_on_flat_ground_is_that_of_white_noise(size: float, s
 # --- the quiet ground ------------------------------------------------------------------------------------------
 
 
-@settings(max_examples=15, deadline=None)
+@at_most(15)
 @given(sigma=st.floats(0.1, 100), seed=st.integers(0, 99))
 def test_pure_noise_is_quiet_ground_of_its_own_strength(sigma: float, seed: int) -> None:
     found = quiet_ground(np.random.default_rng(seed).normal(0, sigma, (3, 120, 120)))
@@ -117,7 +125,7 @@ def test_grain_on_even_ground_is_recognised_with_its_size_and_strength(size: flo
     assert found.verdict in (NoiseVerdict.MODERATE, NoiseVerdict.STRONG)
 
 
-@settings(max_examples=15, deadline=None)
+@at_most(15)
 @given(sigma=st.floats(8, 20), size=st.floats(0, 1.0), beta=st.floats(2.3, 3.5), seed=st.integers(0, 50))
 def test_strong_grain_is_never_low(sigma: float, size: float, beta: float, seed: int) -> None:
     ground = 120 + 15 * patchy_texture((512, 512), beta, seed)
@@ -126,7 +134,7 @@ def test_strong_grain_is_never_low(sigma: float, size: float, beta: float, seed:
     assert (found.largest_sigma or 0) > 0.9 * sigma
 
 
-@settings(max_examples=15, deadline=None)
+@at_most(15)
 @given(beta=st.floats(2.4, 4), seed=st.integers(0, 50))
 def test_ground_with_quiet_places_and_no_noise_is_low(beta: float, seed: int) -> None:
     assert measured(120 + 25 * patchy_texture((512, 512), beta, seed)).verdict == NoiseVerdict.LOW

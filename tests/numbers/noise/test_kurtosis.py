@@ -4,12 +4,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import pywt
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.limits import WAVELETS
 from seam_inspector.plugin.noise.measure.band_noise import measure_noise
 from seam_inspector.plugin.noise.measure.inner_coefficients import inner_ranges
 
+from tests.examples import at_most
 from tests.numbers.noise.inner_coefficients import inner_kurtoses
 
 
@@ -24,6 +25,7 @@ def kurtoses(band: np.ndarray, wavelet: str, levels: int = 3) -> tuple[float | N
     return measure_noise(band[np.newaxis], ("band_1",), wavelet, levels)["band_1"].kurtosis
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("wavelet", WAVELETS)
 def test_noise_on_a_ramp_has_three_with_every_wavelet(wavelet: str) -> None:
     side, levels = 256, 3
@@ -54,7 +56,7 @@ def test_the_figures_are_scipys_on_coefficients_that_do_not_see_the_border(wavel
         assert ours is None or ours == pytest.approx(theirs, rel=1e-4)
 
 
-@settings(max_examples=40, deadline=None)
+@at_most(40)
 @given(wavelet=st.sampled_from(WAVELETS), eighths=st.integers(8, 60), levels=st.integers(1, 3))
 def test_inner_coefficients_are_those_of_a_longer_line(wavelet: str, eighths: int, levels: int) -> None:
     length = 8 * eighths

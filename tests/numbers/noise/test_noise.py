@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SettingsError
@@ -18,6 +18,7 @@ from seam_inspector.plugin.noise.measure.band_noise import (
 )
 from seam_inspector.plugin.noise.measure.hole_filling import filled
 
+from tests.examples import at_most
 from tests.numbers.noise.inner_coefficients import inner_kurtoses
 from tests.numbers.synthetic import decompose, luminance, orthoimage, patchy_texture, texture, wavedec
 
@@ -65,7 +66,7 @@ def test_figures_are_those_of_pywavelets_and_scipy() -> None:
                                            / stats.norm.ppf(0.75), rel=1e-3)
 
 
-@settings(max_examples=12, deadline=None)
+@at_most(12)
 @given(sigma=st.floats(0.5, 500), seed=st.integers(0, 99))
 def test_gaussian_noise_has_kurtosis_three_and_its_sigma(sigma: float, seed: int) -> None:
     found = measured(noise(sigma, seed=seed))
@@ -82,7 +83,7 @@ def test_kurtosis_of_edges_is_far_above_three() -> None:
     assert min(k for k in measured(field + noise(0.3, (256, 256))).kurtosis if k is not None) > 20
 
 
-@settings(max_examples=10, deadline=None)
+@at_most(10)
 @given(beta=st.floats(2.3, 4.0), seed=st.integers(0, 50))
 def test_natural_textures_rise_with_their_power_law(beta: float, seed: int) -> None:
     found = measured(texture((512, 512), beta, seed))
@@ -196,7 +197,7 @@ def test_settings_that_make_no_sense_are_refused(wavelet: str, levels: int) -> N
 # --- filled pixels ---------------------------------------------------------------------------------------------
 
 
-@settings(max_examples=8, deadline=None)
+@at_most(8)
 @given(
     beta=st.floats(1.8, 2.8), side=st.integers(3, 110), column=st.integers(0, 390), row=st.integers(0, 390),
     seed=st.integers(0, 20),

@@ -73,6 +73,7 @@ def frame_of(number: int, strong: bool) -> tuple[Look, Mapping[str, Place], Fram
     return look, camera, frame
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("strong", [False, True], ids=["little grain", "strong grain"])
 def test_every_kind_of_mark_is_measured(tmp_path: Path, strong: bool) -> None:
     """Nobody says where the marks are, nor, with little grain, what they look like; none is more than a pixel off."""
@@ -90,6 +91,7 @@ def test_every_kind_of_mark_is_measured(tmp_path: Path, strong: bool) -> None:
     assert np.mean(found) <= (0.15 if strong else 0.05)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
 def test_the_numbers_tell_how_a_photo_lies(tmp_path: Path, orientation: ScanOrientation) -> None:
     frame = make_frame(Look(dots=True, diagonal=True, interrupted=True, contrast=40), side=640, seed=11, rotation=-0.8)
@@ -172,6 +174,7 @@ def with_four_alike(frame: Frame, covered: np.ndarray) -> np.ndarray:
     return np.clip(pixels, 0, 255).astype(np.uint8)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "thing", ["half a disc, which can't be measured", "a disc with a bite, which fits a dot fairly well"]
 )
@@ -205,6 +208,7 @@ def test_bits_and_colours_do_not_matter(tmp_path: Path) -> None:
     assert max(errors(orient_photo(Photo(RasterRef(bit)), CameraCalibration(CAMERA), {}, settings), frame)) < 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float32])
 @pytest.mark.parametrize("reduced", [False, True])
 def test_black_that_the_file_calls_nodata_is_a_grey_value(
@@ -268,6 +272,7 @@ def cut(frame: Frame, name: str, aside: tuple[int, int] = (0, 0)) -> CutOut:
     return cut_out(frame.pixels[row - 24 : row + 25, column - 24 : column + 25].astype(float))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["1", "2"])
 def test_a_cut_out_is_used_for_its_own_mark_first(tmp_path: Path, name: str) -> None:
     """Wedges at other sides look otherwise: by the cut-out alone no three were found, now the others are drawn."""
@@ -280,6 +285,7 @@ def test_a_cut_out_is_used_for_its_own_mark_first(tmp_path: Path, name: str) -> 
     assert marks[name].correlation == max(mark.correlation or 0 for mark in made.marks)
 
 
+@pytest.mark.slow
 def test_a_mark_that_looks_like_no_other_is_measured_by_its_cut_out(tmp_path: Path) -> None:
     frame = make_frame(Look(dots=True, diagonal=True), side=1000, seed=8)
     column, row = (int(value) for value in frame.places["3"])

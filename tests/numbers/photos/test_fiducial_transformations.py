@@ -145,6 +145,7 @@ def test_what_makes_an_outlier(others: float, moved: float, found: set[str], nam
     assert [str(notice)[:25] for notice in notices] == ["The mark '7' stands out: "] * named
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", PlaneModel)
 @pytest.mark.parametrize("names", ["1234", "12345", "12345678", "5678"])
 @given(seed=st.integers(0, 10_000))

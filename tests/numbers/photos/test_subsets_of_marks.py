@@ -60,6 +60,7 @@ def farthest(made: PhotoOrientation, scan: Scan) -> float:
     return max(math.dist(mark.place, scan.places[mark.name]) for mark in made.marks if mark.place)
 
 
+@pytest.mark.slow
 def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
     """A photo of eight marks holds turned ones of a subset too: where nothing tells which it is, that is said."""
     models = list(PlaneModel)
@@ -79,6 +80,7 @@ def test_every_subset_ends_in_marks_or_a_sentence(bare: Scan) -> None:
         assert assumed or farthest(made, bare) < 1, names
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("names", "model", "words"), [
     ("124", PlaneModel.AFFINE, None), ("2348", PlaneModel.AFFINE, None), ("1234", PlaneModel.PROJECTIVE, None),
     ("154", PlaneModel.AFFINE, "one line"), ("1827", PlaneModel.PROJECTIVE, "one line"),

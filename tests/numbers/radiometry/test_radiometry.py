@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
@@ -25,6 +25,7 @@ from seam_inspector.plugin.radiometry.measure.measured_image import measure
 from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet
 from seam_inspector.plugin.radiometry.measure.uniform_areas import Areas, sample_areas, signal_to_noise
 
+from tests.examples import at_most
 from tests.numbers.radiometry.jrc import default_rules
 from tests.numbers.radiometry.judging import checked, checked_figure, figure, reasons
 from tests.numbers.synthetic import ORIGIN, orthoimage, texture, write_raster
@@ -75,7 +76,7 @@ def test_the_histogram_is_gdals(make_raster: MakeRaster) -> None:
     assert streamed(path).histograms["band_1"].counts.tolist() == expected
 
 
-@settings(max_examples=30, deadline=None)
+@at_most(30)
 @given(low=st.floats(-1e4, 0), extent=st.floats(0.1, 1e4), seed=st.integers(0, 99))
 def test_values_without_steps_are_counted_over_the_given_range(
     low: float, extent: float, seed: int, tmp_path_factory: pytest.TempPathFactory

@@ -28,6 +28,7 @@ def measured_scene(make_raster: MakeRaster, scene: Scene) -> tuple[TargetResolut
     return found, None if grd is None else scene.expected - round(math.log(target.reference_grd_cm / grd, STEP))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("dark_bars", "bars"), KINDS)
 def test_the_mean_signed_error_is_small_on_any_ground(make_raster: MakeRaster, dark_bars: bool, bars: int) -> None:
     """Other ground right beside the bars, random phases, blurs of 0.45 to 1.4 px, noise of 0.5 to 4 DN, rough lines."""
@@ -40,6 +41,7 @@ def test_the_mean_signed_error_is_small_on_any_ground(make_raster: MakeRaster, d
     assert np.mean(np.equal(errors, 0)) >= 0.7
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sigma", [0.6, 1.0, 1.3])
 @pytest.mark.parametrize("dark_bars", [False, True])
 def test_the_distance_is_the_same_on_every_ground(make_raster: MakeRaster, sigma: float, dark_bars: bool) -> None:
@@ -63,6 +65,7 @@ def test_ground_as_bright_as_the_bars_hides_none_of_them(make_raster: MakeRaster
         assert measured_scene(make_raster, scene)[1] == 0
 
 
+@pytest.mark.slow
 def test_the_error_of_a_distance_is_what_repeating_it_shows(make_raster: MakeRaster) -> None:
     """The share's deviation from theory over its standard deviation, of the groups about the limit."""
     random, away = np.random.default_rng(11), []

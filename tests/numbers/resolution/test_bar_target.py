@@ -32,6 +32,7 @@ MakeRaster = Callable[..., str]
 PIXEL_CM = 10.0
 
 
+@pytest.mark.slow
 def test_grd_is_that_of_the_finest_group_that_theory_resolves(make_raster: MakeRaster) -> None:
     """200 targets of four groups: blur, noise, rotation, phase and roughly drawn lines at random.
 
@@ -59,6 +60,7 @@ def test_grd_is_that_of_the_finest_group_that_theory_resolves(make_raster: MakeR
     assert np.mean(away == 0) >= 0.75
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("angle", [0.0, 7.0, 20.0, 45.0])
 def test_aliased_bars_are_never_resolved(make_raster: MakeRaster, angle: float) -> None:
     """No blur but the pixels' own, finer than two pixels: bars stand out now and then, but are not the group's."""

@@ -153,6 +153,7 @@ def packo(data_folder: Path) -> list[Pair]:
 # --- what is promised ------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ramp", RAMPS)
 @pytest.mark.parametrize("width", [13, 66])
 def test_the_detail_of_generated_images_is_foretold(width: float, ramp: str) -> None:

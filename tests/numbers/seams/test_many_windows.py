@@ -99,6 +99,7 @@ class Requests:
             yield window_request(self._block, number, extent, InspectionSettings())
 
 
+@pytest.mark.slow
 def test_every_executor_gives_the_same_results_in_the_order_of_the_requests(block: Block) -> None:
     alone = [inspect_window(request) for request in Requests(block, 30)]
     assert [result.window_id for result in alone] == list(range(30))
@@ -130,6 +131,7 @@ def test_a_slow_window_does_not_change_the_order(block: Block) -> None:
         assert [result.window_id for result in results] == list(range(8))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ahead", [1, 2, 5])
 def test_no_more_windows_are_under_way_than_asked_for(block: Block, ahead: int) -> None:
     requests = Requests(block, 12)

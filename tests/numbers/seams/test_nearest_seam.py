@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import math
-import time
 
 import numpy as np
 import pytest
@@ -11,6 +10,8 @@ from hypothesis import strategies as st
 from osgeo import ogr
 from seam_inspector.plugin.imagery.lines.seamlines import Seam
 from seam_inspector.plugin.seams.measure.nearest_seam import SeamIndex
+
+from tests.work import calls_of
 
 EAST, NORTH = 500_000.0, 5_000_000.0
 
@@ -73,9 +74,5 @@ def test_a_hundred_thousand_pieces_do_not_hold_up_the_mouse() -> None:
     angle = np.linspace(0, 60, 100_000)
     spiral = np.column_stack([EAST + angle * np.cos(angle), NORTH + angle * np.sin(angle)])
     index = SeamIndex([Seam(1, spiral)])
-    times = []
-    for _ in range(9):
-        started = time.perf_counter()
-        assert index.nearest(EAST + 20, NORTH + 20, 10.0) is not None
-        times.append(time.perf_counter() - started)
-    assert sorted(times)[4] < 0.1
+    assert index.nearest(EAST + 20, NORTH + 20, 10.0) is not None
+    assert calls_of(lambda: index.nearest(EAST + 20, NORTH + 20, 10.0)) < 200  # of numpy, for all pieces together

@@ -3,12 +3,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.seams.measure.verdict_statistics.neighbourhoods import Neighbourhoods
 from seam_inspector.plugin.seams.measure.verdict_statistics.smoothed_youden import smoothed_threshold
 
 from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, coverage
+from tests.examples import at_most
 
 NORMAL, LOGNORMAL = (
     next(one for one in POPULATIONS if one.name == name) for name in ("normal, AUC 0.85", "lognormal, AUC 0.92")
@@ -20,6 +21,7 @@ def alone(visible: int, invisible: int) -> Neighbourhoods:
     return Neighbourhoods.of_single_windows(visible, invisible)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("population", [NORMAL, LOGNORMAL], ids=lambda population: population.name)
 def test_the_range_covers_the_true_threshold_from_ten_verdicts_of_a_kind_on(population: Population) -> None:
     found = coverage(population, ALONE, (10, 10), runs=150)
@@ -27,6 +29,7 @@ def test_the_range_covers_the_true_threshold_from_ten_verdicts_of_a_kind_on(popu
     assert found.error < 0.75 * found.error_of_step
 
 
+@pytest.mark.slow
 def test_the_range_covers_where_neighbours_are_alike() -> None:
     layout = Layout("by 4", size=4, correlation=0.6)
     found = coverage(NORMAL, layout, (20, 20), runs=150)
@@ -35,7 +38,7 @@ def test_the_range_covers_where_neighbours_are_alike() -> None:
     assert as_if_alone.covered < found.covered - 0.04
 
 
-@settings(max_examples=15)
+@at_most(15)
 @given(VALUES, VALUES, st.floats(0.01, 100))
 def test_the_unit_of_a_measure_does_not_matter(visible: list[float], invisible: list[float], factor: float) -> None:
     places = alone(len(visible), len(invisible))

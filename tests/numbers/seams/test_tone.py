@@ -6,13 +6,14 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.seams.measure import tone
 from seam_inspector.plugin.seams.measure.causes import MIN_CLIPPED_SHARE
 from seam_inspector.plugin.seams.measure.tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
 
+from tests.examples import at_most
 from tests.numbers.synthetic import orthoimage
 
 LEVELS = 3
@@ -39,7 +40,7 @@ def test_coarse_means_are_means_of_squares(band: np.ndarray) -> None:
     np.testing.assert_allclose(coarse_means(band, LEVELS), by_loops, rtol=1e-5)
 
 
-@settings(max_examples=25, deadline=None)
+@at_most(25)
 @given(gain=st.floats(-2, 2).filter(lambda gain: abs(gain) > 0.05), bias=st.floats(-100, 100))
 def test_a_line_is_recovered(band: np.ndarray, gain: float, bias: float) -> None:
     tone = fit(gain * band.astype(np.float32) + bias, band)

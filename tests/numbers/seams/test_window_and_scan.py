@@ -1,7 +1,7 @@
 """On the same seam a window and the pieces of a scan differ by less than their intervals: both are one estimator."""
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -97,11 +97,7 @@ def windows_of(one: Delivery, pieces: Sequence[JudgedPiece], with_cells: bool) -
     return found
 
 
-def assert_they_say_the_same(
-    one: Delivery, folder: Path, is_given: bool, piece_m: float, fewest: int,
-    wanted: Callable[[JudgedPiece], bool] = lambda piece: True,
-) -> None:
-    pieces = [piece for piece in scanned_pieces(one, folder, is_given, piece_m) if wanted(piece)]
+def assert_they_say_the_same(one: Delivery, pieces: Sequence[JudgedPiece], is_given: bool, fewest: int) -> None:
     both = [(piece, found) for piece, found in zip(pieces, windows_of(one, pieces, is_given)) if found is not None]
     assert len(both) >= fewest
     apart = []
@@ -117,12 +113,13 @@ def assert_they_say_the_same(
     assert np.median(differences) < np.median(widths) / 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [0, 13, 33, 66])
 def test_of_made_up_images(tmp_path: Path, width: int) -> None:
     given = images()
     made = scene(tmp_path, blended(*given, beside(SEAM_PX, width)), given)
     one = Delivery(Path(made.mosaic.ref.path), [Path(source.ref.path) for source in made.sources])
-    assert_they_say_the_same(one, tmp_path, False, 20.0, 3)
+    assert_they_say_the_same(one, scanned_pieces(one, tmp_path, False, 20.0), False, 3)
 
 
 # --- real orthoimages -------------------------------------------------------------------------------------------
@@ -141,7 +138,7 @@ def test_of_brighton(tmp_path: Path, brighton: Path, name: str, is_given: bool) 
         tmp_path / name, sorted(brighton.glob("DJI_*.tif")), brighton / "seamlines.gpkg", ("left_src", "right_src"),
         "source_polygons",
     )
-    assert_they_say_the_same(one, tmp_path, is_given, 6.0, 4)
+    assert_they_say_the_same(one, scanned_pieces(one, tmp_path, is_given, 6.0), is_given, 4)
 
 
 # --- the demo's block -------------------------------------------------------------------------------------------
@@ -152,6 +149,12 @@ def demo_block(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPath
     """Its orthoimages are resampled and balanced one by one."""
     made = make_demo_block(tmp_path_factory.mktemp("block"), (120.0, 100.0), feather_m=request.param)
     return Delivery(made.mosaic, made.sources, made.seamlines)
+
+
+@pytest.fixture(scope="module")
+def given_pieces(demo_block: Delivery, tmp_path_factory: pytest.TempPathFactory) -> tuple[JudgedPiece, ...]:
+    """Of the block's own seamlines."""
+    return scanned_pieces(demo_block, tmp_path_factory.mktemp("scan"), True, 10.0)
 
 
 def is_hidden(piece: JudgedPiece) -> bool:
@@ -166,17 +169,23 @@ def is_single(piece: JudgedPiece, one: Delivery) -> bool:
     return sum(ogr.CreateGeometryFromWkb(cell.wkb).Intersects(around) for cell in one.known_cells()) == 2
 
 
-def test_of_the_demo_block_along_its_seamlines(tmp_path: Path, demo_block: Delivery) -> None:
-    assert_they_say_the_same(
-        demo_block, tmp_path, True, 10.0, 6, lambda piece: is_single(piece, demo_block) and not is_hidden(piece)
-    )
+@pytest.mark.slow
+def test_of_the_demo_block_along_its_seamlines(
+    demo_block: Delivery, given_pieces: Sequence[JudgedPiece]
+) -> None:
+    plain = [piece for piece in given_pieces if is_single(piece, demo_block) and not is_hidden(piece)]
+    assert_they_say_the_same(demo_block, plain, True, 6)
 
 
+@pytest.mark.slow
 @pytest.mark.xfail(strict=True, reason="the corridor along a seam is too narrow for a feather of 33 m")
-def test_of_a_feather_that_is_wider_than_the_corridor(tmp_path: Path, demo_block: Delivery) -> None:
-    assert_they_say_the_same(demo_block, tmp_path, True, 10.0, 3, is_hidden)
+def test_of_a_feather_that_is_wider_than_the_corridor(
+    demo_block: Delivery, given_pieces: Sequence[JudgedPiece]
+) -> None:
+    assert_they_say_the_same(demo_block, list(filter(is_hidden, given_pieces)), True, 3)
 
 
+@pytest.mark.slow
 @pytest.mark.xfail(strict=True, reason="the ground beside a window in a dodged field was dodged, a scan's was not")
 def test_of_the_demo_block_along_the_seams_that_are_found(tmp_path: Path, demo_block: Delivery) -> None:
-    assert_they_say_the_same(demo_block, tmp_path, False, 20.0, 4)
+    assert_they_say_the_same(demo_block, scanned_pieces(demo_block, tmp_path, False, 20.0), False, 4)

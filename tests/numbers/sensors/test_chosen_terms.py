@@ -42,6 +42,7 @@ def test_fifteen_points_see_a_scene_that_order_two_needs_nineteen_for() -> None:
     assert "row: 1 x y z / 1" in terms_told(chosen.model)
 
 
+@pytest.mark.slow
 def test_noise_brings_no_terms_in() -> None:
     """Of an affine image one fit in a hundred and an axis takes a term that is not there; here three draws of 60."""
     truth, extra = sparse(), 0

@@ -103,6 +103,7 @@ def vendor_places(places: np.ndarray, system: str, dem: str, model: Rational, ra
     return model.project(np.column_stack([geographic, map_coordinates(heights, at, order=1) + raised]))
 
 
+@pytest.mark.slow
 def test_every_pixel_comes_from_where_the_model_sees_it(job: Callable[..., Ortho], tmp_path: Path) -> None:
     dem = terrain_file(tmp_path / "dem.tif")
     shares: list[float] = []
@@ -116,6 +117,7 @@ def test_every_pixel_comes_from_where_the_model_sees_it(job: Callable[..., Ortho
     assert shares == sorted(shares)
 
 
+@pytest.mark.slow
 def test_heights_above_sea_level_are_brought_to_the_ellipsoid(job: Callable[..., Ortho], tmp_path: Path) -> None:
     plain, named = terrain_file(tmp_path / "dem.tif"), terrain_file(tmp_path / "named.tif", "EPSG:4326+5773")
     raised = load_terrain(RasterRef(plain), (7.17, 43.66, 7.19, 43.68), "egm96")
@@ -160,6 +162,7 @@ def test_crop_size_format_and_extent(job: Callable[..., Ortho], tmp_path: Path) 
             job(dem=dem, **given)
 
 
+@pytest.mark.slow
 def test_a_parametric_model_goes_through_an_rpc(job: Callable[..., Ortho], tmp_path: Path) -> None:
     model = made_pushbroom(1)
     height = 600.0

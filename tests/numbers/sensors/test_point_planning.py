@@ -44,6 +44,7 @@ def leverages(count: int, draws: int) -> np.ndarray:
     return np.array(found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [5, 12, 40])
 def test_a_plane_is_what_theory_says(count: int) -> None:
     """Two coordinates, each sigma times the root of 1 + the mean leverage at check points, without the 1 in truth."""
@@ -55,6 +56,7 @@ def test_a_plane_is_what_theory_says(count: int) -> None:
     assert found.image_usual == pytest.approx(np.sqrt(2) * 0.5 * np.sqrt(leverage), rel=0.15)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("count", [1, 4, 16])
 def test_a_shift_is_as_good_as_the_mean_of_its_points(count: int) -> None:
     scene = scene_of_rpc(made_rational(3, 2), (COLUMNS, ROWS), (0.0, 1200.0))
@@ -87,6 +89,7 @@ def test_on_pleiades_the_medians_are_those_of_the_documentation(data_folder: Pat
     assert medians == sorted(medians)
 
 
+@pytest.mark.slow
 def test_more_points_and_a_better_spread_help() -> None:
     few, many = expected(registry.POLYNOMIAL_3D, NOMINAL, PLAN, 6, 40)
     [corner] = expected(registry.POLYNOMIAL_3D, NOMINAL, replace(PLAN, spread="corner"), 40)

@@ -88,6 +88,7 @@ def test_a_check_point_is_a_blunder_beyond_five_standard_deviations_of_the_check
     assert np.flatnonzero(done.blunder).tolist() == ([50] if flagged else [])
 
 
+@pytest.mark.slow
 def test_the_pushbroom_finds_a_blunder_in_a_dozen_points() -> None:
     ground = places(14, 4)
     image = made_pushbroom(1).project(ground) + np.random.default_rng(4).normal(0, SIGMA, (14, 2))
@@ -214,6 +215,7 @@ def test_the_split_is_even_and_repeats() -> None:
 # --- the comparison --------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_comparison_recommends_the_parametric_model_and_the_vendors_rpc() -> None:
     ground, random = places(60, 3), np.random.default_rng(3)
     truth = made_pushbroom(0)

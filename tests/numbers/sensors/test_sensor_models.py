@@ -99,6 +99,7 @@ def test_dlt_recovers_itself(with_xy: bool, seed: int) -> None:
     assert largest_px(judged(registry.DLT.request("xy" if with_xy else ""), image, ground, 20)) < EXACT_PX
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(3))
 def test_pushbroom_recovers_itself(seed: int) -> None:
     ground = places(120, seed)

@@ -70,6 +70,7 @@ def fitted(kind: str) -> tuple[SensorModel, str]:
 KINDS = ("polynomial_3d", "rational", "dlt", "pushbroom", "rpc_bias", "rational in UTM")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_gdal_sees_every_model_in_space_where_it_sees_itself(kind: str, tmp_path: Path) -> None:
     model, wkt = fitted(kind)
@@ -181,6 +182,7 @@ def test_a_file_that_is_no_rpc_is_refused(tmp_path: Path, content: str) -> None:
 # --- model files -----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", [*KINDS, "polynomial_2d"])
 def test_a_model_file_gives_the_model_back(kind: str, tmp_path: Path) -> None:
     model, wkt = fitted(kind)

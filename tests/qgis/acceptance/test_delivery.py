@@ -12,7 +12,7 @@ from demo.delivery import SPOILT, Delivery, make_delivery
 from tests.pages import outline
 from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 
-pytestmark = NEEDED
+pytestmark = [pytest.mark.slow, NEEDED]
 
 CLOSE = 0.05
 """Of what is known of the delivery."""

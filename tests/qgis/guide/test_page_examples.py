@@ -15,6 +15,8 @@ from demo.data import make_data
 from tests.qgis.guide.page_examples import NAMES, Call, blocks, same_call, shell_call
 from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 
+pytestmark = pytest.mark.slow
+
 FIRST = "placewindows inspectwindows scanmosaic interiororientation fitsensormodel".split()  # others take their results
 ORDER = [*FIRST, *(name for name in NAMES if name not in FIRST)]
 BY_QGIS_PROCESS = ("minimumheight", "planpoints")  # one plain, one with a value in quotes; they take a second

@@ -180,7 +180,7 @@ def test_a_photo_that_fails_does_not_stop_the_rest(tmp_path: Path, repository: P
     scene = make_photo(tmp_path, seed=3, side=560)
     white = write_plain(tmp_path / "white.tif", np.full((300, 300), 255, np.uint8))
     codes = []
-    for number, photo in enumerate((str(scene.photo), white, str(tmp_path / "lost.tif"), str(scene.photo))):
+    for number, photo in enumerate((white, str(tmp_path / "lost.tif"), str(scene.photo))):
         output = tmp_path / f"marks{number}.gpkg"
         said = call(
             "run", "--json", "seaminspector:interiororientation", f"--PHOTO={photo}",
@@ -194,4 +194,4 @@ def test_a_photo_that_fails_does_not_stop_the_rest(tmp_path: Path, repository: P
             assert QgsVectorLayer(str(output), "marks", "ogr").featureCount() == 4
         else:
             assert "are alike" in said.stderr or "does not exist" in said.stderr
-    assert [code == 0 for code in codes] == [True, False, False, True]
+    assert [code == 0 for code in codes] == [False, False, True]

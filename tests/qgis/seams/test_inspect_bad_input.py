@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -31,6 +31,14 @@ def inspect(scene: Scene, **parameters: Any) -> Run:
     outcome = run("inspectwindows", **given(scene, **parameters))
     assert outcome.complaint is None
     return outcome
+
+
+@pytest.fixture(scope="module")
+def good(scene: Scene, provider: None) -> Iterator[Run]:
+    """Of sound input."""
+    made = inspect(scene)
+    yield made
+    made.close()
 
 
 # --- files -----------------------------------------------------------------------------------------------------
@@ -131,10 +139,9 @@ BAD_SOURCES = {
 
 
 @pytest.mark.parametrize("kind", BAD_SOURCES)
-def test_a_bad_source_does_not_cost_the_good_ones(scene: Scene, tmp_path: Path, kind: str) -> None:
+def test_a_bad_source_does_not_cost_the_good_ones(scene: Scene, good: Run, tmp_path: Path, kind: str) -> None:
     bad = getattr(Files(scene.west, tmp_path), kind)()
     outcome = inspect(scene, SOURCES=[bad, *scene.sources])
-    good = inspect(scene)
     if kind == "half":  # takes part in the upper window
         assert outcome.column("sources") == [3, 2]
         assert outcome.rows()[1] == good.rows()[1]
@@ -175,14 +182,14 @@ def test_without_a_good_source_windows_are_not_comparable(
 
 
 @pytest.mark.parametrize("other", ["vector", "service"])
-def test_a_layer_that_is_no_file_among_the_sources_is_left_out(scene: Scene, other: str) -> None:
+def test_a_layer_that_is_no_file_among_the_sources_is_left_out(scene: Scene, good: Run, other: str) -> None:
     odd = (
         QgsVectorLayer("Polygon?crs=EPSG:32633", "parcels", "memory")
         if other == "vector"
         else QgsRasterLayer("type=xyz&url=http://127.0.0.1:9/{z}/{x}/{y}.png&zmax=19&zmin=0", "tiles", "wms")
     )
     outcome = inspect(scene, SOURCES=[odd, *scene.sources])
-    assert outcome.rows() == inspect(scene).rows()
+    assert outcome.rows() == good.rows()
     (warning,) = outcome.log.warnings
     assert_sentence(warning, "parcels is not a raster layer" if other == "vector" else "tiles .* comes from a service")
 
@@ -261,18 +268,18 @@ BAD_WINDOWS: list[tuple[Callable[[], QgsGeometry | None], str]] = [
 ]
 
 
-def test_bad_windows_have_a_reason_and_the_good_ones_between_are_measured(scene: Scene) -> None:
+def test_bad_windows_have_a_reason_and_the_good_ones_between_are_measured(scene: Scene, good: Run) -> None:
     shapes: list[QgsGeometry | None] = []
     for make, _ in BAD_WINDOWS:
         shapes += [make(), outline(SHARP)]
     outcome = inspect(scene, WINDOWS=layer("MultiPolygon", shapes))
-    bad, good = outcome.rows()[::2], outcome.rows()[1::2]
+    bad, between = outcome.rows()[::2], outcome.rows()[1::2]
     for row, (_, words) in zip(bad, BAD_WINDOWS):
         assert row["verdict"] == "not_comparable"
         assert_sentence(row["reason"], words)
         assert row["ratio_1"] is None
-    expected = inspect(scene).rows()[0]
-    assert good == [{**expected, "window_id": number} for number in range(2, 17, 2)]
+    expected = good.rows()[0]
+    assert between == [{**expected, "window_id": number} for number in range(2, 17, 2)]
     assert outcome.results["NOT_COMPARABLE_COUNT"] == len(BAD_WINDOWS)
     # As drawn where nothing could be measured, so that one can see it on the map.
     assert pixel_box(outcome.features()[8].geometry()) == (0, 0, 63, 128)

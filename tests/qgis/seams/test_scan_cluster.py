@@ -24,7 +24,7 @@ from tests.qgis.clusters import needs_dask, two_workers, worker_processes
 from tests.qgis.runs import run
 from tests.qgis.scenes import Scene
 
-pytestmark = needs_dask
+pytestmark = [pytest.mark.slow, needs_dask]
 
 SIDE = 4200
 """Of the mosaic, px: 3 x 3 blocks."""
@@ -40,7 +40,7 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 def request_(tmp_path_factory: pytest.TempPathFactory) -> ScanRequest:
     """A mosaic cut hard out of two images along a crooked line."""
     folder = tmp_path_factory.mktemp("large")
-    west, east = (orthoimage((SIDE, SIDE), bands=1, seed=seed) for seed in (1, 2))
+    west, east = (np.tile(orthoimage((SIDE, SIDE // 4), bands=1, seed=seed), (1, 1, 4)) for seed in (1, 2))
     seam = SIDE / 2 + 90 * np.sin(np.arange(SIDE) / 300)
     mosaic = np.where(np.arange(SIDE) < seam[:, np.newaxis], west, east)
     refs = [

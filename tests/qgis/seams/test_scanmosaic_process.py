@@ -16,7 +16,7 @@ from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 from tests.qgis.runs import assert_sentence
 from tests.qgis.seams.scan_scenes import Files, images, write_scene
 
-pytestmark = NEEDED
+pytestmark = [pytest.mark.slow, NEEDED]
 
 Started = Callable[..., "subprocess.Popen[str]"]
 PATIENCE_SECONDS = 60

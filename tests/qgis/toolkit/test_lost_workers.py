@@ -26,9 +26,9 @@ from seam_inspector.plugin.toolkit.executors import open_executor
 from tests.numbers.synthetic import orthoimage, write_raster
 from tests.qgis.clusters import needs_dask, scheduler_process, two_workers, worker_processes
 
-pytestmark = [needs_dask, pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")]
+pytestmark = [pytest.mark.slow, needs_dask, pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")]
 
-SIDE, WINDOWS, LOSSES = 1024, 60, 3
+SIDE, WINDOWS, LOSSES = 512, 24, 3
 
 
 @pytest.fixture

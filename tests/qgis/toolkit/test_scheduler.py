@@ -18,7 +18,7 @@ from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, whole, windows
 from tests.releases import built, cloned
 
-pytestmark = pytest.mark.usefixtures("provider")
+pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("provider")]
 
 
 @pytest.fixture(scope="module")

@@ -81,10 +81,11 @@ def leave_out_copies(
                 notices.append(messages.OVERVIEW_AMONG_SOURCES(name=source.ref.name))
         turning = [one for one in alike if _takes_turns(one, [*kept, *alike], mosaic, pool)]
         alike = [one for one in alike if one not in turning]
-        true = [one for one in sources if one in kept or one in turning]
+        known = {*kept, *turning}
+        true = [one for one in sources if one in known]
         if alike and not _explain([one for one in true if _has_judged_band(one, mosaic, pool)], mosaic, pool):
             # Which of them the mosaic was cut from can't be told.
-            true = [one for one in sources if one in true or one in alike]
+            true = [one for one in sources if one in known or one in alike]
         else:
             copies += alike
     if copies and not true:

@@ -57,10 +57,18 @@ PLACINGS = {
 FEATHERS = {"hard": 0.0, "33 px": FEATHER_SIGMA_PX}
 
 
-def seen(ground: np.ndarray, place: Place) -> np.ndarray:
-    """(bands, rows, columns) without the edges, when the ground lies so many px to the right and down."""
-    moved = ground if place == NOWHERE else ndimage.shift(ground, (0, place[1], place[0]), order=5, mode="mirror")
-    return moved[:, EDGE:-EDGE, EDGE:-EDGE]
+class Seen:
+    """One image of the ground, moved once to each place that is asked for."""
+
+    def __init__(self, ground: np.ndarray) -> None:
+        self.moved = {NOWHERE: ground}
+
+    def at(self, place: Place) -> np.ndarray:
+        """(bands, rows, columns) without the edges, when the ground lies so many px to the right and down."""
+        if place not in self.moved:
+            offset = 0, place[1], place[0]
+            self.moved[place] = ndimage.shift(self.moved[NOWHERE], offset, order=5, mode="mirror")
+        return self.moved[place][:, EDGE:-EDGE, EDGE:-EDGE]
 
 
 def generated() -> np.ndarray:
@@ -88,28 +96,38 @@ def own_detail(ground: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     return np.asarray(OWN * fine.std() / noise.std() * noise, np.float32)
 
 
-def found_in(ground: np.ndarray, placing: Placing, sigma_px: float, raster: Raster) -> Explanation:
-    """A mosaic of two images of one ground that differ by their noise; the seam winds down its middle."""
+@pytest.fixture(scope="module")
+def images(ground: np.ndarray) -> tuple[Seen, Seen]:
+    """Two of one ground that differ by their noise."""
     rng = np.random.default_rng(3)
-    first, second = (ground + own_detail(ground, rng) for _ in range(2))
+    first, second = (Seen(ground + own_detail(ground, rng)) for _ in range(2))
+    return first, second
+
+
+def found_in(images: tuple[Seen, Seen], placing: Placing, sigma_px: float, raster: Raster) -> Explanation:
+    """A mosaic of two images; the seam winds down its middle."""
+    first, second = images
     border = SIDE // 2 + 12 * np.sin(np.arange(SIDE) / 40)
     labels = (np.arange(SIDE) >= border[:, np.newaxis]).astype(np.uint8)
     share = labels.astype(np.float32) if not sigma_px else ndimage.gaussian_filter(labels.astype(np.float32), sigma_px)
-    in_mosaic = tuple(np.add(placing.placed, placing.whole).tolist())
-    bands = (1 - share) * seen(first, placing.whole) + share * seen(second, (in_mosaic[0], in_mosaic[1]))
+    in_mosaic = placing.placed[0] + placing.whole[0], placing.placed[1] + placing.whole[1]
+    bands = (1 - share) * first.at(placing.whole) + share * second.at(in_mosaic)
     on_grid = placing.given[0] + placing.grid[0], placing.given[1] + placing.grid[1]
     clips = (
-        Clip(raster, whole_values(seen(first, NOWHERE)), 0.0),
-        Clip(raster, whole_values(seen(second, on_grid)), 0.0, *placing.grid),
+        Clip(raster, whole_values(first.at(NOWHERE)), 0.0),
+        Clip(raster, whole_values(second.at(on_grid)), 0.0, *placing.grid),
     )
     return explained(Scene(PixelWindow(0, 0, SIDE, SIDE), labels, clips, raster), whole_values(bands))[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("feather", FEATHERS)
 @pytest.mark.parametrize("name", PLACINGS)
-def test_what_counts_is_how_images_are_placed(ground: np.ndarray, mosaic: Raster, name: str, feather: str) -> None:
+def test_what_counts_is_how_images_are_placed(
+    images: tuple[Seen, Seen], mosaic: Raster, name: str, feather: str
+) -> None:
     true = float(np.hypot(*PLACINGS[name].placed))
-    found = found_in(ground, PLACINGS[name], FEATHERS[feather], mosaic)
+    found = found_in(images, PLACINGS[name], FEATHERS[feather], mosaic)
     if found.misfit is not None or name != "corrected":  # there the second image may be found to be none of these
         assert found.misfit == pytest.approx(true, abs=0.1)
     misfit = found.evidence.misfit

@@ -94,6 +94,7 @@ def images() -> list[np.ndarray]:
     return [*both, np.ascontiguousarray(both[0][:, ::-1, ::-1])]
 
 
+@pytest.mark.slow
 def test_sources_copies_and_other_mosaics_are_told_apart(make_raster: MakeRaster, images: list[np.ndarray]) -> None:
     west, east, elsewhere = images
     mosaic = np.concatenate([west[..., :256], east[..., 256:]], axis=-1)
@@ -161,6 +162,7 @@ def test_relatives_of_brighton(data_folder: Path, tmp_path: Path, name: str) -> 
         assert found[one] in (messages.MOSAIC_AGAIN.template, messages.MOSAIC_OR_ITS_SOURCE.template)
 
 
+@pytest.mark.slow
 def test_well_registered_sources_stay_and_crops_of_their_mosaic_do_not(tmp_path: Path) -> None:
     block = make_block(tmp_path, extent_m=(120.0, 100.0))
     crop = str(tmp_path / "crop.tif")

@@ -11,7 +11,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery import raster_pool
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
-from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.inputs import messages
 from seam_inspector.plugin.seams.measure.inputs.mosaic_copies import covered_share, leave_out_copies
 from seam_inspector.plugin.seams.measure.inspection import (
@@ -26,6 +26,7 @@ from seam_inspector.plugin.seams.measure.verdicts import Verdict
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import orthoimage
+from tests.work import calls_of
 
 SIDE = 1024
 
@@ -56,6 +57,7 @@ def test_true_sources_on_the_very_pixels_of_the_mosaic_stay(paths: list[str]) ->
     assert told(paths[2], paths) == (["a.tif", "b.tif"], {})
 
 
+@pytest.mark.slow
 def test_copies_overviews_and_vrts_are_left_out_with_their_reason(paths: list[str], tmp_path: Path) -> None:
     mosaic = gdal.Open(paths[2])
     made = {name: str(tmp_path / name) for name in ("copy.tif", "grown.tif", "half.tif", "eighth.tif", "of.vrt")}
@@ -94,6 +96,7 @@ def triplet(make_raster: MakeRaster) -> dict[str, str]:
     return {name: make_raster(f"{name}.tif", one) for name, one in zip(("a", "b", "c", "mosaic"), [*images, mosaic])}
 
 
+@pytest.mark.slow
 def test_images_that_are_alike_everywhere_are_no_copies_where_the_mosaic_turns_from_one_to_the_other(
     triplet: dict[str, str], tmp_path: Path
 ) -> None:
@@ -104,6 +107,7 @@ def test_images_that_are_alike_everywhere_are_no_copies_where_the_mosaic_turns_f
     assert notices == {"lossy.tif": messages.COPY_AMONG_SOURCES.template}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["jpeg", "png", "equal"])
 def test_windows_are_inspected_without_a_copy_of_the_mosaic(
     paths: list[str], images: list[np.ndarray], make_raster: MakeRaster, tmp_path: Path, kind: str
@@ -215,3 +219,10 @@ def test_a_rectangle_without_area_is_covered_by_nothing() -> None:
     """As that of a mosaic whose pixels are smaller than its coordinates can tell apart."""
     assert covered_share((5.0, 5.0, 5.0, 6.0), (0.0, 0.0, 10.0, 10.0)) == 0
     assert covered_share((0.0, 0.0, 10.0, 10.0), (5.0, 0.0, 15.0, 10.0)) == pytest.approx(0.5)
+
+
+def test_sources_are_not_compared_with_each_other(mosaic: Raster) -> None:
+    """An index names a hundred thousand, of which few are where the mosaic is."""
+    far = [Source(RasterRef(f"/nowhere/{number}.tif"), (0.0, 0.0, 1.0, 1.0)) for number in range(2000)]
+    assert leave_out_copies(mosaic, far) == (far, [])
+    assert calls_of(lambda: leave_out_copies(mosaic, far)) < 100 * len(far)

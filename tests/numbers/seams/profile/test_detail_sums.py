@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.imagery.wavelets import detail_components
@@ -21,6 +21,7 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
 from seam_inspector.plugin.seams.measure.profile.detail_sums import detail_sums, seam_geometry
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
+from tests.examples import at_most
 from tests.numbers.seams.profile.blends import spread
 from tests.numbers.synthetic import texture, wavedec
 
@@ -115,7 +116,7 @@ def test_what_sticks_out_of_whole_cells_is_in_none(shape: tuple[int, int]) -> No
     assert found.mm[0].sum() == pytest.approx((own**2).sum(), rel=1e-3)
 
 
-@settings(max_examples=20)
+@at_most(20)
 @given(a=st.floats(0.1, 10), b=st.floats(0.1, 10), border=st.integers(1, 127))
 def test_sums_are_quadratic(a: float, b: float, border: int) -> None:
     shape = (64, 128)

@@ -44,6 +44,7 @@ def holds(kept: Kept, truth: float) -> bool:
     return bool(kept.low[0] <= truth <= kept.high[0])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width", [0, 13, 33, 66])
 def test_of_sixty_windows_nine_in_ten_intervals_hold_the_truth(width: int) -> None:
     """Each of the two measures', and what is judged by both."""
@@ -83,6 +84,7 @@ def test_the_mixture_is_never_surer_than_its_floor() -> None:
     assert np.log(ratio(found)) >= 2 * 1.96 * LEAST_ERROR * 0.999
 
 
+@pytest.mark.slow
 def test_a_long_seam_is_surer_than_a_short_one() -> None:
     """By the mean over many seams: a jackknife of eight groups is itself uncertain."""
     widths = np.zeros((2, 2))

@@ -7,7 +7,7 @@ from statistics import harmonic_mean
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from scipy import ndimage
@@ -40,7 +40,6 @@ def pooled(values: np.ndarray, weights: np.ndarray) -> np.ndarray:
     return np.concatenate([np.full(count, mean) for mean, _, count in blocks])
 
 
-@settings(max_examples=60)
 @given(
     values=arrays(float, (3, 14), elements=st.floats(-2, 2)),
     weights=arrays(float, (3, 14), elements=st.floats(0.01, 5)),
@@ -162,6 +161,7 @@ AFTERWARDS: dict[str, Change] = {
 WIDTHS = {"linear": 1.0, "cosine": 0.738}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", AFTERWARDS)
 @pytest.mark.parametrize("ramp", WIDTHS)
 @pytest.mark.parametrize("width", [33, 100])
@@ -193,6 +193,7 @@ def test_a_hard_cut_mixes_nothing(change: str, other_years: float) -> None:
     assert found.feather_width_px == pytest.approx(0, abs=1)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ramp", WIDTHS)
 @pytest.mark.parametrize("width", [13, 33, 66, 200])
 @pytest.mark.parametrize("other_years", [0.0, 25.0])

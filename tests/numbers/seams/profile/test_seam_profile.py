@@ -5,13 +5,14 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, SeamProfile
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
+from tests.examples import at_most
 from tests.numbers.seams.profile.blends import SIDE, Blend, blend
 
 Change = Callable[[np.ndarray], np.ndarray]
@@ -157,7 +158,7 @@ def test_what_is_done_to_the_whole_mosaic_drops_out(width: int, change: str) -> 
 
 
 @given(gain=st.floats(0.2, 20), bias=st.floats(-1000, 1000))
-@settings(max_examples=10)
+@at_most(10)
 def test_gain_and_bias_change_nothing_at_all(gain: float, bias: float) -> None:
     made = blend(33, side=256)
     plain, after = profile_of(made), profile_of(made, gain * made.made + bias)
@@ -188,6 +189,7 @@ def test_a_gain_that_changes_over_the_window_is_no_loss() -> None:
 # --- the interval ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("side", "count"), [(256, 40), (512, 6)])
 def test_a_sound_hard_cut_is_held_by_its_interval(side: int, count: int) -> None:
     """What came afterwards differs from place to place: noise whose strength follows the ground's brightness."""

@@ -56,6 +56,7 @@ def scanned(request: ScanRequest, output: Path, is_last: bool) -> tuple[ScanResu
     return result, len(steps)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("foreign", FOREIGN)
 def test_a_foreign_record_is_measured_again(tmp_path: Path, foreign: str) -> None:
     given = images()

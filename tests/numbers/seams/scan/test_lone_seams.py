@@ -52,6 +52,7 @@ def made() -> LoneMosaic:
 # --- what is kept ----------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("width_px", [24, 48])
 @pytest.mark.parametrize("in_common", [0.0, 0.5])
 def test_a_feather_keeps_what_pywavelets_says(width_px: int, in_common: float) -> None:
@@ -126,6 +127,7 @@ def test_without_colour_more_has_to_be_lost(made: LoneMosaic) -> None:
     assert one.high == pytest.approx(np.exp(COLOURLESS) * three.high, rel=0.02)
 
 
+@pytest.mark.slow
 def test_a_wide_feather_is_compared_with_what_lies_beyond() -> None:
     """Where there is enough seam to tell."""
     mosaic = lone_mosaic(seed=1, rows=4096, uneven=0.2)
@@ -137,6 +139,7 @@ def test_a_wide_feather_is_compared_with_what_lies_beyond() -> None:
 # --- intervals and verdicts ------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_intervals_of_pieces_cover_the_truth() -> None:
     """Of 8 pieces each on 6 mosaics: hard cuts and feathers."""
     inside = []
@@ -157,6 +160,7 @@ def test_intervals_of_pieces_cover_the_truth() -> None:
     assert np.mean(inside) >= 0.93
 
 
+@pytest.mark.slow
 def test_a_sound_piece_is_never_reduced_by_a_coin_toss() -> None:
     told = []
     for seed in range(4):

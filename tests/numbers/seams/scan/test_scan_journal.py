@@ -177,6 +177,7 @@ def start(path: Path) -> subprocess.Popen[str]:
     return writer
 
 
+@pytest.mark.slow
 def test_another_scan_is_refused_until_the_first_one_ends_or_dies(path: Path) -> None:
     journal, _ = open_journal(path, PRINT)
     with pytest.raises(SettingsError, match=r"Another scan is writing this output .* wait until it has ended"):
@@ -190,6 +191,7 @@ def test_another_scan_is_refused_until_the_first_one_ends_or_dies(path: Path) ->
     open_journal(path, PRINT)[0].close()
 
 
+@pytest.mark.slow
 def test_killed_at_random_moments_it_has_all_that_was_told_to_be_done(path: Path) -> None:
     rng = random.Random(1)
     for _ in range(10):

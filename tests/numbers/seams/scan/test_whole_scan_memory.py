@@ -11,6 +11,8 @@ import pytest
 
 from tests.numbers.synthetic import UTM33, orthoimage, wkt, write_raster
 
+pytestmark = pytest.mark.slow
+
 SIDE = 2048
 """Of the tile that is repeated, px: a block."""
 PROGRAM = """

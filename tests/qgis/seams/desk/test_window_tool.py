@@ -1,8 +1,8 @@
 """The map tool: clicks, drags, what is shown while moving, and what is left afterwards."""
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
+from functools import partial
 
 import pytest
 from qgis.core import (
@@ -24,6 +24,7 @@ from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
 from tests.qgis.scenes import ORIGIN, PIXEL, Scene, at, windows
 from tests.qgis.seams.desk.fake_session import FakeSession
+from tests.work import calls_of
 
 LEFT, RIGHT, NONE = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton, Qt.MouseButton.NoButton
 SHIFT, CONTROL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
@@ -359,16 +360,14 @@ def test_nothing_is_left_after_another_tool_or_close(qgis_canvas: QgsMapCanvas, 
 
 
 def test_hovering_is_cheap(operator: Operator) -> None:
-    """2 ms a move is the aim; the bound allows for a busy machine."""
+    """A move costs some hundred calls, and no more where the mosaic lies in another reference system."""
     operator.canvas.setDestinationCrs(WEB_MERCATOR)
     operator.canvas.setExtent(QgsRectangle(operator.on_map((0, 2048)), operator.on_map((4096, 0))))
     operator.session.seam_x = at(*MIDDLE)[0]
     places = [(1500 + 5 * step, 900) for step in range(200)]
     events = [operator._event(QEvent.Type.MouseMove, place, NONE, NONE) for place in places]
-    start = time.perf_counter()
-    for event in events:
-        operator.tool.canvasMoveEvent(event)
-    assert (time.perf_counter() - start) / len(events) < 0.004
+    operator.tool.canvasMoveEvent(events[0])
+    assert max(calls_of(partial(operator.tool.canvasMoveEvent, event)) for event in events[1:]) < 1000
 
 
 # Windows that are there

@@ -4,7 +4,6 @@ from __future__ import annotations
 import csv
 from dataclasses import replace
 from pathlib import Path
-from time import process_time
 
 import pytest
 from qgis.PyQt.QtCore import QLocale, QPoint, Qt
@@ -14,6 +13,7 @@ from seam_inspector.plugin.seams.desk.windows.windows_columns import WINDOW_ID
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession, filter_to, window
+from tests.work import calls_of
 
 ID, VERDICT, KEPT, RATIO_1, RATIO_2, RATIO_3, PAPER, CAUSE, SOURCES, OBSERVER, REASON = range(11)
 ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
@@ -268,22 +268,18 @@ def test_saving_gives_other_feature_ids_and_moves_nothing(panel: WindowsPanel, s
     assert panel.table.verticalScrollBar().value() == 200
 
 
-@pytest.mark.parametrize("column", [ID, RATIO_1])
+@pytest.mark.parametrize(("column", "most"), [(ID, 4_000), (RATIO_1, 200_000)], ids=["in place", "to be sorted"])
 def test_two_thousand_windows_are_followed_at_once(
-    panel: WindowsPanel, session: WindowsSession, column: int
+    panel: WindowsPanel, session: WindowsSession, column: int, most: int
 ) -> None:
+    """The map must not stall: a window that stays where it is costs two calls for each of the others at most."""
     panel.table.sortByColumn(column, DESCENDING)
     rows = many(2000)
     session.put(rows)
     filter_to(panel, "reduced")
     session.select(list(range(1, 2000, 20)))
-    durations = []
-    for fid in range(1000, 1007):
-        rows = [replace(row, ratios=(0.2, 0.3, 0.4)) if row.fid == fid else row for row in rows]
-        started = process_time()
-        session.put(rows)
-        durations.append(process_time() - started)
-    assert min(durations) < 0.05  # seconds: the map must not stall longer
+    rows = [replace(row, ratios=(0.2, 0.3, 0.4)) if row.fid == 1000 else row for row in rows]
+    assert calls_of(lambda: session.put(rows)) < most
 
 
 # What the operator asks for
@@ -411,9 +407,8 @@ def test_an_expression_follows_the_windows(panel: WindowsPanel, session: Windows
 
 def test_two_thousand_windows_are_filtered_by_numbers_at_once(panel: WindowsPanel, session: WindowsSession) -> None:
     session.put(many(2000))
-    started = process_time()
-    assert len(filter_to(panel, "ratio < 0.5")) == 1499
-    assert process_time() - started < 0.5  # seconds, once
+    assert calls_of(lambda: filter_to(panel, "ratio < 0.5")) < 100_000
+    assert len(panel.ordered_fids()) == 1499
 
 
 # Columns

@@ -3,12 +3,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS
 from seam_inspector.plugin.seams.measure.scan.blocks.rectangles import MARGIN_PX, rectangles
+
+from tests.examples import at_most
 
 MOST_PX = 2.7e6
 
@@ -37,7 +39,6 @@ def read_px(found: list[PixelWindow]) -> int:
 
 
 @given(arrays(bool, array_shapes(min_dims=2, max_dims=2, max_side=24)))
-@settings(deadline=None, max_examples=150)
 def test_all_that_is_wanted_is_covered_once(wanted: np.ndarray) -> None:
     counts = covered(rectangles(wanted), wanted.shape)
     assert counts.max(initial=0) <= 1
@@ -47,7 +48,7 @@ def test_all_that_is_wanted_is_covered_once(wanted: np.ndarray) -> None:
 
 
 @given(st.integers(0, 2**32 - 1), st.sampled_from([0.002, 0.02, 0.1, 0.5, 0.95, 1.0]))
-@settings(deadline=None, max_examples=30)
+@at_most(30)
 def test_of_a_whole_block_too_and_none_is_larger_than_memory_allows(seed: int, share: float) -> None:
     wanted = np.random.default_rng(seed).random((UNITS, UNITS)) < share
     found = rectangles(wanted)

@@ -5,13 +5,15 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS, BlockGrid, place_of
 from seam_inspector.plugin.seams.measure.scan.blocks.seam_squares import BESIDE_PX, SeamSquares
 from seam_inspector.plugin.seams.measure.scan.lines.given_seams import NamedSeam
+
+from tests.examples import at_most
 
 COLUMNS, ROWS = 5000, 2500
 GRID = Grid(1000.0, 9000.0, 0.25, 0.5, COLUMNS, ROWS)
@@ -58,9 +60,10 @@ def dense_of(squares: SeamSquares, blocks: BlockGrid = BLOCKS) -> np.ndarray:
 place = st.tuples(st.integers(-300, COLUMNS + 300), st.integers(-300, ROWS + 300))
 
 
+@pytest.mark.slow
 @given(st.lists(place, min_size=2, max_size=4))
 @example([(0, 2511), (29, 2549)])  # beyond the edge, where a unit of few pixels begins
-@settings(deadline=None, max_examples=25)
+@at_most(25)
 def test_units_beside_a_seam_are_measured_and_no_others(places: list[tuple[float, float]]) -> None:
     dense = dense_of(SeamSquares([seam(*places)], BLOCKS))
     assert dense[near(places, BESIDE_PX - SPARE_PX)].all()
@@ -71,7 +74,7 @@ WIDE = BlockGrid(Grid(1000.0, 9000.0, 0.25, 0.5, 11_000, 9000))
 
 
 @given(st.lists(st.tuples(st.integers(0, 11_000), st.integers(0, 9000)), min_size=2, max_size=3), st.floats(1, 9000))
-@settings(deadline=None, max_examples=50)
+@at_most(50)
 def test_a_corridor_reaches_as_far_as_the_distance_to_the_nearest_unit(
     places: list[tuple[float, float]], corridor_px: float
 ) -> None:

@@ -165,6 +165,7 @@ def quilt(rows: int, columns: int, seed: int) -> np.ndarray:
     return labels.astype(np.int16)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("height", [1, 37, 512])
 def test_the_strips_that_labels_come_in_do_not_show(height: int) -> None:
     labels = estimated(quilt(1500, 1100, 1), 2)
@@ -214,6 +215,7 @@ def test_borders_end_only_where_three_labels_meet(labels: np.ndarray) -> None:
             assert labels_at(border.nodes[-1]) >= 3
 
 
+@pytest.mark.slow
 def test_memory_does_not_grow_with_the_mosaic() -> None:
     def strips(count: int) -> Iterator[np.ndarray]:
         strip = np.zeros((512, 600), np.int16)

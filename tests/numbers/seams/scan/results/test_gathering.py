@@ -106,6 +106,7 @@ AFTERWARDS: dict[str, Callable[[np.ndarray], np.ndarray]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("density", ["seams", "full"])
 @pytest.mark.parametrize("change", AFTERWARDS)
 def test_what_was_done_to_the_whole_mosaic_is_no_loss_and_hides_none(
