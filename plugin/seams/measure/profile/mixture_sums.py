@@ -15,6 +15,8 @@ LEAST_ERROR = 0.02
 """Of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's noise."""
 WIDE_ERROR, WIDE_PX = 0.03, 200.0
 """Of kept, of a feather so wide: there is less unmixed ground to learn tones and filters of."""
+NARROW_ERROR, NARROW_PX = 0.03, 8.0
+"""Of kept, of a feather narrower than that: it may be a cut whose border was drawn in the wrong place."""
 MIN_BESIDE_PX = 500
 """Pixels of the strip beside which another source is known: with fewer nothing is said of a mixture."""
 _AT_A_TIME = 32  # seams, whose groups take eight times their memory
@@ -118,7 +120,9 @@ class MixedStrips:
         value = self.levels[0]
         error = np.sqrt(variance) / np.maximum(value, 1e-6)
         widths = np.nan_to_num(self.feather_widths_px())
-        total = np.sqrt(error**2 + LEAST_ERROR**2 + (WIDE_ERROR * np.minimum(widths / WIDE_PX, 1)) ** 2)
+        wide = WIDE_ERROR * np.minimum(widths / WIDE_PX, 1)
+        narrow = np.where((widths > 0) & (widths < NARROW_PX), NARROW_ERROR, 0)
+        total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + narrow**2)
         # The floor is known, the rest comes of few groups (Welch and Satterthwaite).
         freedom = (GROUPS - 1) * (total / np.maximum(error, 1e-3)) ** 4
         return Kept.of(value, total, freedom)
