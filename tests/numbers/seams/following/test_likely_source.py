@@ -171,6 +171,26 @@ def test_what_was_spoilt_is_still_explained(change: str) -> None:
     assert found_in(changed, [first, second]).unexplained.mean() < 0.01
 
 
+@pytest.mark.parametrize("step", [8, 24, 60])
+@pytest.mark.parametrize("contrast", [1.5, 4.0])
+def test_a_step_of_tones_is_no_source_that_is_missing(step: float, contrast: float) -> None:
+    """Pixels of two images as they are, one of them lighter: the edge between them outweighs weak texture."""
+    first, second = (np.rint(plane(contrast, seed)) for seed in (1, 2))
+    seam = BORDER + 20 * np.abs((np.arange(SHAPE[0]) / 24) % 2 - 1)  # a zigzag
+    mosaic = np.where(np.arange(SHAPE[1]) < seam[:, np.newaxis], first, second + np.float32(step)).astype(np.float32)
+    assert not found_in(mosaic, [first, second]).unexplained.any()
+
+
+@pytest.mark.parametrize("step", [0, 24])
+def test_what_is_missing_is_found_beside_a_step_of_tones(step: float) -> None:
+    first, second, missing = (plane(6, seed) for seed in (1, 2, 3))
+    mosaic = cut_at(BORDER, first, second + np.float32(step))
+    mosaic[150:] = missing[150:] - np.float32(step)
+    found = found_in(mosaic, [first, second]).unexplained
+    assert found[160:].mean() > 0.9
+    assert found[:140].mean() < 0.02
+
+
 def test_ground_without_texture_is_not_unexplained() -> None:
     first, second = plane(9, 1), plane(9, 2)
     for one in (first, second):

@@ -7,6 +7,7 @@ from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.expected_mosaic import expected_mosaic
 from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
 from seam_inspector.plugin.seams.measure.following.mixed_ground import mixed_ground
+from seam_inspector.plugin.seams.measure.profile.window_detail import window_detail
 
 from tests.numbers.synthetic import texture
 
@@ -71,3 +72,24 @@ def test_sources_are_shown_as_sharp_as_they_were_mixed(images: list[np.ndarray],
         own, expected = high_pass(found.shown[number]), high_pass(true)
         assert np.square(own).sum() == pytest.approx(np.square(expected).sum(), rel=0.14)
         assert np.corrcoef(own.ravel(), expected.ravel())[0, 1] > 0.98
+
+
+@pytest.mark.parametrize("contrast", [1.0, 0.5])
+def test_the_mean_of_images_of_unlike_contrast_keeps_what_they_have_in_common(contrast: float) -> None:
+    """Labels of such a mosaic go round whatever has more detail, here the one and there the other: gains and energies
+    that are read by them differ."""
+    ground = texture((SIDE, SIDE), 1.2, 1)
+    places = [np.exp(0.5 * ndimage.gaussian_filter(texture((SIDE, SIDE), 3.0, 20 + i), 12)) for i in range(2)]
+    first, second = (
+        (120 + 12 * ground + 12 * place * texture((SIDE, SIDE), 1.2, 2 + i)).astype(np.float32)
+        for i, place in enumerate(places)
+    )
+    mosaic = (first + second) / 2
+    given = [first, (120 + contrast * (second - 120)).astype(np.float32)]
+    fine = [high_pass(one) for one in (mosaic, *given)]
+    following = follow(lambda start, stop: [one[start:stop] for one in fine], (SIDE, SIDE), 2)
+    found = window_detail(mosaic, expected_mosaic(mosaic, given, fine, following, {}), {}, "coif3", 3).profile
+    assert found is not None
+    own = [np.square(high_pass(one)).sum() for one in (mosaic, first, second)]
+    assert found.by_mixture == pytest.approx(own[0] / np.mean(own[1:]), abs=0.08)  # the strip is some of it
+    assert found.high < 0.9

@@ -37,6 +37,26 @@ def test_a_copy_of_the_mosaic_is_told_wherever_it_stands(images: list[np.ndarray
     assert suspect(mosaic, sources) == place
 
 
+@pytest.mark.parametrize("place", [0, 1, 2])
+@pytest.mark.parametrize("part", [np.s_[:, SIDE // 2 - 90 :], np.s_[60:300, 120:300], np.s_[: SIDE // 2]])
+def test_a_part_of_the_mosaic_is_told_and_no_true_source_instead(
+    images: list[np.ndarray], part: tuple[slice, ...], place: int
+) -> None:
+    """A tile of it, or an older edition that is another image elsewhere, hides the seam where it lies."""
+    mosaic, (first, second, other) = feathered(images, 33), images
+    for elsewhere in (np.zeros_like(other), other):
+        tile = elsewhere.copy()
+        tile[part] = mosaic[part]
+        sources = [first, second]
+        sources.insert(place, tile)
+        assert suspect(mosaic, sources) == place
+
+
+def test_what_is_there_twice_and_spans_no_seam_stays(images: list[np.ndarray]) -> None:
+    mosaic, (first, second, _) = feathered(images, 33), images
+    assert suspect(mosaic, [first, second, first.copy()]) is None
+
+
 @pytest.mark.parametrize("width", [33, 100])
 def test_a_compressed_copy_is_told_where_it_would_hide_a_feather(images: list[np.ndarray], width: float) -> None:
     mosaic = feathered(images, width)
