@@ -13,7 +13,7 @@ import numpy as np
 from ..seam_cells import UNKNOWN, is_one_of
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
-from .followed_source import FollowedSource, high_pass
+from .followed_source import FollowedSource
 from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, square_means
 from .likely_source import FINE, LikelySource, Sampling, likely_source
 from .mixed_ground import MixedGround, mixed_ground
@@ -108,22 +108,10 @@ def expected_mosaic(
     if not found.taps:
         return ExpectedMosaic(cut, unfiltered, labels, shown, shown)
     if not found.came_over_cuts:
-        placed = _of_one_sharpness({i: found.placed(i, plane) for i, plane in toned.items()}, shown, labels)
+        placed = {i: found.placed(i, plane) for i, plane in toned.items()}
         return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed)
     plane = filtered(cut, next(iter(found.taps.values())))
     return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned)
-
-
-def _of_one_sharpness(
-    placed: Mapping[int, np.ndarray], shown: Mapping[int, np.ndarray], labels: np.ndarray
-) -> dict[int, np.ndarray]:
-    """Planes as sharp beside each other as the mosaic shows them, which were filtered one by one before they were
-    mixed; how sharp they are together says nothing of a mixture."""
-    fine = {i: high_pass(plane) for i, plane in placed.items()}
-    passed = {i: float(np.log(max(high_pass(shown[i]).std(), 1e-9) / max(one.std(), 1e-9))) for i, one in fine.items()}
-    shares = [np.count_nonzero(labels == i) + 1 for i in passed]
-    mean = float(np.average(list(passed.values()), weights=shares))
-    return {i: plane + np.float32(np.exp(passed[i] - mean) - 1) * fine[i] for i, plane in placed.items()}
 
 
 @dataclass(frozen=True, eq=False)
