@@ -27,8 +27,9 @@ def details(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
     """
     rows, columns = plane.shape
     padded = np.pad(plane, [(0, -size % 2**level) for size in plane.shape], mode="symmetric")
-    delay = _delay(level, wavelet)
-    return np.roll(_details(padded, level, wavelet), (-delay, -delay), (1, 2))[:, :rows, :columns]
+    found = _details(padded, level, wavelet)
+    placed = [np.roll(one, (-down, -across), (0, 1)) for one, (down, across) in zip(found, _delays(level, wavelet))]
+    return np.stack(placed)[:, :rows, :columns]
 
 
 def _details(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
@@ -36,10 +37,15 @@ def _details(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
 
 
 @lru_cache
-def _delay(level: int, wavelet: str) -> int:
-    """By how many pixels the coefficients lag behind what they come from: where the energy of a point lies."""
+def _delays(level: int, wavelet: str) -> tuple[tuple[int, int], ...]:
+    """By how many pixels, downwards and to the right, the coefficients of each detail lag behind what they come from:
+    where the energy of a point lies."""
     side = 2 ** (level + 6)
     point = np.zeros((side, side))
     point[side // 2, side // 2] = 1
-    across = np.square(_details(point, level, wavelet)).sum(axis=(0, 2))
-    return round(float(across @ np.arange(side) / across.sum())) - side // 2
+    energies = np.square(_details(point, level, wavelet))
+    at = np.arange(side) - side // 2
+    return tuple(
+        (round(float(one.sum(axis=1) @ at / one.sum())), round(float(one.sum(axis=0) @ at / one.sum())))
+        for one in energies
+    )

@@ -159,6 +159,17 @@ def detail_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
         yield parts[1:]
 
 
+def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:
+    """The same, each coefficient at the pixels that it comes from, to half of 2^r px: filters that are not symmetric
+    lag behind, the low-pass of coif3 by 2.5 px and its high-pass by as much the other way."""
+    filters = filter_pair(wavelet)
+    for level, parts in enumerate(detail_components(bands, wavelet, levels), 1):
+        low, high = (round(delay / 2**level) for delay in filters.delays_px(level))
+        yield np.stack([
+            np.roll(part, shift, (1, 2)) for part, shift in zip(parts, ((high, low), (low, high), (high, high)))
+        ])
+
+
 def _curve(own: np.ndarray, total: float, pixels: int) -> Curve:
     shares = own / total if total > 0 else np.full(len(own), np.nan)
     return Curve(tuple(shares[:-1].tolist()), float(shares[-1]), float(total) / pixels)

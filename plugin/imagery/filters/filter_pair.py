@@ -1,6 +1,7 @@
 """The two analysis filters of an orthogonal wavelet, and the matrices that apply them to a block of samples."""
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
 
@@ -24,6 +25,13 @@ class FilterPair:
     def margin(self) -> int:
         """Samples before the first of two, and after the last, that their outputs need: there PyWavelets has them."""
         return len(self.low) // 2 - 1
+
+    def delays_px(self, level: int) -> tuple[float, float]:
+        """How far behind its own pixels lies what a coefficient of a level comes from, by the energy of the taps: along
+        an axis that the low-pass and one that the high-pass came over last."""
+        low, high = (_middle(taps) - (len(taps) - 1) / 2 for taps in (self.low, self.high))
+        before = low * (2 ** (level - 1) - 1)
+        return before + 2 ** (level - 1) * low, before + 2 ** (level - 1) * high
 
     @property
     def orthonormal(self) -> bool:
@@ -74,3 +82,8 @@ def scale(taps: tuple[float, ...], dtype: type) -> float:
     rounded = (factors * taps).astype(dtype) / factors
     gains, exact_gains = (np.abs(np.fft.rfft(x, 256)) ** 2 for x in (rounded, np.array(taps)))
     return float(factors[np.abs(gains - exact_gains).max(axis=1).argmin(), 0])
+
+
+def _middle(taps: Sequence[float]) -> float:
+    energies = np.square(taps)
+    return float(energies @ np.arange(len(taps)) / energies.sum())

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ...imagery.shifts import Shift, shifted
-from ...imagery.wavelets import detail_components
+from ...imagery.wavelets import placed_components
 from .causes import Misfit
 from .limits import MIN_MISREGISTRATION_PX
 
@@ -39,7 +39,7 @@ def misfit_of(
     place = _about(seam)
     first, second = (np.ascontiguousarray(shown[number][place]) for number in pair)
     moved = shifted(second, *misfit)
-    (details,) = detail_components(np.stack([first, second, moved]), wavelet, 1)
+    (details,) = placed_components(np.stack([first, second, moved]), wavelet, 1)
     inner = np.s_[_EDGE_PX // 2 : -_EDGE_PX // 2]
     where = seam[place][::2, ::2][inner, inner]
     if np.count_nonzero(where) * 4 < _FEWEST_PX:

@@ -16,7 +16,7 @@ import numpy as np
 from scipy import ndimage
 
 from ....imagery import limits as imagery_limits
-from ....imagery.wavelets import detail_components
+from ....imagery.wavelets import placed_components
 from ..limits import GAUSSIAN, LINEAR
 
 SIGMAS_PER_WIDTH = 4.0  # a Gaussian has no end; over two sigmas to either side the weights go from 0.02 to 0.98
@@ -65,7 +65,7 @@ def kept_detail(
     """
     planes = np.stack([first, second]).astype(np.float32)
     energies = np.zeros((2, 2, levels))  # feathered and cut; window and strip
-    for level, details in enumerate(detail_components(planes, wavelet, levels)):
+    for level, details in enumerate(placed_components(planes, wavelet, levels)):
         own, both = (details**2).sum(axis=(0, 1)), 2 * (details[:, 0] * details[:, 1]).sum(axis=0)
         for feather in feathers:
             # Of (1 - a) p + a q and a p + (1 - a) q together.

@@ -81,9 +81,10 @@ def judged_ground(
     if image.valid is not None:  # what fills the mosaic where it has no pixels must tell nothing of tones and filters
         following = replace(following, clear=following.clear & image.valid)
     given = [images[of].plane for of in followed.source_of]
-    if all(one is plane for one, plane in zip(given, followed.planes)):
-        given = None
-    found = expected_mosaic(image.plane, followed.planes, followed.fine, following, valid, known, given=given)
+    is_moved = any(one is not plane for one, plane in zip(given, followed.planes))
+    found = expected_mosaic(
+        image.plane, followed.planes, followed.fine, following, valid, known, given=given if is_moved else None
+    )
     found = found.of_sources(followed.source_of)
     labels = found.labels
     if image.valid is not None:

@@ -57,7 +57,7 @@ def detail_sums(
     details: Sequence[np.ndarray], labels: np.ndarray, numbers: Sequence[int] = (),
     valid: Mapping[int, np.ndarray] | None = None, is_filtered: bool = False,
 ) -> tuple[CellTable, MixtureTable]:
-    """The cells of one window from the details of ``compared_planes``, level by level as ``detail_components`` gives
+    """The cells of one window from the details of ``compared_planes``, level by level as ``placed_components`` gives
     them: (3, 2 + sources or more, rows / 2^r, columns / 2^r).
 
     ``labels``, (rows, columns): the source that each pixel follows, ``UNKNOWN`` where none explains it; those pixels

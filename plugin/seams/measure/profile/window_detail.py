@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ....imagery.wavelets import detail_components
+from ....imagery.wavelets import placed_components
 from ..following.expected_mosaic import ExpectedMosaic
 from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells, whole_cells
 from .detail_sums import compared_planes, detail_sums, numbers_of
@@ -91,7 +91,7 @@ def window_detail(
     count = len(planes)
     if expected.unfiltered is not expected.plane:
         planes = np.concatenate([planes, expected.unfiltered[np.newaxis]])
-    details = list(detail_components(planes, wavelet, levels))
+    details = list(placed_components(planes, wavelet, levels))
     cells, mixture = detail_sums(details, expected.labels, numbers_of(expected), valid, expected.is_filtered)
     kept = [0, 1, *range(count, len(planes))]
     rows, columns = inside or (slice(0, mosaic.shape[0]), slice(0, mosaic.shape[1]))

@@ -8,7 +8,7 @@ import numpy as np
 from scipy import ndimage
 
 from .....imagery.grids import PixelWindow
-from .....imagery.wavelets import detail_components
+from .....imagery.wavelets import placed_components
 from ...compared_image import ComparedImage
 from ...following.boxes import enlarged
 from ...following.expected_mosaic import expected_mosaic
@@ -99,7 +99,7 @@ def measure_part(
         seen = follow_planes([followed.fine[0], *map(high_pass, expected.shown.values())])
         guessed = known & guesses(labels, seen.clear | seen.mixed)
     labels[guessed] = UNKNOWN
-    details = list(detail_components(compared_planes(image.plane, expected), wavelet, levels))
+    details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
     masks = {number: planes.valid[number] for number in present if number in planes.valid}
     cells, beside = detail_sums(details, labels, numbers_of(expected), masks, expected.is_filtered)
     labels = filled_in(labels, guessed)

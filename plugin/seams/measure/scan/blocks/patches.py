@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import ndimage
 
-from .....imagery.wavelets import detail_components
+from .....imagery.wavelets import placed_components
 from ...following.best_ground import learn_best_ground
 from ...following.boxes import enlarged, opened
 from ...following.expected_mosaic import mosaic_of
@@ -307,7 +307,7 @@ def _cells(
         mosaic, {i: planes.sources[i][chosen] for i in present}, fine[chosen], {i: fines[i][chosen] for i in present},
         labels, within, PATCH_PX,
     )
-    (details,) = detail_components(np.stack([mosaic, expected]), wavelet, 1)
+    (details,) = placed_components(np.stack([mosaic, expected]), wavelet, 1)
     cell = slice(_CELL.start // 2, _CELL.stop // 2)
     own, other = (
         details[:, k].reshape(3, shape[0], PATCH_PX // 2, shape[1], PATCH_PX // 2)[:, :, cell, :, cell] for k in (0, 1)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .....imagery.wavelets import detail_components
+from .....imagery.wavelets import placed_components
 from ...following.boxes import enlarged
 from ...following.levelling import SQUARE_PX as TONE_PX
 from ...following.levelling import gain_field, square_means
@@ -49,7 +49,7 @@ def measure_plain(
     measured = enlarged(dense, UNIT_PX // CELL_PX)
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
     sums = np.zeros((3, levels, *known.shape), np.float32)
-    for level, one in enumerate(detail_components(np.stack([planes.mosaic, made]), wavelet, levels)):
+    for level, one in enumerate(placed_components(np.stack([planes.mosaic, made]), wavelet, levels)):
         step = 2 ** (level + 1)
         first, last = MARGIN_PX // step, ((MARGIN_PX + rows) // step, (MARGIN_PX + columns) // step)
         m, c = (one[:, k, first : last[0], first : last[1]] for k in (0, 1))

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .....imagery.grids import PixelWindow
-from .....imagery.wavelets import detail_components
+from .....imagery.wavelets import placed_components
 from ...profile.cell_table import CELL_PX
 from ..lines.piece_index import PieceIndex
 
@@ -115,7 +115,7 @@ def _finest(
         plane = np.where(valid, plane, plane[valid].mean(dtype=np.float64).astype(plane.dtype))
     missing = [[max(MARGIN_PX - there, 0) for there in axis] for axis in margins]
     padded = np.pad(plane, missing, mode="symmetric") if any(map(any, missing)) else plane
-    (details,) = detail_components(padded[np.newaxis], wavelet, 1)
+    (details,) = placed_components(padded[np.newaxis], wavelet, 1)
     own = tuple(
         slice(before // _GRID_PX, (before + length) // _GRID_PX)
         for (before, _), length in zip(missing, plane.shape)
