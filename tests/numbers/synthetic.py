@@ -105,6 +105,33 @@ def wavedec(band: np.ndarray, wavelet: str, levels: int) -> list[Any]:
         return list(pywt.wavedec2(without_mean(band), wavelet, mode="periodization", level=levels))
 
 
+def placed_wavedec(band: np.ndarray, wavelet: str, levels: int) -> list[Any]:
+    """The same, each detail moved by whole coefficients to where the points of an image show in it."""
+    coarse, *details = wavedec(band, wavelet, levels)
+    placed = []
+    for level, parts in zip(range(levels, 0, -1), details):
+        shifts = np.rint(-_lags_px(wavelet, level) / 2**level).astype(int)
+        placed.append(tuple(np.roll(part, tuple(shift), (0, 1)) for part, shift in zip(parts, shifts)))
+    return [coarse, *placed]
+
+
+@lru_cache
+def _lags_px(wavelet: str, level: int) -> np.ndarray:
+    """By how much the energy of a point lies behind it in each detail, down and across, (3, 2): the mean over points on
+    all places beside the grid."""
+    step, side = 2**level, 64 * 2**level
+    found = np.zeros((3, 2))
+    for place in range(side // 2, side // 2 + step):
+        point = np.zeros((side, side))
+        point[place, place] = 1
+        for direction, part in enumerate(wavedec(point, wavelet, level)[1]):
+            energy = np.square(part)
+            for axis in (0, 1):
+                at = step * np.arange(len(energy)) + (step - 1) / 2
+                found[direction, axis] += (energy.sum(axis=1 - axis) @ at / energy.sum() - place) / step
+    return found
+
+
 def decompose(band: np.ndarray, wavelet: str = "coif3", levels: int = 3) -> Decomposition:
     """The components of one band (rows, columns)."""
     coarse, *details = wavedec(band, wavelet, levels)

@@ -20,9 +20,10 @@ from seam_inspector.plugin.imagery.wavelets import (
     clip_curves,
     component_products,
     detail_components,
+    placed_components,
 )
 
-from tests.numbers.synthetic import decompose, luminance, orthoimage, texture, wavedec, without_mean
+from tests.numbers.synthetic import decompose, luminance, orthoimage, placed_wavedec, texture, wavedec, without_mean
 
 WEIGHTS = (0.299, 0.587, 0.114)
 NEGLIGIBLE = 1e-25
@@ -265,6 +266,26 @@ def test_directional_components_are_those_of_pywavelets(wavelet: str) -> None:
     energies = [np.sum(directions**2) for directions in found]
     curve = curve_of(band, wavelet)
     np.testing.assert_allclose(np.array(energies) / band.size, np.array(curve.detail) * curve.variance, rtol=1e-6)
+
+
+@pytest.mark.parametrize("wavelet", ["coif3", "db4", "sym5", "haar", "coif1"])
+def test_placed_components_show_a_point_where_it_is(wavelet: str) -> None:
+    """To half of 2^r px, in the mean over places beside the grid; by those of PyWavelets, moved by whole coefficients."""
+    band = orthoimage((256, 192), 1)[0].astype(np.float64)
+    found = placed_components(band[np.newaxis], wavelet, 3)
+    for directions, level in zip(found, reversed(placed_wavedec(band, wavelet, 3)[1:])):
+        for mine, theirs in zip(directions[:, 0], level):
+            np.testing.assert_allclose(mine, theirs, atol=1e-9)
+    points = np.zeros((8, 256, 256), np.float32)
+    places = 120 + np.arange(8)
+    points[np.arange(8), places, places] = 1
+    for level, directions in enumerate(placed_components(points, wavelet, 3), 1):
+        energies, step = np.square(directions), 2**level
+        at = step * np.arange(energies.shape[-1]) + (step - 1) / 2
+        for axis in (2, 3):
+            across = energies.sum(axis=axis)  # (directions, points, places)
+            off = across @ at / across.sum(axis=-1) - places
+            assert np.abs(off.mean(axis=1)).max() <= step / 2 + 0.1
 
 
 @pytest.mark.slow

@@ -22,7 +22,7 @@ from seam_inspector.plugin.seams.measure.feathers.feathered_detail import (
 from seam_inspector.plugin.seams.measure.feathers.seam_places import Seamlines, assumed_seams, drawn_seam
 from seam_inspector.plugin.seams.measure.limits import COSINE, GAUSSIAN, LINEAR, RAMPS
 
-from tests.numbers.synthetic import luminance, read_pixels, texture, wavedec, wkt
+from tests.numbers.synthetic import luminance, placed_wavedec, read_pixels, texture, wkt
 
 LEVELS = 3
 PIXEL = (1.0, 1.0)
@@ -52,7 +52,7 @@ def found(a: np.ndarray, b: np.ndarray, seconds: np.ndarray, width: float, ramp:
 
 def details(image: np.ndarray) -> Iterator[np.ndarray]:
     """Of three directions, level by level, each over the pixels that it stands for, (3, rows, columns)."""
-    _, *found = wavedec(image, "coif3", LEVELS)
+    _, *found = placed_wavedec(image, "coif3", LEVELS)
     for level, parts in enumerate(reversed(found), 1):
         yield np.stack([np.kron(part, np.ones((2**level, 2**level))) for part in parts])
 

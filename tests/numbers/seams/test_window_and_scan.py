@@ -178,7 +178,6 @@ def test_of_the_demo_block_along_its_seamlines(
 
 
 @pytest.mark.slow
-@pytest.mark.xfail(strict=True, reason="the corridor along a seam is too narrow for a feather of 33 m")
 def test_of_a_feather_that_is_wider_than_the_corridor(
     demo_block: Delivery, given_pieces: Sequence[JudgedPiece]
 ) -> None:

@@ -11,7 +11,7 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import EDGES_PX, Row
 from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, SeamProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail, window_detail
 
-from tests.numbers.synthetic import texture, wavedec
+from tests.numbers.synthetic import placed_wavedec, texture
 
 WAVELET, LEVELS, SIDE = "coif3", 3, 512
 
@@ -60,7 +60,7 @@ class Blend:
     def truth(self, near: float = 0, far: float = STRIP_PX, level: int = 1) -> float:
         """Energy of the sources' details mixed as the mosaic mixes them, over that of the source that is followed,
         between two distances: by ``pywt.wavedec2`` of each source, never of a cut image."""
-        details = np.stack([np.stack(wavedec(one, WAVELET, level)[1]) for one in self.planes])  # (sources, 3, ...)
+        details = np.stack([np.stack(placed_wavedec(one, WAVELET, level)[1]) for one in self.planes])
         side = 2**level
         middle = (..., slice(side // 2, None, side), slice(side // 2, None, side))
         weights, labels, distance = self.weights[middle], self.labels[middle], self.distance[middle]

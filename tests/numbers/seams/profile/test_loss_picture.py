@@ -9,7 +9,7 @@ from seam_inspector.plugin.seams.measure.profile.loss_picture import LOSS_CELL_P
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.seams.profile.blends import SIDE, WAVELET, Blend, blend
-from tests.numbers.synthetic import texture, wavedec
+from tests.numbers.synthetic import placed_wavedec, texture
 
 CELLS = SIDE // LOSS_CELL_PX
 
@@ -47,7 +47,7 @@ def smoothed(cells: np.ndarray) -> np.ndarray:
 
 def energies(plane: np.ndarray) -> np.ndarray:
     """Of PyWavelets' finest details, in cells."""
-    finest = np.sum(np.square(wavedec(plane, WAVELET, 1)[1]), axis=0)
+    finest = np.sum(np.square(placed_wavedec(plane, WAVELET, 1)[1]), axis=0)
     finest[:4], finest[-4:], finest[:, :4], finest[:, -4:] = 0, 0, 0, 0  # what lies at the other edge
     step = LOSS_CELL_PX // 2
     return np.array([

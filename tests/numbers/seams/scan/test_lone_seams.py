@@ -29,7 +29,7 @@ from tests.numbers.seams.scan.lone_mosaics import (
     seams_of,
     table_of,
 )
-from tests.numbers.synthetic import texture, wavedec
+from tests.numbers.synthetic import placed_wavedec, texture
 
 
 def whole(seams: LoneSeams) -> LoneKept:
@@ -40,7 +40,7 @@ def whole(seams: LoneSeams) -> LoneKept:
 
 def strip_energy(plane: np.ndarray, distance: np.ndarray) -> float:
     """Of the finest detail within 8 px of the seam, by PyWavelets."""
-    energy = np.sum(np.square(wavedec(plane, WAVELET, 1)[1]), axis=0)
+    energy = np.sum(np.square(placed_wavedec(plane, WAVELET, 1)[1]), axis=0)
     return float(energy[np.abs(distance[::2, ::2]) < 8].sum())
 
 
@@ -147,7 +147,7 @@ def test_intervals_of_pieces_cover_the_truth() -> None:
         mosaic = lone_mosaic(256, 10 * seed)
         near = np.abs(mosaic.distance[::2, ::2]) < 8
         by_row = [
-            (np.sum(np.square(wavedec(mosaic.blended(width), WAVELET, 1)[1]), axis=0) * near).sum(axis=1)
+            (np.sum(np.square(placed_wavedec(mosaic.blended(width), WAVELET, 1)[1]), axis=0) * near).sum(axis=1)
             for width in (0, 40)
         ]
         for width, energies in zip((0, 40), by_row):
@@ -263,7 +263,7 @@ def test_no_seam_is_no_result(made: LoneMosaic) -> None:
 def test_cells_hold_what_pywavelets_says(made: LoneMosaic) -> None:
     plane = made.blended(48)
     table = table_of(plane, made.pieces, made.grid)
-    finest = np.sum(np.square(wavedec(plane, WAVELET, 1)[1]), axis=0)
+    finest = np.sum(np.square(placed_wavedec(plane, WAVELET, 1)[1]), axis=0)
     finest = finest.reshape(SHAPE[0] // 16, 8, SHAPE[1] // 16, 8).sum(axis=(1, 3))
     inner = (table.row > 6) & (table.row < SHAPE[0] // 16 - 7)  # PyWavelets goes round, the table mirrors
     place = table.row[inner], table.column[inner]

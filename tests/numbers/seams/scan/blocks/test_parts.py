@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.wavelets import detail_components
+from seam_inspector.plugin.imagery.wavelets import placed_components
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, FARTHEST, CellTable
 from seam_inspector.plugin.seams.measure.profile.detail_sums import detail_sums
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, UNIT_PX
@@ -28,7 +28,7 @@ from tests.numbers.seams.scan.blocks.scenes import (
     images,
     scene,
 )
-from tests.numbers.synthetic import texture, wavedec
+from tests.numbers.synthetic import placed_wavedec, texture
 
 WAVELET, LEVELS = "coif3", 3
 WINDOW = PixelWindow(256, 128, 320, 640)
@@ -54,7 +54,7 @@ def kept(table: CellTable, near: int, far: int) -> float:
 def true_cells(made: np.ndarray, given: Sequence[np.ndarray], labels: np.ndarray) -> CellTable:
     """Of the whole mosaic at once, by labels that are known."""
     planes = np.stack([made, np.choose(labels, given), *given]).astype(np.float32)
-    return detail_sums(list(detail_components(planes, WAVELET, LEVELS)), labels, (0, 1))[0]
+    return detail_sums(list(placed_components(planes, WAVELET, LEVELS)), labels, (0, 1))[0]
 
 
 LABELS_TRUE = (np.indices(SHAPE)[1] + 0.5 > SEAM).astype(np.uint8)
@@ -135,8 +135,8 @@ def test_where_the_mosaic_ends_nothing_is_measured_and_nothing_is_learned(tmp_pa
     made[:, end:] = NODATA
     part = measured(scene(tmp_path, made, given))
     assert part.cells.column.max() == end // CELL_PX - 1
-    assert kept(part.cells, 0, 8) == pytest.approx(1, abs=0.01)
-    assert kept(part.cells, 16, 32) == pytest.approx(1, abs=0.01)
+    assert kept(part.cells, 0, 8) == pytest.approx(1, abs=0.02)
+    assert kept(part.cells, 16, 32) == pytest.approx(1, abs=0.02)
     assert not part.clear[:, (end - WINDOW.column) // CELL_PX :].any()
     labels = part.labels[:, (end - WINDOW.column) // LABEL_PX :]
     assert (labels == UNKNOWN).all()
@@ -182,7 +182,7 @@ def test_even_ground_has_pywavelets_energies_at_every_level(tmp_path: Path, leve
     assert len(table) == (SIDE // CELL_PX) ** 2
     assert (table.bin == FARTHEST).all()
     assert (table.area == CELL_PX**2).all()
-    details = wavedec(given[0], WAVELET, levels)[1:]
+    details = placed_wavedec(given[0], WAVELET, levels)[1:]
     for level in range(levels):
         energy = np.square(details[levels - 1 - level]).sum(axis=0)
         side = CELL_PX >> (level + 1)

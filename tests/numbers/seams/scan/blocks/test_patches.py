@@ -30,7 +30,7 @@ from tests.numbers.seams.scan.blocks.scenes import (
     images,
     scene,
 )
-from tests.numbers.synthetic import texture, wavedec
+from tests.numbers.synthetic import placed_wavedec, texture
 
 WAVELET, LEVELS = "coif3", 3
 PER_SIDE = SIDE // SQUARE_PX
@@ -188,7 +188,7 @@ def test_sampled_cells_hold_the_finest_detail_as_pywavelets_has_it(tmp_path: Pat
     assert len(cells) == PER_SIDE**2
     assert (cells.bin == FARTHEST).all()
     assert (cells.area == [[CELL_PX**2], [0], [0]]).all()
-    energy = np.square(wavedec(made, WAVELET, 1)[1]).sum(axis=0)
+    energy = np.square(placed_wavedec(made, WAVELET, 1)[1]).sum(axis=0)
     per_cell = CELL_PX // 2
     by_cell = energy.reshape(SIDE // CELL_PX, per_cell, -1, per_cell).sum(axis=(1, 3))
     expected = by_cell[cells.row, cells.column]

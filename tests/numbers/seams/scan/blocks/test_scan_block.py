@@ -31,7 +31,7 @@ from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.source_images import Source
 
 from tests.numbers.seams.scan.blocks.scenes import NODATA, SHAPE, SIDE, Scene, beside, blended, images, scene
-from tests.numbers.synthetic import wavedec
+from tests.numbers.synthetic import placed_wavedec
 
 SEAM = 400
 """Column."""
@@ -104,7 +104,7 @@ def test_no_cell_counts_twice_and_all_energy_is_what_pywavelets_finds(hard: Scen
     assert set(np.unique(area[INSIDE])) <= {0, CELL_PX**2}
     if density == "full":
         assert (area[INSIDE] > 0).all()
-    energy = np.square(wavedec(blended(*images(), beside(SEAM)), "coif3", 1)[1]).sum(axis=0)
+    energy = np.square(placed_wavedec(blended(*images(), beside(SEAM)), "coif3", 1)[1]).sum(axis=0)
     expected = energy.reshape(SIDE // CELL_PX, CELL_PX // 2, -1, CELL_PX // 2).sum(axis=(1, 3))
     measured = area[INSIDE] > 0
     assert mm[INSIDE][measured] == pytest.approx(expected[INSIDE][measured], rel=2e-3)
@@ -128,7 +128,7 @@ def test_a_feather_shows_in_the_bins_beside_the_seam_and_nowhere_else(tmp_path: 
     cells = scan_block(scene(tmp_path, blended(*given, beside(SEAM, 33)), given).request()).cells
     near = cells.bin < EDGES_PX.index(8)
     far = cells.bin >= EDGES_PX.index(32)
-    energies = {name: np.square(wavedec(one, "coif3", 1)[1]).sum(axis=0)
+    energies = {name: np.square(placed_wavedec(one, "coif3", 1)[1]).sum(axis=0)
                 for name, one in (("made", blended(*given, beside(SEAM, 33))), ("hard", blended(*given, beside(SEAM))))}
     strip = np.s_[8:-8, (SEAM - 8) // 2 : (SEAM + 8) // 2]
     expected = energies["made"][strip].sum() / energies["hard"][strip].sum()
