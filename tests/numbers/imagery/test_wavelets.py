@@ -270,7 +270,7 @@ def test_directional_components_are_those_of_pywavelets(wavelet: str) -> None:
 
 @pytest.mark.parametrize("wavelet", ["coif3", "db4", "sym5", "haar", "coif1"])
 def test_placed_components_show_a_point_where_it_is(wavelet: str) -> None:
-    """To half of 2^r px, in the mean over places beside the grid; by those of PyWavelets, moved by whole coefficients."""
+    """To half of 2^r px, in the mean over places beside the grid; PyWavelets' own, moved by whole coefficients."""
     band = orthoimage((256, 192), 1)[0].astype(np.float64)
     found = placed_components(band[np.newaxis], wavelet, 3)
     for directions, level in zip(found, reversed(placed_wavedec(band, wavelet, 3)[1:])):
