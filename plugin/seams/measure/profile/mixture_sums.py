@@ -13,7 +13,7 @@ GROUPS = 8
 """Of blocks of 32 px, each left out in turn: the jackknife (Tukey 1958)."""
 LEAST_ERROR = 0.02
 """Of kept, however long the seam: a border drawn where the mosaic fits best follows a mixture's noise."""
-WIDE_ERROR, WIDE_PX = 0.03, 200.0
+WIDE_ERROR, WIDE_PX = 0.05, 200.0
 """Of kept, of a feather so wide: there is less unmixed ground to learn tones and filters of."""
 NARROW_ERROR, NARROW_PX = 0.03, 8.0
 """Of kept, of a feather narrower than that: it may be a cut whose border was drawn in the wrong place."""
