@@ -333,13 +333,18 @@ def test_no_thread_draws_layers_that_go(map_: Map, way: str) -> None:
     map_.swipe._draw()
     map_.swipe._draw()  # those before are cancelled, and may be at work yet
     drawing: list[bool] = []
-    map_.desk.project.layersWillBeRemoved.connect(
-        lambda _ids: drawing.extend(job.isActive() for job in map_picture._under_way)
-    )
-    if way == "layer":
-        map_.desk.project.removeMapLayer(map_.desk.seamlines.id())
-    else:
-        map_.desk.project.clear()
+
+    def look(_ids: list[str]) -> None:
+        drawing.extend(job.isActive() for job in map_picture._under_way)
+
+    map_.desk.project.layersWillBeRemoved.connect(look)
+    try:
+        if way == "layer":
+            map_.desk.project.removeMapLayer(map_.desk.seamlines.id())
+        else:
+            map_.desk.project.clear()
+    finally:  # the project outlives the jobs, which must not be asked then
+        map_.desk.project.layersWillBeRemoved.disconnect(look)
     assert drawing
     assert not any(drawing)
 
