@@ -173,7 +173,7 @@ def test_packo_along_its_graph(provider: None, packo: Path, tmp_path: Path) -> N
     assert hard.results["FAILED_METRES"] == 0
     measured = [one for one in hard.column("kept_1", "SEAMS") if one is not None]
     assert len(measured) >= 3
-    assert min(measured) > 0.95
+    assert min(measured) > 0.94
     lost = [one for one in feathered.column("kept_1", "SEAMS") if one is not None]
     assert len(lost) >= 3
     assert max(lost) < 0.9
