@@ -296,7 +296,8 @@ def test_what_was_foretold_before_a_cancellation_stays(scene: Scene, tmp_path: P
     boxes = [(7 * index, 0, 64, 64) for index in range(60)]
     outcome = predict(scene, *boxes, log=CancelledAfter(5), OUTPUT=str(tmp_path / "o.gpkg"))
     numbers = outcome.column("window_id")
-    assert numbers == list(range(1, len(numbers) + 1))
+    assert numbers[:3] == [1, 2, 3]
+    assert numbers == sorted(set(numbers))  # of those that were under way then, the ones that were ready
     assert 3 <= len(numbers) <= 3 + 4 * (os.cpu_count() or 1)
     assert outcome.results["WINDOW_COUNT"] == len(numbers)
     assert outcome.column("window_id", "PAIRS") == numbers
