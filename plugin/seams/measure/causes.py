@@ -12,6 +12,7 @@ from math import log
 
 from . import limits
 from .profile.intervals import MOST_LEFT
+from .profile.mixture_sums import NARROW_PX
 from .profile.seam_profile import Measure, SeamProfile
 
 MIN_MISSING_SHARE = 0.03  # of the pixels, lying together, that no given source explains; noise alone has made 0.02
@@ -34,7 +35,6 @@ MOST_LIKE_BLUR = 0.7  # of what a mixture would keep: with less, filtering took 
 MIN_MIXED = 0.3  # of the pixels: a feather as wide as the window leaves no border to measure it by
 MIN_MOSTLY_MIXED = 0.5  # of the pixels: beyond it tones are those between two sources
 MOSTLY_MIXED_PX = 300.0  # of a feather: it does not end where it is looked for
-MIN_MIXED_WIDTH_PX = 8.0  # of what is mixed: a border in the wrong place, beside a step of tones, reads up to 6
 MIN_CUT_MISFIT_SHARE = 0.35  # the same where images were cut, and the misfit took nothing
 MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: ground seen from two sides has less
 MIN_RESAMPLED_PX = 0.08  # off the pixels of the source
@@ -132,10 +132,14 @@ class CauseEvidence:
         return found.quantised >= (MIN_LOSSY_QUANTISED if self.lossy_file else MIN_QUANTISED)
 
     @property
+    def feather_width_px(self) -> float:
+        """Of the seam's feather; 0 for a cut, and where none was looked for."""
+        return (self.profile.feather_width_px if self.profile else None) or 0.0
+
+    @property
     def is_mostly_mixed(self) -> bool:
         """Whether its tones lie between those of two sources, so that small differences say nothing."""
-        width = self.profile.feather_width_px if self.profile else None
-        return self.mixed >= MIN_MOSTLY_MIXED or (width or 0.0) >= MOSTLY_MIXED_PX
+        return self.mixed >= MIN_MOSTLY_MIXED or self.feather_width_px >= MOSTLY_MIXED_PX
 
     @property
     def has_seam_loss(self) -> bool:
@@ -145,7 +149,7 @@ class CauseEvidence:
         if found is None:
             return self.mixed >= MIN_MIXED
         kept = found.kept[0]
-        is_sure = found.high < 1 or (found.feather_width_px or 0) >= SURE_FEATHER_PX
+        is_sure = found.high < 1 or self.feather_width_px >= SURE_FEATHER_PX
         return kept is not None and kept <= MAX_FEATHERED_KEPT and is_sure
 
     @property
@@ -165,7 +169,7 @@ class CauseEvidence:
         """Whether both images are there along the seam, and no weights explain it. Noise and compression explain
         nothing anywhere, so they must be known not to be there."""
         found = self.profile
-        if found is None or (found.feather_width_px or 0) < MIN_MIXED_WIDTH_PX:
+        if found is None or self.feather_width_px < NARROW_PX:
             return False
         is_clean = self.texture is not None and not self.is_compressed and not self.is_noisy
         return is_clean and found.left_by_mixture > MOST_LEFT
@@ -181,7 +185,7 @@ class CauseEvidence:
     @property
     def is_mixed_all_over(self) -> bool:
         """Whether hardly any ground lies beyond a mixture, so that nothing tells what else came over the mosaic."""
-        return self.mixed >= MIN_MIXED or bool(self.profile and self.profile.feather_width_px)
+        return self.mixed >= MIN_MIXED or self.feather_width_px > 0
 
     @property
     def least_transfer(self) -> float:
@@ -211,8 +215,7 @@ class CauseEvidence:
     @property
     def is_resampled(self) -> bool:
         """Told by ground that is not mixed where there is such: a mixture lies between its two images."""
-        width = self.profile.feather_width_px if self.profile else None
-        is_wide = self.mixed >= MIN_MIXED or (width or 0.0) >= WIDE_FEATHER_PX
+        is_wide = self.mixed >= MIN_MIXED or self.feather_width_px >= WIDE_FEATHER_PX
         least = MIN_MIXED_RESAMPLED_PX if is_wide else MIN_RESAMPLED_PX
         return self.mixed < MIN_MOSTLY_MIXED and self.off_pixel >= least
 

@@ -158,7 +158,11 @@ def _unexplained(
     for i, j in combinations(sources, 2):  # a mixture of two that are given is nothing strange
         common = square_sums(sources[i], sources[j], CELL_PX)
         np.minimum(left, _left_by_two(own, energies[i], energies[j], products[i], products[j], common), out=left)
-    return _strange_parts(wide, left, textured, even, sampling) if len(sources) > 1 else found
+    if len(sources) > 1:
+        return np.zeros_like(found) if _is_explained(wide, left, textured) else _strange_parts(
+            wide, left, textured, even, sampling
+        )
+    return found
 
 
 def _strange_parts(
@@ -166,8 +170,6 @@ def _strange_parts(
 ) -> np.ndarray:
     """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool, and
     evenly."""
-    if _is_explained(wide, left, textured):
-        return np.zeros_like(textured)
     ground = learn_best_ground(wide[textured], left[textured])
     if ground is None:
         return np.zeros_like(textured)

@@ -70,8 +70,8 @@ def mixed_ground(
         scale = float(taps.sum()) / len(taps)
         if scale <= 0:
             return None
+        shown = [np.float32(gain * by) * one for by, one in zip(even, made)]
         gain, taps = gain * scale, taps / scale
-        shown = [np.float32(gain / scale * by) * one for by, one in zip(even, made)]
     assert taps is not None
     made = weights[0] * shown[0] + weights[1] * shown[1]
     return MixedGround(gain, (taps[0], taps[1]), made)

@@ -1,6 +1,8 @@
 """kept by mixture, of many pieces of seam: sums, and what follows from them (``mixture``)."""
 from __future__ import annotations
 
+from functools import cached_property
+
 import numpy as np
 
 from .cell_table import MIXED_BINS, PRODUCTS, MixtureTable, WholeCells
@@ -94,6 +96,7 @@ class MixedStrips:
         """kept_r (levels, count), NaN where nothing can be told."""
         self.kept = self._kept(finest)
 
+    @cached_property
     def feather_widths_px(self) -> np.ndarray:
         """(count,): of the seam between two sources that is longest in each piece; NaN where there is none."""
         found = np.full(self._count, np.nan)
@@ -119,7 +122,7 @@ class MixedStrips:
         variance = (GROUPS - 1) / GROUPS * (deviations**2).sum(axis=0)
         value = self.levels[0]
         error = np.sqrt(variance) / np.maximum(value, 1e-6)
-        widths = np.nan_to_num(self.feather_widths_px())
+        widths = np.nan_to_num(self.feather_widths_px)
         wide = WIDE_ERROR * np.minimum(widths / WIDE_PX, 1)
         narrow = np.where((widths > 0) & (widths < NARROW_PX), NARROW_ERROR, 0)
         total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + narrow**2)

@@ -86,7 +86,7 @@ class SeamSums:
         texture = own[0] / np.maximum(plain[0], 1e-12)
         gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (own[0], expected)))
         added = np.where(before > 0, np.maximum(1 - gain**2 / np.maximum(before, 1e-12), 0), 0)
-        width = mixed.feather_widths_px()
+        width = mixed.feather_widths_px
         bins = self._bins(mixed, share, judged, self._levels if levels is None else levels)
         lost = self._lost(mixed, share)
         found = []

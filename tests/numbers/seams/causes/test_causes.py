@@ -102,7 +102,7 @@ def test_where_energy_says_much_less_than_the_mixture_it_was_softened(by_mixture
 
 
 def test_images_mixed_by_no_weights_are_another_mixture() -> None:
-    most, least = MOST_LEFT, rules.MIN_MIXED_WIDTH_PX
+    most, least = MOST_LEFT, rules.NARROW_PX
     other = evidence(**{**FEATHERED, "feather_width_px": least}, left_by_mixture=most + LITTLE)
     assert find_causes(other) == (Cause.OTHER_MIXTURE,)
     assert find_causes(evidence(**FEATHERED, left_by_mixture=most)) == (Cause.FEATHERING,)

@@ -145,7 +145,7 @@ def test_rows_of_another_piece_say_nothing_of_this_one() -> None:
     assert one.kept.value[1] == pytest.approx(1, abs=0.03)
     for name in ("value", "low", "high"):
         assert getattr(other.kept, name) == pytest.approx(getattr(one.kept, name), rel=1e-6)
-    assert other.feather_widths_px() == pytest.approx(one.feather_widths_px(), abs=1e-3)
+    assert other.feather_widths_px == pytest.approx(one.feather_widths_px, abs=1e-3)
 
 
 def test_a_piece_with_hardly_any_pixels_beside_another_source_has_no_mixture() -> None:
