@@ -80,10 +80,10 @@ from .plugin.photos.measure.orientation import PhotoOrientation as PhotoOrientat
 
 # Sensor models and orthorectification
 from .plugin.sensors.measure.points import Points as Points
-from .plugin.sensors.measure.models.registry import sensor_model as sensor_model
+from .plugin.sensors.measure.registry import sensor_model as sensor_model
 from .plugin.sensors.measure.adjustment import adjust as adjust
 from .plugin.sensors.measure.adjustment import Adjustment as Adjustment
-from .plugin.sensors.measure.models.rpc import Domain as Domain
+from .plugin.sensors.measure.rpc import Domain as Domain
 from .plugin.sensors.measure.orthorectification import OrthoRequest as OrthoRequest
 from .plugin.sensors.measure.orthorectification import orthorectify as orthorectify
 from .plugin.sensors.measure.orthorectification import Ortho as Ortho

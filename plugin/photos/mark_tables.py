@@ -23,8 +23,8 @@ from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.mark_comparison import ComparedMark, DifferenceStatistics
-from .measure.micmac_measures import read_measures
 from .measure.orientation import GivenPosition, MarkResult
+from .measure.orientation_files import read_measures
 from .measure.photo import Photo
 
 MARK, PHOTO, MEASURE = "mark", "photo", "measure"

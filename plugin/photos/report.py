@@ -16,16 +16,9 @@ from .measure import limits, messages
 from .measure.camera_calibration import CameraCalibration
 from .measure.mark_templates import MarkShape
 from .measure.measuring_marks import MarkWindow
-from .measure.orientation import (
-    FittedTransformation,
-    MarkResult,
-    MarkStatus,
-    OrientationSettings,
-    PhotoOrientation,
-)
+from .measure.orientation import FittedTransformation, MarkResult, MarkStatus, OrientationSettings, PhotoOrientation
 from .measure.orientation_files import orientation_parameters
-from .measure.photo import Photo
-from .measure.photo_views import Place
+from .measure.photo import Photo, Place
 from .measure.transformations import PlaneModel
 
 PICTURE_MAGNIFICATION = 8  # of a mark in the report

@@ -4,25 +4,62 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path
 
 import numpy as np
-from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsProcessingFeatureSource, QgsWkbTypes
+from osgeo import gdal, osr
+from qgis.core import (
+    QgsFeature,
+    QgsFields,
+    QgsGeometry,
+    QgsPointXY,
+    QgsProcessingFeatureSource,
+    QgsProviderRegistry,
+    QgsVectorLayer,
+    QgsWkbTypes,
+)
 
 from ..imagery.errors import SensorModelError
+from ..imagery.gdal_calls import gdal_silenced
 from ..imagery.message import Message
 from ..imagery.open_raster import OpenRaster
 from ..toolkit.attribute_values import Attributes, attributes, number, text
-from ..toolkit.layers import features, system_wkt
+from ..toolkit.layers import features, layer_path, system_wkt
 from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence
 from .measure import messages
-from .measure.adjustment import Adjustment
-from .measure.comparison import Comparison
-from .measure.models.rpc_files import PIXEL_CENTRE
-from .measure.point_files import image_coordinates, read_point_file
+from .measure.adjustment import Adjustment, Comparison
 from .measure.point_planning import ExpectedAccuracy
-from .measure.points import CHECK, CONTROL, Points
+from .measure.points import CHECK, CONTROL, Points, image_coordinates, read_point_file
+from .measure.rpc import PIXEL_CENTRE
+
+
+def heights_wkt(layer: QgsVectorLayer) -> str:
+    """The compound or three-dimensional system of a layer; empty where it says nothing of heights.
+
+    QGIS keeps a system's code and forgets its vertical part, so the code is looked up anew, and the file is asked.
+    """
+    system = osr.SpatialReference()
+    with gdal_silenced(), suppress(RuntimeError):
+        system.SetFromUserInput(layer.crs().authid())
+    if _has_heights(system):
+        return str(layer.crs().authid())
+    path = layer_path(layer)
+    if not path:
+        return ""
+    name = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName")
+    found = None
+    with gdal_silenced(), suppress(RuntimeError):
+        file = gdal.OpenEx(path, gdal.OF_VECTOR)
+        part = None if file is None else file.GetLayerByName(name) if name else file.GetLayer(0)
+        found = part.GetSpatialRef() if part is not None else None
+    return str(found.ExportToWkt(["FORMAT=WKT2_2018"])) if found is not None and _has_heights(found) else ""
+
+
+def _has_heights(system: osr.SpatialReference) -> bool:
+    return bool(system.IsCompound()) or system.GetAxesCount() == 3
+
 
 _SHOWN = 5
 

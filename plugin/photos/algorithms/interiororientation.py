@@ -5,7 +5,18 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsWkbTypes
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsProcessing,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterLayer,
+    QgsWkbTypes,
+)
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery import messages as imagery_messages
@@ -13,10 +24,10 @@ from ...imagery.errors import PhotoError
 from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.parameters import Described
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import filled, sentence, tr
-from ..measure import messages
-from . import photo_parameters
+from ..measure import limits, messages
 
 if TYPE_CHECKING:
     from ...imagery.rasters import RasterRef
@@ -24,6 +35,148 @@ if TYPE_CHECKING:
     from ..measure.mark_templates import CutOut, MarkShape
     from ..measure.orientation import GivenPosition, OrientationSettings, PhotoOrientation
     from ..measure.photo import Photo
+
+PHOTO, CALIBRATION, TEMPLATE, POSITIONS, MEASURE = "PHOTO", "CALIBRATION", "TEMPLATE", "POSITIONS", "MEASURE"
+TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE = (
+    "TEMPLATE_KIND", "TEMPLATE_DIRECTION", "TEMPLATE_CENTRE", "TEMPLATE_TONE"
+)
+SEARCH, MIN_CORRELATION, SURFACE, MODEL = "SEARCH", "MIN_CORRELATION", "SURFACE", "MODEL"
+OUTPUT, PARAMETERS, WORLD_FILE, MEASURES = "OUTPUT", "PARAMETERS", "WORLD_FILE", "MEASURES"
+
+AUTOMATIC = "automatic"
+KINDS = (AUTOMATIC, "cross", "dot", "ring with dot", "ring with cross", "wedge")
+DIRECTIONS = (AUTOMATIC, "upright", "diagonal")
+CENTRES = (AUTOMATIC, "whole", "interrupted")
+TONES = (AUTOMATIC, "light on dark", "dark on light")
+SURFACES = ("correlation", "brightness")
+MODELS = ("affine", "similarity", "projective")
+
+FIGURE_CHOICES = (TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE)
+
+ADVANCED = {TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE, SURFACE}
+
+
+def input_parameters() -> list[Described]:
+    point, number = QgsProcessing.SourceType.TypeVectorPoint, QgsProcessingParameterNumber
+    return [
+        (
+            QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")),
+            tr(
+                "The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey "
+                "value though the file calls it nodata."
+            ),
+        ),
+        (
+            QgsProcessingParameterFile(CALIBRATION, tr("Calibration")),
+            tr(
+                "The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac's MeasuresCamera.xml. "
+                "x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place "
+                "in it) are optional."
+            ),
+        ),
+        (
+            QgsProcessingParameterRasterLayer(TEMPLATE, tr("Template"), optional=True),
+            tr(
+                "A mark cut out of this photo or one like it, with some ground around. It is used for its own mark "
+                "first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by "
+                "180 degrees is measured by its own centre, else by its middle."
+            ),
+        ),
+        (
+            QgsProcessingParameterFeatureSource(POSITIONS, tr("Positions"), [point], optional=True),
+            tr(
+                "Points with the field 'mark', digitised on the photo as QGIS shows it (without a world file x is the "
+                "column and y the negative row). Without positions all of the photo is searched. A field 'measure' "
+                "with 0 says that a point is the mark itself."
+            ),
+        ),
+        (
+            QgsProcessingParameterBoolean(MEASURE, tr("Measure around the positions"), True),
+            tr(
+                "Off: the positions were measured by hand and are taken as they are; the other marks are measured. One "
+                "that lies off by more than a thousandth of the frame fails as a measured mark does."
+            ),
+        ),
+        (
+            common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
+            tr("What is drawn to look for, in the size that the photo has it; automatic tries all."),
+        ),
+        (
+            common.choice(TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS),
+            tr("Whether the arms of a cross, or the wedges, stand upright or diagonally."),
+        ),
+        (
+            common.choice(TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES),
+            tr("Whether a cross is open in the middle."),
+        ),
+        (
+            common.choice(TEMPLATE_TONE, tr("Tone of the mark"), TONES),
+            tr("Whether the mark is lighter than its ground, as on most positives, or darker."),
+        ),
+        (
+            number(SEARCH, tr("Search (mm)"), number.Type.Double, limits.DEFAULT_SEARCH_MM, minValue=0.01),
+            tr("How far around a position the mark is looked for."),
+        ),
+        (
+            number(
+                MIN_CORRELATION, tr("Smallest correlation"), number.Type.Double, limits.DEFAULT_MIN_CORRELATION,
+                minValue=0, maxValue=1,
+            ),
+            tr("A mark whose best correlation is smaller fails."),
+        ),
+        (
+            common.choice(SURFACE, tr("Surface"), SURFACES),
+            tr(
+                "What the second-degree surface is laid through: the correlations around the best pixel, or the "
+                "brightness of the photo as in the paper."
+            ),
+        ),
+        (
+            common.choice(MODEL, tr("Transformation"), MODELS),
+            tr("Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check."),
+        ),
+    ]
+
+
+def output_parameters() -> list[Described]:
+    point = QgsProcessing.SourceType.TypeVectorPoint
+    return [
+        (
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Marks"), point),
+            tr(
+                "A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, "
+                "residuals in µm, correlation, status, reason and the photo's name."
+            ),
+        ),
+        (
+            QgsProcessingParameterFileDestination(
+                PARAMETERS, tr("Parameters"), tr("JSON files (*.json)"), optional=True
+            ),
+            tr("Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy."),
+        ),
+        (
+            QgsProcessingParameterFileDestination(
+                WORLD_FILE, tr("World file"), tr("World files (*.wld *.jgw *.tfw *.pgw *.bpw)"), optional=True,
+                createByDefault=False,
+            ),
+            tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres."),
+        ),
+        (
+            QgsProcessingParameterFileDestination(
+                MEASURES, tr("MicMac measurement"), tr("XML files (*.xml)"), optional=True, createByDefault=False
+            ),
+            tr(
+                "The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, "
+                "with the photo's whole file name, as in MeasuresIm-114.jpg.xml."
+            ),
+        ),
+        common.report(
+            tr("A page with a picture of each mark and the place that was found."),
+            tr("HTML files (*.html)"),
+            by_default=True,
+        ),
+    ]
+
 
 RMS_UM, MARKS, FAILED = "RMS_UM", "MARKS", "FAILED"
 
@@ -45,9 +198,9 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     DRAWN = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        for definition, description in photo_parameters.input_parameters():
-            self.addDescribed(definition, description, advanced=definition.name() in photo_parameters.ADVANCED)
-        for definition, description in photo_parameters.output_parameters():
+        for definition, description in input_parameters():
+            self.addDescribed(definition, description, advanced=definition.name() in ADVANCED)
+        for definition, description in output_parameters():
             self.addDescribed(definition, description)
         self.addNumbers({
             RMS_UM: tr("Root mean square of the residuals (µm)"),
@@ -59,11 +212,11 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ..measure.camera_calibration import check_calibration
 
         check_calibration(self._calibration(run), self._settings(run).model)
-        self._open(run.required_raster(photo_parameters.PHOTO))
+        self._open(run.required_raster(PHOTO))
 
     def prepare(self, run: Run) -> None:
-        self._photo_ref = run.required_raster(photo_parameters.PHOTO)
-        self._template_ref = run.raster(photo_parameters.TEMPLATE)
+        self._photo_ref = run.required_raster(PHOTO)
+        self._template_ref = run.raster(TEMPLATE)
 
     def execute(self, run: Run) -> dict[str, Any]:
         from .. import mark_tables
@@ -79,12 +232,12 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         run.progress(0.8)
         wkt = photo.raster.wkt
         crs = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
-        sink, destination = run.sink(photo_parameters.OUTPUT, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs)
+        sink, destination = run.sink(OUTPUT, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs)
         run.write(sink, (mark_tables.mark_feature(mark, photo) for mark in made.marks))
         run.style(destination, "marks")
         self._tell(made, run)
         failed = made.count(MarkStatus.FAILED)
-        results: dict[str, Any] = {photo_parameters.OUTPUT: destination}
+        results: dict[str, Any] = {OUTPUT: destination}
         results.update({MARKS: len(made.marks) - failed, FAILED: failed})
         if made.fitted is not None and made.fitted.redundancy:
             results[RMS_UM] = made.fitted.rms
@@ -99,20 +252,20 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         """Write the files asked for; without a transformation those of the marks alone, and say so."""
         from ...imagery.atomic_files import save_text
         from ..measure import orientation_files
-        from ..measure.micmac_measures import measures_text
+        from ..measure.orientation_files import measures_text
         from ..report import OrientationJob, save_orientation_report
 
-        job = OrientationJob(photo, calibration, Path(run.path(photo_parameters.CALIBRATION)), settings)
+        job = OrientationJob(photo, calibration, Path(run.path(CALIBRATION)), settings)
         results = run.save(common.REPORT, lambda path: save_orientation_report(path, job, made))
         measures = measures_text(photo.ref.name, made.marks)
-        results.update(run.save(photo_parameters.MEASURES, partial(save_text, measures)))
+        results.update(run.save(MEASURES, partial(save_text, measures)))
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()
             run.tell(messages.PHOTO_WITHOUT_TRANSFORMATION(name=photo.ref.name, why=why))
             return results
         for name, text in (
-            (photo_parameters.PARAMETERS, orientation_files.parameters_text(photo, calibration, made)),
-            (photo_parameters.WORLD_FILE, orientation_files.world_file(photo, made)),
+            (PARAMETERS, orientation_files.parameters_text(photo, calibration, made)),
+            (WORLD_FILE, orientation_files.world_file(photo, made)),
         ):
             results.update(run.save(name, partial(save_text, text)))
         return results
@@ -141,7 +294,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     def _calibration(self, run: Run) -> CameraCalibration:
         from ..measure.camera_calibration import read_calibration
 
-        path = run.path(photo_parameters.CALIBRATION)
+        path = run.path(CALIBRATION)
         if not path:
             raise PhotoError(messages.NO_CALIBRATION())
         return read_calibration(Path(path))
@@ -150,10 +303,10 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ...toolkit import layers
         from .. import mark_tables
 
-        if not run.parameters.get(photo_parameters.POSITIONS):
+        if not run.parameters.get(POSITIONS):
             return {}
-        source = run.source(photo_parameters.POSITIONS)
-        measure = run.flag(photo_parameters.MEASURE)
+        source = run.source(POSITIONS)
+        measure = run.flag(MEASURE)
         return mark_tables.given_positions(layers.features(source), source.fields().names(), photo, measure)
 
     def _settings(self, run: Run) -> OrientationSettings:
@@ -161,28 +314,28 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         from ..measure.orientation import OrientationSettings
         from ..measure.transformations import PlaneModel
 
-        tone = run.word(photo_parameters.TEMPLATE_TONE)
+        tone = run.word(TEMPLATE_TONE)
         return OrientationSettings(
             template=self._template(run),
-            shapes=() if run.parameters.get(photo_parameters.TEMPLATE) else self._shapes(run),
-            sign={photo_parameters.TONES[1]: 1, photo_parameters.TONES[2]: -1}.get(tone),
-            search_mm=run.real(photo_parameters.SEARCH),
-            min_correlation=run.real(photo_parameters.MIN_CORRELATION),
-            surface=SurfaceBasis(run.word(photo_parameters.SURFACE)),
-            model=PlaneModel(run.word(photo_parameters.MODEL)),
+            shapes=() if run.parameters.get(TEMPLATE) else self._shapes(run),
+            sign={TONES[1]: 1, TONES[2]: -1}.get(tone),
+            search_mm=run.real(SEARCH),
+            min_correlation=run.real(MIN_CORRELATION),
+            surface=SurfaceBasis(run.word(SURFACE)),
+            model=PlaneModel(run.word(MODEL)),
         )
 
     def _template(self, run: Run) -> CutOut | None:
         from ..measure.mark_templates import cut_out
 
-        ref = getattr(self, "_template_ref", None) or run.raster(photo_parameters.TEMPLATE)
+        ref = getattr(self, "_template_ref", None) or run.raster(TEMPLATE)
         return cut_out(self._open(ref).grey()) if ref is not None else None
 
     def _shapes(self, run: Run) -> tuple[MarkShape, ...]:
         from ..measure.mark_templates import chosen_shapes
 
-        words = (run.word(name) for name in photo_parameters.FIGURE_CHOICES)
-        kind, direction, centre = (None if word == photo_parameters.AUTOMATIC else word for word in words)
-        diagonal = None if direction is None else direction == photo_parameters.DIRECTIONS[2]
-        interrupted = None if centre is None else centre == photo_parameters.CENTRES[2]
+        words = (run.word(name) for name in FIGURE_CHOICES)
+        kind, direction, centre = (None if word == AUTOMATIC else word for word in words)
+        diagonal = None if direction is None else direction == DIRECTIONS[2]
+        interrupted = None if centre is None else centre == CENTRES[2]
         return chosen_shapes(kind, diagonal, interrupted)

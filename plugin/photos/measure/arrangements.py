@@ -3,12 +3,12 @@
 Marks are looked for coarse to fine: figures of a few sizes are correlated with the photo at an eighth of the search
 resolution, at a quarter, and so on. Of all candidates those are taken that lie as the calibration says, shifted,
 turned a little and scaled: four places in the right arrangement by chance are far rarer than four places that look
-like a mark.
+like a mark. What is drawn is then fitted to the marks, and the arrangement whose figure fits best is the likeliest.
 """
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Callable
@@ -17,9 +17,20 @@ import numpy as np
 
 from . import limits
 from .correlation import CorrelatedImage, Peak, peaks
-from .mark_patterns import Pattern, Patterns
-from .mark_templates import MarkShape
-from .photo_views import MarkFrame, Place, ReducedView, Scene, SearchArea
+from .mark_templates import (
+    CutOut,
+    MarkKind,
+    MarkShape,
+    Pattern,
+    Patterns,
+    all_shapes,
+    cut_out_patterns,
+    draw,
+    drawn_patterns,
+    wedge_to_middle,
+)
+from .measuring_marks import MarkWindow, window_around
+from .photo import MarkFrame, Photo, Place, ReducedView, Scene, SearchArea, block_means
 from .transformations import PlaneModel, fit_transformation
 
 CANDIDATES = 10  # a mark, a figure and a size: places that look alike in a search area
@@ -217,3 +228,174 @@ def _arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], fitting
     source, target = frame.places[list(fitting)], np.array(list(places.values()))
     matrix = fit_transformation(PlaneModel.SIMILARITY, source, target, mirrored=False).matrix[:2]
     return Arrangement(None, 1, places, {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix)
+
+
+REFINING_SIZES = (0.87, 0.93, 1.0, 1.07, 1.15)  # against the coarse size, which is good to 10 %
+REFINING_ROUNDS = 6
+
+
+def refine_shape(
+    windows: Mapping[str, MarkWindow],
+    places: Mapping[str, Place],
+    begin: MarkShape,
+    sign: int,
+    angle: float,
+    finest: float,
+) -> tuple[MarkShape, float]:
+    """The drawn mark that correlates best with a photo's marks, in pixels of the photo, and its median correlation.
+
+    ``begin`` has a size good to 15 %; ``places`` are the marks in the frame, mm, and ``angle`` is the frame's rotation
+    in degrees. A mark wider than ``finest`` px is reduced to about that, which is faster.
+    """
+    step = max(1, round(begin.size / finest))
+    images = {mark: CorrelatedImage(sign * block_means(window.pixels, step)) for mark, window in windows.items()}
+
+    def fitness(shape: MarkShape) -> float:
+        found = []
+        for mark, image in images.items():
+            values = image.correlate(draw(turned_with_frame(shape, places[mark], angle)))
+            found.append(float(values.max()) if values.size else -1.0)
+        return float(np.median(found))
+
+    shapes = enumerate(_first_shapes(begin.scaled(1 / step)))
+    tried = sorted(((fitness(one), number, one) for number, one in shapes), reverse=True)
+    best, _, shape = tried[0]
+    for _ in range(REFINING_ROUNDS):
+        before = best
+        for other in _similar_shapes(shape):
+            value = fitness(other)
+            if value > best:
+                best, shape = value, other
+        if best - before < 1e-3:
+            break
+    return shape.scaled(step), best
+
+
+def without_plane(window: MarkWindow) -> MarkWindow:
+    """A window less the plane that fits it best."""
+    y, x = np.indices(window.pixels.shape, dtype=np.float64)
+    terms = np.column_stack([x.ravel(), y.ravel(), np.ones(x.size)])
+    plane = np.linalg.lstsq(terms, window.pixels.ravel().astype(np.float64), rcond=None)[0]
+    return replace(window, pixels=window.pixels - (terms @ plane).reshape(x.shape))
+
+
+def turned_with_frame(shape: MarkShape, place: Place, angle: float) -> MarkShape:
+    """A shape as it stands in a frame turned by an angle: a wedge looks to the middle."""
+    turned = wedge_to_middle(shape, place)
+    return replace(turned, angle=turned.angle + angle)
+
+
+def _first_shapes(shape: MarkShape) -> Iterator[MarkShape]:
+    for factor in REFINING_SIZES:
+        sized = replace(shape, size=shape.size * factor, softness=0.8)
+        if shape.kind in (MarkKind.DOT, MarkKind.WEDGE):
+            yield sized
+            continue
+        for width in (0.06, 0.12):
+            yield replace(sized, width=width)
+            if shape.kind is MarkKind.RING_WITH_CROSS:
+                yield replace(sized, width=width, reach=1.6)
+
+
+def _similar_shapes(shape: MarkShape) -> Iterator[MarkShape]:
+    for factor in (0.95, 1.05, 0.98, 1.02):
+        yield replace(shape, size=shape.size * factor)
+    for factor in (0.8, 1.25):
+        yield replace(shape, softness=min(max(shape.softness * factor, limits.PIXEL_SOFTNESS), shape.size / 4))
+        yield replace(shape, width=min(max(shape.width * factor, 0.02), 0.3))
+    if shape.kind in (MarkKind.CROSS, MarkKind.RING_WITH_CROSS):
+        yield replace(shape, interrupted=not shape.interrupted)
+    if shape.kind is MarkKind.RING_WITH_CROSS:
+        for reach in (1.0, 1.4, 1.8):
+            yield replace(shape, reach=reach)
+
+
+REFINING_SIZE_PX = 40.0  # of a mark while its figure is fitted: larger ones are reduced for it
+GLANCING_SIZE_PX = 20.0  # the same while figures are compared
+REFINED_ARRANGEMENTS = 5  # looked at closely, of one for each figure
+WORTH_A_LOOK = 0.75  # of the best arrangement's sum of correlations
+NEARLY_AS_FIT = 0.15  # correlation below the best figure's: among these the one that explains most pixels is the mark
+
+
+@dataclass(frozen=True, eq=False)
+class Candidate:
+    """Places that may be the marks."""
+
+    frame: MarkFrame
+    arrangement: Arrangement
+    template: MarkShape | CutOut
+    fitness: float = 1.0
+    """How like the figure its marks are: the median correlation, less where marks are missing."""
+    others: tuple[FramedArrangement, ...] = ()
+    """What looks alike and lies as the calibration says when it is turned another way."""
+
+    @property
+    def side(self) -> int:
+        """Of the template, px."""
+        return 2 * self.template.margin + 1 if isinstance(self.template, MarkShape) else min(self.template.pixels.shape)
+
+    @property
+    def weight(self) -> float:
+        """How much the fit tells: the share of the pixels' variance that is left, by how many pixels there are."""
+        return -math.log(max(1 - self.fitness**2, 1e-6)) * self.side**2
+
+
+def candidates(
+    photo: Photo,
+    scene: Scene,
+    frames: Sequence[MarkFrame],
+    template: CutOut | None,
+    shapes: Sequence[MarkShape],
+    sign: int | None,
+    cancelled: Callable[[], bool],
+) -> Iterator[Candidate]:
+    """Arrangements, the likeliest first: its marks, looked at closely, are most like the figure they have."""
+    if template is not None:
+        groups = [cut_out_patterns(template)]
+    else:
+        groups = [drawn_patterns([shape]) for shape in shapes or all_shapes()]
+    found = find_arrangements(scene, frames, groups, sign, cancelled)
+    if template is not None:
+        yield from (Candidate(*best, template, others=tuple(others)) for best, *others in found[:1])
+        return
+    worth = WORTH_A_LOOK * found[0][0][1].score if found else 0.0
+    looked_at = []
+    for (frame, arrangement), *others in found[: REFINED_ARRANGEMENTS]:
+        if arrangement.score >= worth and arrangement.shape is not None:
+            shape, fitness = _refined(photo, frame, arrangement, arrangement.shape, GLANCING_SIZE_PX)
+            fitness *= len(arrangement.values) / len(frame.marks)
+            looked_at.append(Candidate(frame, arrangement, shape, fitness, tuple(others)))
+    for one in _by_fitness(looked_at):
+        assert isinstance(one.template, MarkShape)
+        shape, _ = _refined(photo, one.frame, one.arrangement, one.template, REFINING_SIZE_PX)
+        yield replace(one, template=shape)
+
+
+def _refined(
+    photo: Photo, frame: MarkFrame, found: Arrangement, begin: MarkShape, finest: float
+) -> tuple[MarkShape, float]:
+    """The drawn mark fitted to the photo's marks, and how well it fits."""
+    half = math.ceil(1.7 * begin.size + 2 * found.uncertainty + 4)
+    windows = {name: without_plane(window_around(photo, place, half)) for name, place in found.places.items()}
+    places = {name: (float(x), float(y)) for name, (x, y) in zip(frame.marks, frame.places)}
+    return refine_shape(windows, places, begin, found.sign, found.angle, finest)
+
+
+def _by_fitness(looked_at: Sequence[Candidate]) -> Iterator[Candidate]:
+    """The best fitting first; of figures at the same places a larger one that fits nearly as well goes before it.
+
+    The small figure may be a part of the large one, a dot of a ring with a dot, which explains more of the pixels.
+    """
+    left = sorted(looked_at, key=lambda one: -one.fitness)
+    while left:
+        best = left[0]
+        least = best.fitness - NEARLY_AS_FIT
+        same = [one for one in left if _at_one_place(one, best)]
+        left = [one for one in left if one not in same]
+        yield from sorted(same, key=lambda one: (one.fitness >= least, one.weight), reverse=True)
+
+
+def _at_one_place(one: Candidate, other: Candidate) -> bool:
+    a, b = one.arrangement.places, other.arrangement.places
+    distances = [math.dist(a[name], b[name]) for name in a if name in b]
+    return bool(distances) and float(np.median(distances)) <= max(one.side, other.side) / 2

@@ -13,11 +13,9 @@ from ...imagery.grids import PixelWindow
 from ...imagery.message import Message
 from ...imagery.shifts import shifted
 from . import messages
-from .correlation import correlate, peak_pixel
-from .correlation_surface import SurfaceError, fit_surface, subpixel_maximum, surface_extremum
+from .correlation import SurfaceError, correlate, fit_surface, peak_pixel, subpixel_maximum, surface_extremum
 from .mark_templates import CutOut, MarkKind, MarkShape, draw
-from .photo import Photo
-from .photo_views import Place
+from .photo import Photo, Place
 
 BRIGHTNESS_REACH_PX = 2  # 5 x 5 grey values: they hold the grain itself
 SETTLING_ROUNDS = 5  # two or three are enough to stay within 0.005 px

@@ -9,8 +9,8 @@ from enum import Enum
 from ...imagery.message import Message
 from . import limits
 from .mark_templates import CutOut, MarkShape
-from .measuring_marks import MarkWindow, SurfaceBasis
-from .photo_views import Place
+from .measuring_marks import MarkWindow, MeasuredMark, SurfaceBasis, UnmeasuredMark
+from .photo import Place
 from .scan_orientation import OrientationEvidence, ScanOrientation
 from .transformations import PlaneModel, Transformation
 
@@ -117,3 +117,24 @@ class PhotoOrientation:
     def count(self, status: MarkStatus) -> int:
         """How many marks have a status."""
         return sum(mark.status is status for mark in self.marks)
+
+
+@dataclass(frozen=True)
+class FoundMarks:
+    """What became of the marks that were looked for."""
+
+    results: Mapping[str, MeasuredMark | UnmeasuredMark] = field(default_factory=dict)
+    """By the calibration's names; marks with a given place are not among them."""
+    template: MarkShape | CutOut | None = None
+    """What they were measured with."""
+    scan_orientation: ScanOrientation | None = None
+    """How the photo lies, where the search told."""
+    evidence: OrientationEvidence | None = None
+    """What told."""
+    notices: tuple[Message, ...] = ()
+    """What the user should know."""
+
+    @property
+    def found(self) -> int:
+        """How many were measured."""
+        return sum(isinstance(one, MeasuredMark) for one in self.results.values())

@@ -13,7 +13,7 @@ from scipy import ndimage, signal
 from . import limits
 from .arrangements import Arrangement
 from .camera_calibration import CameraCalibration
-from .photo_views import MarkFrame, Place, SearchArea
+from .photo import MarkFrame, Place, SearchArea
 from .transformations import PlaneModel, fit_transformation, redundancy
 
 MIN_FRAME_SHARE = 0.7  # of the scan's shorter extent that the marks span at least

@@ -15,7 +15,7 @@ from .sensor_parameters import SensorAlgorithm, image_box
 
 if TYPE_CHECKING:
     from ...imagery.message import Message
-    from ..measure.comparison import Comparison
+    from ..measure.adjustment import Comparison
 
 OUTPUT = "OUTPUT"
 RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
@@ -50,8 +50,9 @@ class CompareSensorModels(SensorAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from .. import point_tables
-        from ..measure import comparison, point_heights
-        from ..measure.control_coverage import control_coverage, coverage_warnings
+        from ..measure import adjustment
+        from ..measure.heights import is_flat
+        from ..measure.point_checks import control_coverage, coverage_warnings
 
         image = self._image()
         rpc = self._rpc(run, sensor_parameters.IMAGE_RPC, image)
@@ -59,11 +60,11 @@ class CompareSensorModels(SensorAlgorithm):
         size = (float(image.columns), float(image.rows)) if image is not None else None
         notices = coverage_warnings(control_coverage(points.image[~points.check], image_box(image, points)))
         run.tell(*notices)
-        result = comparison.compare(
+        result = adjustment.compare(
             points,
-            comparison.all_requests(rpc, self._orbit_height_m(run, image), size),
+            adjustment.all_requests(rpc, self._orbit_height_m(run, image), size),
             run.flag(sensor_parameters.ROBUST),
-            point_heights.is_flat(points),
+            is_flat(points),
             run.progress,
             run.is_cancelled,
         )

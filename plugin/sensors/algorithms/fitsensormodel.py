@@ -21,8 +21,7 @@ from ...imagery.errors import SensorModelError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import filled, tr
-from ..measure import messages
-from ..measure.models import registry
+from ..measure import messages, registry
 from ..model_titles import MODEL_TITLES
 from . import sensor_parameters
 from .sensor_parameters import SensorAlgorithm, image_box
@@ -31,8 +30,8 @@ if TYPE_CHECKING:
     from ...imagery.message import Message
     from ...imagery.open_raster import OpenRaster
     from ..measure.adjustment import Accuracy, Adjustment
-    from ..measure.control_coverage import ImageBox
-    from ..measure.models.registry import ModelRequest
+    from ..measure.point_checks import ImageBox
+    from ..measure.registry import ModelRequest
 
 MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
 
@@ -127,8 +126,8 @@ class FitSensorModel(SensorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from .. import point_tables
         from ..measure.adjustment import adjust
-        from ..measure.control_coverage import control_coverage, coverage_warnings
         from ..measure.fit_files import FitFiles
+        from ..measure.point_checks import control_coverage, coverage_warnings
 
         image = self._image()
         request = self._request(run, image)
@@ -202,8 +201,7 @@ class FitSensorModel(SensorAlgorithm):
     @staticmethod
     def _notices(done: Adjustment) -> list[Message]:
         from ..measure.adjustment import suspects
-        from ..measure.models.chosen_terms import terms_told
-        from ..measure.models.rational import Rational
+        from ..measure.polynomials import Rational, terms_told
 
         notices: list[Message] = []
         if not done.fitted.converged:
@@ -237,7 +235,7 @@ def _bias(done: Adjustment, box: ImageBox) -> _Bias | None:
     """Of a corrected RPC; None for other models."""
     import numpy as np
 
-    from ..measure.models.bias import BiasedRpc
+    from ..measure.rpc import BiasedRpc
 
     model = done.fitted.model
     if not isinstance(model, BiasedRpc):

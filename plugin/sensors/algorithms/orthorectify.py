@@ -23,9 +23,9 @@ from .sensor_parameters import SensorAlgorithm
 
 if TYPE_CHECKING:
     from ...imagery.open_raster import OpenRaster
-    from ..measure.height_datums import Datum
-    from ..measure.models.rpc import Domain
-    from ..measure.models.sensor_model import SensorModel
+    from ..measure.heights import Datum
+    from ..measure.rpc import Domain
+    from ..measure.sensor_model import SensorModel
 
 MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
 RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
@@ -121,7 +121,7 @@ class Orthorectify(SensorAlgorithm):
         })
 
     def check(self, run: Run) -> None:
-        from ..measure.sensor_images import open_image
+        from ..measure.rpc import open_image
 
         open_image(run.required_raster(sensor_parameters.IMAGE))
         given = run.parameters.get(HEIGHT) not in (None, "")
@@ -130,8 +130,8 @@ class Orthorectify(SensorAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit.layers import box_extent, system_wkt
+        from ..measure.fit_files import view_direction
         from ..measure.orthorectification import OrthoRequest, orthorectify
-        from ..measure.view_direction import view_direction
 
         self.check(run)
         assert self._image_ref is not None
@@ -180,9 +180,9 @@ class Orthorectify(SensorAlgorithm):
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
         """The model in the image's own pixels, the system it is in, where it is used, and what the terrain model's
         heights are to be taken as."""
-        from ..measure.ground_system import WGS84
-        from ..measure.models.model_file import load_model
+        from ..measure.fit_files import load_model
         from ..measure.orthorectification import rpc_domain
+        from ..measure.sensor_model import WGS84
 
         path = run.path(MODEL_FILE)
         datums = sensor_parameters.height_datums(run, sensor_parameters.DEM_HEIGHTS, EXTERIOR_HEIGHTS)
@@ -205,7 +205,7 @@ class Orthorectify(SensorAlgorithm):
         self, run: Run, image: OpenRaster, dem_datum: Datum, datum: Datum
     ) -> tuple[SensorModel, str, Domain, Datum]:
         from ...toolkit.layers import system_wkt
-        from ..measure.frames.oriented_frame import FrameFiles, oriented_frame
+        from ..measure.frames import FrameFiles, oriented_frame
 
         interior, exterior = run.path(INTERIOR), run.path(EXTERIOR)
         if not interior or not exterior:

@@ -17,14 +17,13 @@ from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
-from ..measure import limits, messages
-from ..measure.models import registry
+from ..measure import limits, messages, registry
 from . import sensor_parameters
 from .sensor_parameters import IMAGE, IMAGE_RPC, ORBIT_HEIGHT, SensorAlgorithm
 
 if TYPE_CHECKING:
-    from ..measure.models.registry import ModelRequest
     from ..measure.point_planning import PlannedScene
+    from ..measure.registry import ModelRequest
 
 MODEL, COUNTS, SPREAD, CORNER_SHARE = "MODEL", "COUNTS", "SPREAD", "CORNER_SHARE"
 SIGMA, SIGMA_PX, LOWEST, HIGHEST = "SIGMA", "SIGMA_PX", "LOWEST", "HIGHEST"
@@ -138,7 +137,7 @@ class PlanPoints(SensorAlgorithm):
         return {OUTPUT: output}
 
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:
-        from ..measure.plausible_points import HIGHEST_M, LOWEST_M
+        from ..measure.point_checks import HIGHEST_M, LOWEST_M
         from ..measure.point_planning import nominal_scene, scene_of_rpc
 
         low, high = run.real(LOWEST), run.real(HIGHEST)

@@ -27,12 +27,12 @@ from ..measure import limits, messages
 if TYPE_CHECKING:
     from ...imagery.message import Message
     from ...imagery.open_raster import OpenRaster
-    from ..measure.control_coverage import ImageBox
-    from ..measure.height_datums import Datum
-    from ..measure.models.rational import Rational
-    from ..measure.models.registry import ModelRequest
+    from ..measure.fit_files import ViewDirection
+    from ..measure.heights import Datum
+    from ..measure.point_checks import ImageBox
     from ..measure.points import Points
-    from ..measure.view_direction import ViewDirection
+    from ..measure.polynomials import Rational
+    from ..measure.registry import ModelRequest
 
 MOST_CHECK_SHARE = 0.9
 DEFAULT_CHECK_SHARE = 0.25  # Kurczynski and Wolniewicz: 7 to 10 control and 10 to 46 check points
@@ -123,13 +123,13 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         given = run.parameters.get(GCPS)
         if not given or _file_path(given):
             return ""
-        from ..layer_heights import heights_wkt
+        from ..point_tables import heights_wkt
 
         layer = run.vector_layer(GCPS)
         return heights_wkt(layer) if layer is not None else ""
 
     def _image(self) -> OpenRaster | None:
-        from ..measure.sensor_images import open_image
+        from ..measure.rpc import open_image
 
         return open_image(self._image_ref) if self._image_ref is not None else None
 
@@ -140,8 +140,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
         They are held against the image's own ``rpc`` where there is one.
         """
-        from ..measure.plausible_points import check_against_rpc, check_plausible
-        from ..measure.point_heights import with_heights
+        from ..measure.heights import with_heights
+        from ..measure.point_checks import check_against_rpc, check_plausible
         from ..measure.points import choose_check_points
 
         share = run.real(CHECK_SHARE)
@@ -175,8 +175,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         from ...imagery.rasters import RasterRef
         from ...toolkit.layers import system_wkt
         from .. import point_tables
-        from ..measure.image_points import image_points
-        from ..measure.sensor_images import open_image
+        from ..measure.points import image_points
+        from ..measure.rpc import open_image
 
         given = run.parameters.get(GCPS)
         path, wkt = _file_path(given), system_wkt(run.crs(GCPS_CRS))
@@ -194,8 +194,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _rpc(self, run: Run, name: str, image: OpenRaster | None) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
-        from ..measure.models.rpc_files import own_rpc, read_rpc, rpc_of_image_part
-        from ..measure.sensor_images import rpc_metadata
+        from ..measure.rpc import own_rpc, read_rpc, rpc_metadata, rpc_of_image_part
 
         path = run.path(name)
         rpc = read_rpc(Path(path)) if path else own_rpc(image) if image is not None else None
@@ -211,7 +210,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         given = run.real(ORBIT_HEIGHT)
         if given > 0:
             return given * 1000
-        from ..measure.sensor_images import satellite_name
+        from ..measure.rpc import satellite_name
 
         name = satellite_name(image).upper() if image is not None else ""
         known = (height for word, height in ORBIT_HEIGHTS_KM.items() if name.startswith(word))
@@ -229,8 +228,8 @@ def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None
 def height_datums(run: Run, *names: str) -> list[Datum]:
     """What heights refer to by these parameters, with the grid of GEOID. Raises SettingsError without it, or unused."""
     from ...imagery.rasters import RasterRef
-    from ..measure.height_datums import GEOID as BY_GRID
-    from ..measure.height_datums import Geoid
+    from ..measure.heights import GEOID as BY_GRID
+    from ..measure.heights import Geoid
 
     words, path = [run.text(name) for name in names], run.path(GEOID)
     if BY_GRID in words and not path:

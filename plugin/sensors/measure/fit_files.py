@@ -1,25 +1,160 @@
 """The files of a fit: its model file, RPC in three forms, and points for the georeferencer."""
 from __future__ import annotations
 
+import dataclasses
+import json
+import math
+import typing
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Callable
+from typing import Any, Callable
 
 import numpy as np
 
+from ...imagery import messages as imagery_messages
+from ...imagery.atomic_files import save_text
+from ...imagery.documents.document_files import document_bytes, json_document
 from ...imagery.errors import RasterError, SensorModelError
 from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
-from . import messages
+from ...imagery.reference_systems import metres_per_unit
+from . import messages, registry
 from .adjustment import Adjustment
-from .control_coverage import ImageBox
-from .models.model_file import ModelFile, save_model
-from .models.rpc import Domain, RpcOfModel, rpc_heights, rpc_of
-from .models.rpc_files import write_rpc
-from .models.rpc_images import write_image_with_rpc
-from .point_files import source_coordinates, write_point_file
-from .view_direction import ViewDirection, view_direction
+from .point_checks import ImageBox
+from .points import source_coordinates, write_point_file
+from .rpc import Domain, RpcOfModel, located, rpc_heights, rpc_of, write_image_with_rpc, write_rpc
+from .sensor_model import WGS84, SensorModel
+
+FORMAT = "seam_inspector sensor model"
+VERSION = 1
+
+
+@dataclasses.dataclass(frozen=True)
+class ModelFile:
+    """What a model file holds."""
+
+    model: SensorModel
+    wkt: str
+    """System of the points it was fitted to; models in longitude and latitude ignore it."""
+    domain: Domain
+    facts: dict[str, Any]
+    """Accuracy, condition, points and the like, for the reader."""
+
+
+def save_model(file: ModelFile, path: Path) -> None:
+    """Write a model file. Raises SettingsError where none can be."""
+    kind = next(name for name, kind in registry.KINDS.items() if type(file.model) is kind.model_class())
+    document = {
+        "format": FORMAT,
+        "version": VERSION,
+        "model": kind,
+        "conventions": {
+            "image": "column and row in pixels, (0, 0) is the upper left corner of the first pixel",
+            "ground": "longitude and latitude in degrees (EPSG:4326)" if file.model.GEOGRAPHIC else "x and y of 'crs'",
+            "height": "metres above the ellipsoid",
+            "scaling": "scaled = (value - offset) / scale",
+            "terms": "1 x y z xy xz yz xx yy zz xyz xxx xyy xzz xxy yyy yzz xxz yyz zzz; in a plane without z",
+        },
+        "crs": file.wkt,
+        "domain": dataclasses.asdict(file.domain),
+        "parameters": _plain(file.model),
+        "facts": _plain(file.facts),
+    }
+    save_text(json.dumps(document, indent=1, allow_nan=False) + "\n", path)
+
+
+def load_model(path: Path) -> ModelFile:
+    """Read a model file. Raises SensorModelError when it is none, or one of a newer version."""
+    try:
+        document = json_document(document_bytes(path).decode())
+    except OSError:
+        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+    except ValueError:
+        raise SensorModelError(messages.NO_MODEL_FILE(name=path.name)) from None
+    if not isinstance(document, dict) or document.get("format") != FORMAT:
+        raise SensorModelError(messages.NO_MODEL_FILE(name=path.name))
+    if document.get("version") != VERSION:
+        raise SensorModelError(messages.MODEL_FILE_VERSION(name=path.name, version=document.get("version")))
+    try:
+        model = _built(registry.KINDS[document["model"]].model_class(), document["parameters"])
+        plain = document["domain"]
+        parts = [(float(plain[field.name][0]), float(plain[field.name][1])) for field in dataclasses.fields(Domain)]
+        domain = Domain(*parts)
+        return ModelFile(model, str(document["crs"]), domain, document.get("facts", {}))
+    except (KeyError, IndexError, TypeError, ValueError, AttributeError):
+        raise SensorModelError(messages.NO_MODEL_FILE(name=path.name)) from None
+
+
+def _plain(value: Any) -> Any:
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
+    if isinstance(value, dict):
+        return {name: _plain(one) for name, one in value.items()}
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return [_plain(one) for one in (value.tolist() if isinstance(value, np.ndarray) else value)]
+    if isinstance(value, np.generic):
+        value = value.item()
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _built(kind: Any, plain: Any) -> Any:
+    """A value of a type from what JSON keeps of it."""
+    if kind is np.ndarray:
+        array = np.array(plain, float)
+        if not np.isfinite(array).all():
+            raise ValueError
+        return array
+    if isinstance(kind, type) and dataclasses.is_dataclass(kind):
+        hints = typing.get_type_hints(kind)
+        return kind(**{field.name: _built(hints[field.name], plain[field.name]) for field in dataclasses.fields(kind)})
+    return kind(plain)
+
+
+_RISE_M = 100.0  # between the two heights that a line of sight is taken at
+
+
+@dataclass(frozen=True)
+class ViewDirection:
+    """The line of sight, at the ground."""
+
+    angle: float
+    """From the vertical, degrees, in the middle of the image."""
+    azimuth: float
+    """Where it was taken from, degrees from north over east."""
+    largest: float
+    """The largest angle from the vertical in the image's corners, degrees."""
+
+    def shift_m(self, terrain_error_m: float) -> float:
+        """How far an error in the terrain's heights moves the middle of the orthoimage, m."""
+        return float(np.tan(np.radians(self.angle)) * abs(terrain_error_m))
+
+    def told(self, terrain_error_m: float) -> Message:
+        """In words, for an error of the terrain's heights."""
+        return messages.VIEW_TOLD(
+            angle=self.angle, azimuth=self.azimuth, largest=self.largest, error=terrain_error_m,
+            shift=self.shift_m(terrain_error_m),
+        )  # fmt: skip
+
+
+def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirection | None:
+    """Of a model fitted to points of the system ``wkt``; None for a plane model, which knows none.
+
+    Raises SensorModelError where the model can't be inverted over the image.
+    """
+    if not model.SPATIAL:
+        return None
+    (left, right), (top, bottom) = domain.columns, domain.rows
+    image = [((left + right) / 2, (top + bottom) / 2), (left, top), (right, top), (left, bottom), (right, bottom)]
+    height = float(np.mean(domain.heights))
+    low, high = (
+        located(model, wkt, np.column_stack([image, np.full(len(image), level)]), domain)
+        for level in (height - _RISE_M / 2, height + _RISE_M / 2)
+    )
+    towards = (high - low)[:, :2] * metres_per_unit(WGS84, float(low[0, 1]))
+    angles = np.degrees(np.arctan(np.linalg.norm(towards, axis=1) / _RISE_M))
+    azimuth = float(np.degrees(np.arctan2(towards[0, 0], towards[0, 1])) % 360)
+    return ViewDirection(float(angles[0]), azimuth, float(angles.max()))
 
 
 @dataclass(frozen=True)

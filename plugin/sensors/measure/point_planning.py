@@ -11,15 +11,11 @@ from ...imagery.errors import SensorModelError, SettingsError
 from ...imagery.message import Message
 from . import limits, messages
 from .adjustment import accuracy, adjust
-from .ground_system import GEOGRAPHIC, WGS84
-from .models.earth import geocentric
-from .models.locating import locate
-from .models.pushbroom import SIGMAS, Pushbroom
-from .models.pushbroom_fit import nominal_orbit
-from .models.rational import Rational
-from .models.registry import ModelRequest
-from .models.sensor_model import SensorModel
 from .points import Points
+from .polynomials import Rational
+from .pushbroom import SIGMAS, Pushbroom, geocentric, nominal_orbit
+from .registry import ModelRequest
+from .sensor_model import GEOGRAPHIC, WGS84, SensorModel, locate
 
 GRID, RANDOM, CORNER = limits.SPREADS
 DRAWS = 50

@@ -1,9 +1,19 @@
 """Control and check points."""
 from __future__ import annotations
 
+import csv
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
+
+from ...imagery import messages as imagery_messages
+from ...imagery.atomic_files import save_text
+from ...imagery.documents.document_files import document_bytes
+from ...imagery.errors import SensorModelError
+from ...imagery.open_raster import OpenRaster
+from . import messages
 
 CONTROL, CHECK = "control", "check"
 SIGMAS_PX = 1e-7, 1e7  # smaller and larger ones say nothing more, and squares of theirs are no numbers
@@ -68,3 +78,114 @@ def choose_check_points(points: Points, share: float) -> Points:
         nearest = np.minimum(nearest, np.linalg.norm(places - places[index], axis=1))
         distance = np.minimum(nearest, 2 * (0.5 - middle) + 0.1)
     return replace(points, check=check)
+
+
+def image_points(image: OpenRaster) -> Points:
+    """The points of an image, all for control. Raises SensorModelError where it has none, or they have no system.
+
+    GDAL writes 0 where a height is not known, so heights that are all 0 are none.
+    """
+    found = image.dataset.GetGCPs() or ()
+    if not found:
+        raise SensorModelError(messages.NO_POINTS_IN_IMAGE(name=image.ref.name))
+    wkt = image.dataset.GetGCPProjection() or image.ref.wkt
+    if not wkt:
+        raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=image.ref.name))
+    numbers = np.array([(one.GCPPixel, one.GCPLine, one.GCPX, one.GCPY, one.GCPZ) for one in found], float)
+    if not np.isfinite(numbers).all():
+        raise SensorModelError(messages.IMAGE_POINTS_BROKEN(name=image.ref.name))
+    if not numbers[:, 4].any():
+        numbers[:, 4] = np.nan
+    count = len(found)
+    names = tuple(one.Id or str(number) for number, one in enumerate(found, 1))
+    return Points(names, numbers[:, :2], numbers[:, 2:], wkt, np.full(count, np.nan), np.zeros(count, bool))
+
+
+_COLUMNS = (("sourceX", "pixelX"), ("sourceY", "pixelY"), ("mapX",), ("mapY",))
+
+
+@dataclass(frozen=True)
+class PointFile:
+    """The enabled points of a file."""
+
+    wkt: str
+    """The reference system it names (from QGIS 3.26 on); empty for older files."""
+    source: tuple[tuple[float, float], ...]
+    """As the georeferencer keeps them: column and minus row, or the map coordinates of an image that has some."""
+    ground: tuple[tuple[float, float], ...]
+    """x, y."""
+    numbers: tuple[int, ...]
+    """Of each in the file, the first 1."""
+    disabled: int
+    """How many are switched off in the georeferencer."""
+
+
+def read_point_file(path: Path) -> PointFile:
+    """Read ``mapX,mapY,pixelX,pixelY,enable`` (before 3.26) or ``mapX,mapY,sourceX,sourceY,enable``.
+
+    Raises SensorModelError for a file that is none, with the line that can't be read.
+    """
+    try:
+        lines = document_bytes(path).decode("utf-8-sig", errors="replace").splitlines()
+    except OSError:
+        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+    wkt = next((line[len("#CRS:") :].strip() for line in lines if line.startswith("#CRS:")), "")
+    rows = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
+    header = [name.strip() for name in rows[0][1].split(",")] if rows else []
+    indices = [next((header.index(name) for name in names if name in header), -1) for names in _COLUMNS]
+    if -1 in indices:
+        raise SensorModelError(messages.NO_POINTS_FILE(name=path.name))
+    enable = header.index("enable") if "enable" in header else -1
+    source, ground, numbers, disabled = [], [], [], 0
+    for count, (number, line) in enumerate(rows[1:], 1):
+        try:
+            parts = next(csv.reader([line]))
+            values = [float(parts[index]) for index in indices]
+            on = enable < 0 or len(parts) <= enable or parts[enable].strip().lower() not in ("0", "false", "")
+        except (ValueError, IndexError, csv.Error):
+            raise SensorModelError(messages.POINTS_LINE_UNREADABLE(name=path.name, line=number)) from None
+        if not on:
+            disabled += 1
+            continue
+        source.append((values[0], values[1]))
+        ground.append((values[2], values[3]))
+        numbers.append(count)
+    return PointFile(wkt, tuple(source), tuple(ground), tuple(numbers), disabled)
+
+
+def image_coordinates(
+    source: Sequence[tuple[float, float]], geotransform: Sequence[float] | None
+) -> list[tuple[float, float]]:
+    """Column and row of source coordinates: minus y is the row, unless the image has a geotransform of its own."""
+    if geotransform is None or tuple(geotransform) == (0.0, 1.0, 0.0, 0.0, 0.0, 1.0):
+        return [(x, -y) for x, y in source]
+    left, across, skew_x, top, skew_y, down = geotransform
+    determinant = across * down - skew_x * skew_y
+    moved = [(x - left, y - top) for x, y in source]
+    return [((down * x - skew_x * y) / determinant, (across * y - skew_y * x) / determinant) for x, y in moved]
+
+
+def source_coordinates(image: np.ndarray, geotransform: Sequence[float] | None) -> np.ndarray:
+    """(n, 2) source coordinates of columns and rows (n, 2): what ``image_coordinates`` takes back."""
+    if geotransform is None:
+        return image * [1, -1]
+    left, across, skew_x, top, skew_y, down = geotransform
+    if tuple(geotransform) == (0.0, 1.0, 0.0, 0.0, 0.0, 1.0):
+        return image * [1, -1]
+    column, row = image.T
+    return np.column_stack([left + across * column + skew_x * row, top + skew_y * column + down * row])
+
+
+def write_point_file(
+    path: Path, wkt: str, ground: np.ndarray, source: np.ndarray, enabled: np.ndarray, residuals_px: np.ndarray
+) -> None:
+    """Write a file that QGIS's georeferencer loads, the residuals (n, 2) in px as it writes them itself.
+
+    Raises SettingsError where no file can be.
+    """
+    lines = [f"#CRS: {' '.join(wkt.split())}", "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual"]
+    length = np.linalg.norm(residuals_px, axis=1)
+    for place, measured, on, residual, size in zip(ground[:, :2], source, enabled, residuals_px, length):
+        numbers = [repr(float(value)) for value in (*place, *measured)]
+        lines.append(",".join([*numbers, str(int(on)), *(repr(float(value)) for value in (*residual, size))]))
+    save_text("\n".join(lines) + "\n", path)

@@ -9,10 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import PhotoError
-from seam_inspector.plugin.photos.measure.correlation import CorrelatedImage, correlate, peaks
-from seam_inspector.plugin.photos.measure.correlation_surface import (
+from seam_inspector.plugin.photos.measure.correlation import (
+    CorrelatedImage,
     SurfaceError,
+    correlate,
     fit_surface,
+    peaks,
     subpixel_maximum,
     surface_extremum,
 )

@@ -11,11 +11,9 @@ from osgeo import gdal
 from scipy import ndimage, optimize
 from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.photos.measure import interior_orientation
+from seam_inspector.plugin.photos.measure import finding_marks, interior_orientation
 from seam_inspector.plugin.photos.measure.camera_calibration import CameraCalibration, read_calibration
-from seam_inspector.plugin.photos.measure.finding import finding_marks
-from seam_inspector.plugin.photos.measure.fitting_marks import fit_marks
-from seam_inspector.plugin.photos.measure.interior_orientation import orient_photo
+from seam_inspector.plugin.photos.measure.interior_orientation import fit_marks, orient_photo
 from seam_inspector.plugin.photos.measure.mark_templates import CutOut, MarkKind, MarkShape, chosen_shapes, cut_out
 from seam_inspector.plugin.photos.measure.orientation import (
     GivenPosition,

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.optimize import least_squares
 from seam_inspector.plugin.imagery.errors import PhotoError
 from seam_inspector.plugin.photos.measure.camera_calibration import read_calibration
-from seam_inspector.plugin.photos.measure.fitting_marks import fail_misplaced_marks, fit_marks
+from seam_inspector.plugin.photos.measure.interior_orientation import fail_misplaced_marks, fit_marks
 from seam_inspector.plugin.photos.measure.mark_comparison import (
     ComparedMark,
     distance_statistics,

@@ -5,11 +5,10 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal
-from seam_inspector.plugin.sensors.measure.models.least_squares import Scaling
-from seam_inspector.plugin.sensors.measure.models.pushbroom import Pushbroom
-from seam_inspector.plugin.sensors.measure.models.pushbroom_fit import fit_pushbroom
-from seam_inspector.plugin.sensors.measure.models.rational import Rational
 from seam_inspector.plugin.sensors.measure.points import Points
+from seam_inspector.plugin.sensors.measure.polynomials import Rational
+from seam_inspector.plugin.sensors.measure.pushbroom import Pushbroom, fit_pushbroom
+from seam_inspector.plugin.sensors.measure.sensor_model import Scaling
 
 WGS84 = "EPSG:4326"
 COLUMNS, ROWS = 40000.0, 23000.0

@@ -6,8 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from scipy.stats import f as f_distribution
-from seam_inspector.plugin.sensors.measure.models.chosen_terms import f_limit, fit_chosen_terms, terms_told
-from seam_inspector.plugin.sensors.measure.models.rational import Rational, fit_rational
+from seam_inspector.plugin.sensors.measure.polynomials import (
+    Rational,
+    f_limit,
+    fit_chosen_terms,
+    fit_rational,
+    terms_told,
+)
 
 from tests.numbers.sensors.sensor_scenes import made_rational, places
 

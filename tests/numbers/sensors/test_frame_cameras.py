@@ -16,12 +16,18 @@ from osgeo import gdal
 from scipy.ndimage import map_coordinates
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.sensors.measure.frames.exterior_files import read_exterior
-from seam_inspector.plugin.sensors.measure.frames.interior_files import read_interior
-from seam_inspector.plugin.sensors.measure.frames.oriented_frame import FrameFiles, OrientedFrame, oriented_frame
-from seam_inspector.plugin.sensors.measure.models.frame_camera import FrameCamera, FrameInterior, camera_axes
+from seam_inspector.plugin.sensors.measure.frames import (
+    FrameCamera,
+    FrameFiles,
+    FrameInterior,
+    OrientedFrame,
+    camera_axes,
+    oriented_frame,
+    read_exterior,
+    read_interior,
+)
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
-from seam_inspector.plugin.sensors.measure.sensor_images import open_image
+from seam_inspector.plugin.sensors.measure.rpc import open_image
 
 from tests.numbers.synthetic import wkt
 

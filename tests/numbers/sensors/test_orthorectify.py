@@ -13,16 +13,11 @@ from scipy.ndimage import map_coordinates
 from seam_inspector.plugin.imagery.errors import CancelledError, RasterError, SeamInspectorError, SettingsError
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.sensors.measure.models.least_squares import Scaling
-from seam_inspector.plugin.sensors.measure.models.rational import Rational
-from seam_inspector.plugin.sensors.measure.models.rpc_files import read_rpc, rpc_of_image_part
-from seam_inspector.plugin.sensors.measure.orthorectification import (
-    Ortho,
-    OrthoRequest,
-    orthorectify,
-    rpc_domain,
-)
-from seam_inspector.plugin.sensors.measure.terrain import load_terrain
+from seam_inspector.plugin.sensors.measure.heights import load_terrain
+from seam_inspector.plugin.sensors.measure.orthorectification import Ortho, OrthoRequest, orthorectify, rpc_domain
+from seam_inspector.plugin.sensors.measure.polynomials import Rational
+from seam_inspector.plugin.sensors.measure.rpc import read_rpc, rpc_of_image_part
+from seam_inspector.plugin.sensors.measure.sensor_model import Scaling
 
 from tests.numbers.sensors.sensor_scenes import WGS84, made_pushbroom, made_rational
 from tests.numbers.synthetic import wkt

@@ -12,10 +12,9 @@ from scipy.spatial import ConvexHull, HalfspaceIntersection
 from seam_inspector.plugin.imagery.errors import SensorModelError
 from seam_inspector.plugin.imagery.message import WARNING
 from seam_inspector.plugin.sensors.measure.adjustment import adjust, suspects
-from seam_inspector.plugin.sensors.measure.control_coverage import control_coverage
-from seam_inspector.plugin.sensors.measure.models.registry import POLYNOMIAL_2D
-from seam_inspector.plugin.sensors.measure.plausible_points import check_against_rpc, check_plausible
+from seam_inspector.plugin.sensors.measure.point_checks import check_against_rpc, check_plausible, control_coverage
 from seam_inspector.plugin.sensors.measure.points import Points
+from seam_inspector.plugin.sensors.measure.registry import POLYNOMIAL_2D
 
 from tests.numbers.sensors import sensor_scenes
 

@@ -7,10 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.sensors.measure.models import registry
-from seam_inspector.plugin.sensors.measure.models.rational import Rational, fit_rational
-from seam_inspector.plugin.sensors.measure.models.registry import ModelKind
-from seam_inspector.plugin.sensors.measure.models.rpc import Domain
+from seam_inspector.plugin.sensors.measure import registry
+from seam_inspector.plugin.sensors.measure.fit_files import view_direction
 from seam_inspector.plugin.sensors.measure.point_planning import (
     ExpectedAccuracy,
     PlannedScene,
@@ -19,7 +17,9 @@ from seam_inspector.plugin.sensors.measure.point_planning import (
     nominal_scene,
     scene_of_rpc,
 )
-from seam_inspector.plugin.sensors.measure.view_direction import view_direction
+from seam_inspector.plugin.sensors.measure.polynomials import Rational, fit_rational
+from seam_inspector.plugin.sensors.measure.registry import ModelKind
+from seam_inspector.plugin.sensors.measure.rpc import Domain
 
 from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, made_rational, pleiades_grid
 

@@ -3,16 +3,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.sensors.measure.adjustment import Accuracy
-from seam_inspector.plugin.sensors.measure.comparison import (
+from seam_inspector.plugin.sensors.measure import registry
+from seam_inspector.plugin.sensors.measure.adjustment import (
     CHECK_POINTS,
     LEAVE_ONE_OUT,
+    Accuracy,
     JudgedModel,
     compare,
     recommend,
 )
-from seam_inspector.plugin.sensors.measure.models import registry
-from seam_inspector.plugin.sensors.measure.models.registry import ModelRequest
+from seam_inspector.plugin.sensors.measure.registry import ModelRequest
 
 from tests.numbers.sensors.sensor_scenes import made_rational, places, points
 

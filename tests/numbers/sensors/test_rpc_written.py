@@ -9,17 +9,15 @@ from osgeo import gdal, osr
 from seam_inspector.plugin.imagery.errors import RasterError, SensorModelError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.reference_systems import heights_above_ellipsoid
-from seam_inspector.plugin.sensors.measure.height_datums import EGM2008, VERTICAL, Geoid, above_ellipsoid
-from seam_inspector.plugin.sensors.measure.image_points import image_points
-from seam_inspector.plugin.sensors.measure.models.rpc_files import read_rpc, to_metadata, write_rpc
-from seam_inspector.plugin.sensors.measure.models.rpc_images import write_image_with_rpc
-from seam_inspector.plugin.sensors.measure.point_files import (
+from seam_inspector.plugin.sensors.measure.heights import EGM2008, VERTICAL, Geoid, above_ellipsoid
+from seam_inspector.plugin.sensors.measure.points import (
     image_coordinates,
+    image_points,
     read_point_file,
     source_coordinates,
     write_point_file,
 )
-from seam_inspector.plugin.sensors.measure.sensor_images import open_image
+from seam_inspector.plugin.sensors.measure.rpc import open_image, read_rpc, to_metadata, write_image_with_rpc, write_rpc
 
 from tests.numbers.sensors.sensor_scenes import made_rational
 

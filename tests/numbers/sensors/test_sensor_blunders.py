@@ -7,14 +7,20 @@ import numpy as np
 import pytest
 from scipy import stats
 from seam_inspector.plugin.imagery.errors import SensorModelError
-from seam_inspector.plugin.sensors.measure.adjustment import accuracy, adjust
-from seam_inspector.plugin.sensors.measure.comparison import CHECK_POINTS, LEAVE_ONE_OUT, all_requests, compare
-from seam_inspector.plugin.sensors.measure.control_coverage import control_coverage, convex_hull, coverage_warnings
-from seam_inspector.plugin.sensors.measure.models import registry
-from seam_inspector.plugin.sensors.measure.models.earth import geocentric, unit
-from seam_inspector.plugin.sensors.measure.models.registry import ModelRequest
-from seam_inspector.plugin.sensors.measure.point_heights import is_flat
+from seam_inspector.plugin.sensors.measure import registry
+from seam_inspector.plugin.sensors.measure.adjustment import (
+    CHECK_POINTS,
+    LEAVE_ONE_OUT,
+    accuracy,
+    adjust,
+    all_requests,
+    compare,
+)
+from seam_inspector.plugin.sensors.measure.heights import is_flat
+from seam_inspector.plugin.sensors.measure.point_checks import control_coverage, convex_hull, coverage_warnings
 from seam_inspector.plugin.sensors.measure.points import choose_check_points
+from seam_inspector.plugin.sensors.measure.pushbroom import geocentric, unit
+from seam_inspector.plugin.sensors.measure.registry import ModelRequest
 
 from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, made_pushbroom, made_rational, places, points
 

@@ -8,16 +8,13 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from seam_inspector.plugin.sensors.measure import registry
 from seam_inspector.plugin.sensors.measure.adjustment import Adjustment, adjust
-from seam_inspector.plugin.sensors.measure.models import registry
-from seam_inspector.plugin.sensors.measure.models.bias import BiasedRpc
-from seam_inspector.plugin.sensors.measure.models.earth import geocentric
-from seam_inspector.plugin.sensors.measure.models.least_squares import Scaling
-from seam_inspector.plugin.sensors.measure.models.locating import newton
-from seam_inspector.plugin.sensors.measure.models.polynomials import Polynomial2D, Polynomial3D
-from seam_inspector.plugin.sensors.measure.models.pushbroom_fit import fit_pushbroom
-from seam_inspector.plugin.sensors.measure.models.rational import Dlt
-from seam_inspector.plugin.sensors.measure.models.registry import ModelRequest
+from seam_inspector.plugin.sensors.measure.polynomials import Dlt, Polynomial2D, Polynomial3D
+from seam_inspector.plugin.sensors.measure.pushbroom import fit_pushbroom, geocentric
+from seam_inspector.plugin.sensors.measure.registry import ModelRequest
+from seam_inspector.plugin.sensors.measure.rpc import BiasedRpc
+from seam_inspector.plugin.sensors.measure.sensor_model import Scaling, newton
 
 from tests.numbers.sensors.sensor_scenes import (
     COLUMNS,

@@ -9,16 +9,13 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import SensorModelError
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.sensors.measure import registry, rpc
 from seam_inspector.plugin.sensors.measure.adjustment import adjust
-from seam_inspector.plugin.sensors.measure.ground_system import GroundSystem
-from seam_inspector.plugin.sensors.measure.models import registry, rpc, rpc_files
-from seam_inspector.plugin.sensors.measure.models.bias import BiasedRpc
-from seam_inspector.plugin.sensors.measure.models.model_file import FORMAT, ModelFile, load_model, save_model
-from seam_inspector.plugin.sensors.measure.models.rational import Rational
-from seam_inspector.plugin.sensors.measure.models.rpc import Domain
-from seam_inspector.plugin.sensors.measure.models.sensor_model import SensorModel
-from seam_inspector.plugin.sensors.measure.point_files import image_coordinates, read_point_file
-from seam_inspector.plugin.sensors.measure.sensor_images import open_image
+from seam_inspector.plugin.sensors.measure.fit_files import FORMAT, ModelFile, load_model, save_model
+from seam_inspector.plugin.sensors.measure.points import image_coordinates, read_point_file
+from seam_inspector.plugin.sensors.measure.polynomials import Rational
+from seam_inspector.plugin.sensors.measure.rpc import BiasedRpc, Domain, open_image
+from seam_inspector.plugin.sensors.measure.sensor_model import GroundSystem, SensorModel
 
 from tests.numbers.sensors.sensor_scenes import (
     COLUMNS,
@@ -40,7 +37,7 @@ def by_gdal(folder: Path, write: bool, model: Rational | None, ground: np.ndarra
     if write:
         gdal.GetDriverByName("GTiff").Create(str(folder / "image.tif"), 10, 10, 1).FlushCache()
         assert model is not None
-        rpc_files.write_rpc(model, folder / "image_RPC.TXT")
+        rpc.write_rpc(model, folder / "image_RPC.TXT")
     dataset = gdal.Open(str(folder / "image.tif"))
     assert dataset.GetMetadata("RPC")
     transformer = gdal.Transformer(dataset, None, ["METHOD=RPC"])
@@ -108,8 +105,8 @@ def test_a_plane_model_has_none() -> None:
 def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: Path) -> None:
     folder = data_folder / "sensors" / "pleiades"
     ground = np.array([[5.25, 44.15, 900.0], [5.3, 44.1, 1500.0], [5.2, 44.2, 400.0]])
-    dimap = rpc_files.read_rpc(folder / "RPC_PHR1B_P_201308051042194_SEN_690908101-001.XML")
-    geom = rpc_files.read_rpc(folder / "left_image.geom")
+    dimap = rpc.read_rpc(folder / "RPC_PHR1B_P_201308051042194_SEN_690908101-001.XML")
+    geom = rpc.read_rpc(folder / "left_image.geom")
     assert np.abs(dimap.project(ground) - geom.project(ground)).max() < 1e-4
     # GDAL's own reader of DIMAP wants the vendor's names beside the image.
     name = "IMG_PHR1B_P_201308051042194_SEN_690908101-001_R1C1.TIF"
@@ -123,19 +120,19 @@ def test_vendor_files_are_read_as_gdal_reads_them(data_folder: Path, tmp_path: P
     seen, _ = transformer.TransformPoints(1, ground.tolist())
     assert np.abs(np.array(seen)[:, :2] - dimap.project(ground)).max() < 1e-6
     own = open_image(RasterRef(str(data_folder / "sensors" / "worldview3" / "wv3_20.NTF")))
-    ntf = rpc_files.own_rpc(own)
+    ntf = rpc.own_rpc(own)
     assert ntf is not None
     place = np.array([[float(ntf.ground.offset[0]), float(ntf.ground.offset[1]), 40.0]])
     transformer = gdal.Transformer(gdal.Open(own.ref.path), None, ["METHOD=RPC"])
     seen, _ = transformer.TransformPoints(1, place.tolist())
     assert np.abs(np.array(seen)[:, :2] - ntf.project(place)).max() < 1e-6
-    beside = rpc_files.own_rpc(open_image(RasterRef(str(folder / "left_image.tif"))))
+    beside = rpc.own_rpc(open_image(RasterRef(str(folder / "left_image.tif"))))
     assert beside is not None  # OSSIM's .geom
 
 
 def test_rpb_is_read(tmp_path: Path) -> None:
     made, ground = made_rational(3, 3, 0.001), places(5, 1)
-    items = rpc_files.to_metadata(made)
+    items = rpc.to_metadata(made)
     names = {"LINE": "line", "SAMP": "samp", "LAT": "lat", "LONG": "long", "HEIGHT": "height"}
     rows = []
     for axis, name in names.items():
@@ -146,19 +143,19 @@ def test_rpb_is_read(tmp_path: Path) -> None:
         rows.append(f"\t{names[axis]}{part.capitalize()}Coef = (\n{values});")
     path = tmp_path / "image.RPB"
     path.write_text("BEGIN_GROUP = IMAGE\n" + "\n".join(rows) + "\nEND_GROUP = IMAGE\nEND;\n")
-    assert np.abs(rpc_files.read_rpc(path).project(ground) - made.project(ground)).max() < 1e-6
+    assert np.abs(rpc.read_rpc(path).project(ground) - made.project(ground)).max() < 1e-6
 
 
 def test_dimap_is_read_with_namespaces_and_in_its_encoding_but_not_with_entities(
     data_folder: Path, tmp_path: Path
 ) -> None:
     vendor = data_folder / "sensors" / "pleiades" / "RPC_PHR1B_P_201308051042194_SEN_690908101-001.XML"
-    plain, text, ground = rpc_files.read_rpc(vendor), vendor.read_text(), np.array([[5.25, 44.15, 900.0]])
+    plain, text, ground = rpc.read_rpc(vendor), vendor.read_text(), np.array([[5.25, 44.15, 900.0]])
     path = tmp_path / "RPC.XML"
     spaced = text.replace("<Dimap_Document>", '<d:Dimap_Document xmlns="urn:a" xmlns:d="urn:b">')
     spaced = spaced.replace("</Dimap_Document>", "</d:Dimap_Document>").replace('"UTF-8"', '"UTF-16"')
     path.write_text(spaced, encoding="utf-16")
-    assert np.array_equal(rpc_files.read_rpc(path).project(ground), plain.project(ground))
+    assert np.array_equal(rpc.read_rpc(path).project(ground), plain.project(ground))
     declared = '<!DOCTYPE d [<!ENTITY e "0.1">]>\n<Dimap_Document>'
     lacking = text.replace("LINE_OFF>", "LINE_OF>")
     no_number = text.replace("<LINE_OFF>", "<LINE_OFF>x")
@@ -166,7 +163,7 @@ def test_dimap_is_read_with_namespaces_and_in_its_encoding_but_not_with_entities
         assert wrong != text
         path.write_text(wrong)
         with pytest.raises(SensorModelError, match=r"RPC\.XML holds no complete RPC"):
-            rpc_files.read_rpc(path)
+            rpc.read_rpc(path)
 
 
 @pytest.mark.parametrize("content", ["", "LINE_OFF: 3\n", "<Rational_Function_Model></Rational_Function_Model>"])
@@ -174,9 +171,9 @@ def test_a_file_that_is_no_rpc_is_refused(tmp_path: Path, content: str) -> None:
     path = tmp_path / "wrong_RPC.TXT"
     path.write_text(content)
     with pytest.raises(SensorModelError, match=r"wrong_RPC\.TXT holds no complete RPC"):
-        rpc_files.read_rpc(path)
+        rpc.read_rpc(path)
     with pytest.raises(SensorModelError, match="does not exist"):
-        rpc_files.read_rpc(tmp_path / "lost.txt")
+        rpc.read_rpc(tmp_path / "lost.txt")
 
 
 # --- model files -----------------------------------------------------------------------------------------------

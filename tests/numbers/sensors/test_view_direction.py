@@ -5,12 +5,10 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.reference_systems import metres_per_unit
-from seam_inspector.plugin.sensors.measure.models.earth import geocentric
-from seam_inspector.plugin.sensors.measure.models.polynomials import fit_polynomial_2d
-from seam_inspector.plugin.sensors.measure.models.pushbroom import SIGMAS
-from seam_inspector.plugin.sensors.measure.models.rpc import Domain, located
-from seam_inspector.plugin.sensors.measure.models.rpc_files import to_metadata
-from seam_inspector.plugin.sensors.measure.view_direction import view_direction
+from seam_inspector.plugin.sensors.measure.fit_files import view_direction
+from seam_inspector.plugin.sensors.measure.polynomials import fit_polynomial_2d
+from seam_inspector.plugin.sensors.measure.pushbroom import SIGMAS, geocentric
+from seam_inspector.plugin.sensors.measure.rpc import Domain, located, to_metadata
 
 from tests.numbers.sensors.sensor_scenes import COLUMNS, MIDDLE, ROWS, WGS84, made_pushbroom, made_rational, places
 

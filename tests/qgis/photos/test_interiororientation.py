@@ -14,7 +14,7 @@ import pytest
 from osgeo import gdal
 from qgis.core import QgsRasterLayer
 from seam_inspector.plugin.photos.measure.camera_calibration import read_calibration
-from seam_inspector.plugin.photos.measure.micmac_measures import read_measures
+from seam_inspector.plugin.photos.measure.orientation_files import read_measures
 
 from tests.numbers.photos.photos import Look, Place
 from tests.numbers.synthetic import write_plain

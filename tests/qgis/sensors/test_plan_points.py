@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.sensors.measure.models.rpc_files import write_rpc
+from seam_inspector.plugin.sensors.measure.rpc import write_rpc
 
 from tests.numbers.sensors.sensor_scenes import made_rational
 from tests.numbers.synthetic import write_raster

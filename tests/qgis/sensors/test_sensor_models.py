@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsFeature, QgsGeometry, QgsPoint, QgsPointXY, QgsProject, QgsVectorLayer
-from seam_inspector.plugin.sensors.measure.models.rpc_files import write_rpc
+from seam_inspector.plugin.sensors.measure.rpc import write_rpc
 
 from tests.numbers.sensors.sensor_scenes import WGS84, made_rational, places, pleiades_grid, ten_spread
 from tests.qgis.runs import Log, assert_refused, run, run_unchecked

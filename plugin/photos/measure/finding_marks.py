@@ -2,30 +2,179 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
-from typing import Callable
 
 import numpy as np
 
-from ....imagery.errors import PhotoError
-from ....imagery.grids import PixelWindow
-from .. import limits, messages, scan_orientation
-from ..arrangements import placing_tolerance
-from ..camera_calibration import CameraCalibration
-from ..mark_templates import CutOut, MarkKind, MarkShape
-from ..measuring_marks import MeasuredMark, MeasuringTemplate, UnmeasuredMark, measure_mark, window_around
-from ..orientation import GivenPosition, OrientationSettings
-from ..photo import Photo
-from ..photo_views import MarkFrame, Place, ReducedView, Scene, SearchArea, block_means, whole_photo_views, window_views
-from ..transformations import PlaneModel, fit_transformation
-from . import own_mark
-from .found_marks import FoundMarks
-from .mark_candidates import Candidate, candidates
-from .naming_marks import MeasuredFrame, name_marks
-from .refining_shapes import turned_with_frame
+from ...imagery.errors import PhotoError
+from ...imagery.grids import PixelWindow
+from ...imagery.message import Message
+from . import limits, messages, scan_orientation
+from .arrangements import Candidate, candidates, placing_tolerance, turned_with_frame
+from .camera_calibration import CameraCalibration
+from .correlation import correlate, peak_pixel, peaks
+from .mark_templates import CutOut, MarkKind, MarkShape
+from .measuring_marks import MeasuredMark, MeasuringTemplate, UnmeasuredMark, measure_mark, window_around
+from .orientation import FoundMarks, GivenPosition, OrientationSettings
+from .photo import MarkFrame, Photo, Place, ReducedView, Scene, SearchArea, block_means, whole_photo_views, window_views
+from .scan_orientation import Labelling, OrientationEvidence
+from .transformations import PlaneModel, fit_transformation
+
+COARSE_TEMPLATE_PX = 10  # of the shorter side while the photo is searched
+LOOKED_AT = 12  # places that look alike there
+MIN_LOOK = 0.5  # of them: reduced on other pixel bounds than the photo, a cut-out still fits itself so well
+SAME_PIXELS = 0.98  # correlation of a piece of the photo with itself, stored anew with loss
+
+
+def own_place(photo: Photo, template: CutOut, coarsest: int) -> Place | None:
+    """Column and row of the mark that a template was cut out of; None where it is from another photo.
+
+    The photo is searched reduced by ``coarsest`` at least.
+    """
+    rows, columns = template.pixels.shape
+    step = max(min(rows, columns) // COARSE_TEMPLATE_PX, coarsest)
+    reduced = block_means(template.pixels, step)
+    if min(reduced.shape) < limits.MIN_TEMPLATE_PX or np.ptp(reduced) == 0:
+        return None
+    field = correlate(photo.reduced(step), reduced)
+    best: tuple[float, Place] | None = None
+    for peak in peaks(np.maximum(field, 0), 2, MIN_LOOK, LOOKED_AT):
+        left, top = round(peak.column * step) - step, round(peak.row * step) - step
+        around = photo.grey(PixelWindow(left, top, columns + 2 * step, rows + 2 * step))
+        fine = correlate(around, template.pixels)
+        row, column = peak_pixel(fine)
+        if fine[row, column] >= SAME_PIXELS and (best is None or fine[row, column] > best[0]):
+            best = float(fine[row, column]), (left + column + template.centre[0], top + row + template.centre[1])
+    return None if best is None else best[1]
+
+
+def near_own_mark(place: Place | None, other: Place, reach: float) -> bool:
+    """Whether a place is known and within reach (px) of another."""
+    return place is not None and math.dist(place, other) <= reach
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredFrame:
+    """Places that may be the marks, and what measuring them gave."""
+
+    candidate: Candidate
+    marks: FoundMarks
+    """By the names of the frame."""
+
+
+def name_marks(
+    photo: Photo,
+    calibration: CameraCalibration,
+    positions: Mapping[str, GivenPosition],
+    settings: OrientationSettings,
+    frames: Sequence[MeasuredFrame],
+) -> FoundMarks:
+    """The marks by their own names, and how the photo lies; no results where none lie at the positions.
+
+    A given place may be wrong: it counts where it agrees with all others, and is judged with the measured ones later.
+    ``frames`` are the likeliest one and, for a calibration that looks different when it is turned, the others that
+    the photo holds marks for too.
+    """
+    namer = _Namer(photo, calibration, settings, frames)
+    found = frames[0].candidate.arrangement
+    named, evidence = namer.labellings(), OrientationEvidence.MARKS
+    reach = found.scale * settings.search_mm
+    approximate = {name: one for name, one in positions.items() if one.measure}
+    for some in (positions, approximate):
+        near = {name: one.place for name, one in some.items()}
+        at_positions = scan_orientation.matching_positions(named, near, reach)
+        if at_positions:
+            named, evidence = at_positions, OrientationEvidence.POSITIONS if near else evidence
+            break
+    else:
+        return FoundMarks(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
+    chosen, evidence, notices = namer.decide(named, evidence)
+    results = {mark: namer.results[site] for mark, site in chosen.sites.items() if site in namer.results}
+    return FoundMarks(results, frames[0].candidate.template, chosen.orientation, evidence, notices)
+
+
+class _Namer:
+    """Places in a photo, each measured once though several frames may have a mark there."""
+
+    def __init__(
+        self, photo: Photo, calibration: CameraCalibration, settings: OrientationSettings,
+        frames: Sequence[MeasuredFrame],
+    ) -> None:
+        self._photo, self._calibration, self._settings, self._frames = photo, calibration, settings, frames
+        self._sites: list[dict[str, str]] = []
+        """For each frame the place that each of its marks lies at."""
+        self.results: dict[str, MeasuredMark | UnmeasuredMark] = {}
+        """What was measured, by place."""
+        for number, frame in enumerate(frames):
+            self._sites.append({mark: self._site(mark, number, one) for mark, one in frame.marks.results.items()})
+
+    def _site(self, mark: str, number: int, result: MeasuredMark | UnmeasuredMark) -> str:
+        for site, known in self.results.items():
+            if isinstance(known, MeasuredMark) and isinstance(result, MeasuredMark) and _at_one_place(known, result):
+                return site
+        made = f"{number} {mark}"
+        self.results[made] = result
+        return made
+
+    def labellings(self) -> list[Labelling]:
+        """All ways to name the places that the calibration allows."""
+        return [
+            replace(one, sites={mark: sites[site] for mark, site in one.sites.items() if site in sites})
+            for frame, sites in zip(self._frames, self._sites)
+            for one in scan_orientation.labellings(
+                self._calibration, frame.candidate.frame, frame.candidate.arrangement
+            )
+        ]
+
+    def decide(
+        self, named: Sequence[Labelling], evidence: OrientationEvidence
+    ) -> tuple[Labelling, OrientationEvidence, tuple[Message, ...]]:
+        """The way to name the marks that the photo itself tells, what told it, and what is to be said of it."""
+        for kind, test in self._tests():
+            if len(named) == 1:
+                break
+            left = test(named)
+            if left and len(left) < len(named):
+                named, evidence = left, kind
+        plain = min(named, key=lambda one: (one.orientation.mirrored, one.orientation.turned))
+        if len(named) > 2 or (len(named) == 2 and evidence is not OrientationEvidence.DATA_STRIP):
+            return plain, OrientationEvidence.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
+        return plain, evidence, ()
+
+    def _tests(
+        self
+    ) -> Iterator[tuple[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]]]:
+        measured = {site: one for site, one in self.results.items() if isinstance(one, MeasuredMark)}
+        places = {site: (one.column, one.row) for site, one in measured.items()}
+        size, found = (self._photo.columns, self._photo.rows), self._frames[0].candidate.arrangement
+        yield OrientationEvidence.DOTS, lambda some: scan_orientation.matching_dots(some, self._dot_counts(places))
+        yield OrientationEvidence.MARKS, lambda some: scan_orientation.matching_count(some, places)
+        yield OrientationEvidence.DATA_STRIP, lambda some: scan_orientation.matching_data_strip(
+            some, self._calibration, found, *size
+        )
+        yield OrientationEvidence.RESIDUALS, lambda some: scan_orientation.matching_residuals(
+            some, self._calibration, places, self._settings.model
+        )
+
+    def _dot_counts(self, places: Mapping[str, Place]) -> dict[str, int]:
+        candidate = self._frames[0].candidate
+        template, found = candidate.template, candidate.arrangement
+        radius = template.size / 2 if isinstance(template, MarkShape) else min(template.pixels.shape) / 4
+        counts = {}
+        for site, place in places.items():
+            window = window_around(self._photo, place, math.ceil(2.6 * radius))
+            count = scan_orientation.count_numbering_dots(found.sign * window.pixels, radius, found.angle)
+            if count:
+                counts[site] = count
+        return counts
+
+
+def _at_one_place(one: MeasuredMark, other: MeasuredMark) -> bool:
+    return math.dist((one.column, one.row), (other.column, other.row)) < limits.ONE_PLACE_PX
+
 
 SEARCH_SIDE_PX = 3000  # the longer side of the photo for the first search: 80 um on a 23 cm photo
 SEARCH_WINDOW_PX = 768  # of a search window at its finest: larger ones are reduced
@@ -156,7 +305,7 @@ class _Finder:
     def _own_place(self) -> Place | None:
         """Of the mark that the user's template was cut out of, where that is in this photo."""
         template = self._settings.template
-        return None if template is None else own_mark.own_place(self._photo, template, self._factor)
+        return None if template is None else own_place(self._photo, template, self._factor)
 
     @property
     def _factor(self) -> int:
@@ -165,17 +314,17 @@ class _Finder:
 
     def _candidates(self, scene: Scene, frames: Sequence[MarkFrame]) -> Iterator[Candidate]:
         """By the user's template or by drawn marks; by these too where the template has found its own mark only."""
-        yield from candidates(self._photo, scene, frames, self._settings, self._cancelled)
+        shapes, sign = self._settings.shapes, self._settings.sign
+        yield from candidates(self._photo, scene, frames, self._settings.template, shapes, sign, self._cancelled)
         if self._own_place is not None:
-            drawn = replace(self._settings, template=None)
-            for one in candidates(self._photo, scene, frames, drawn, self._cancelled):
+            for one in candidates(self._photo, scene, frames, None, shapes, sign, self._cancelled):
                 if len(one.frame.marks) == 1 or self._has_own_mark(one):
                     yield one
 
     def _has_own_mark(self, candidate: Candidate) -> bool:
         frame, found = candidate.frame, candidate.arrangement
         reach = placing_tolerance(frame, found.uncertainty) + 2
-        return any(own_mark.near(self._own_place, place, reach) for place in found.predicted(frame.places))
+        return any(near_own_mark(self._own_place, place, reach) for place in found.predicted(frame.places))
 
     def _named(self, candidate: Candidate) -> FoundMarks:
         """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
@@ -202,7 +351,7 @@ class _Finder:
             mark, sign = candidate.template, found.sign
             if isinstance(mark, MarkShape):
                 mark = turned_with_frame(mark, sites[name], found.angle)
-            if self._settings.template is not None and own_mark.near(self._own_place, near, reach + 2):
+            if self._settings.template is not None and near_own_mark(self._own_place, near, reach + 2):
                 mark, sign, near, reach = self._settings.template, 1, self._own_place or near, 2.0
             results[name] = self._measured_at(MeasuringTemplate(mark, sign), mark, near, reach, scale)
         return FoundMarks(results, candidate.template)

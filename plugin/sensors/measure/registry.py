@@ -10,16 +10,15 @@ from importlib import import_module
 from math import comb
 from typing import TYPE_CHECKING, Callable
 
-from ....imagery.message import Message
-from .. import limits, messages
+from ...imagery.message import Message
+from . import limits, messages
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from ..points import Points
-    from .rational import Rational
+    from .points import Points
+    from .polynomials import Rational
     from .sensor_model import FittedModel, SensorModel
-
 
 @dataclass(frozen=True)
 class Variant:
@@ -120,34 +119,34 @@ POLYNOMIAL_3D = ModelKind(
 RATIONAL_TERMS = ModelKind(
     "rational_terms",
     (Variant("", 8, 12, 3),),  # it starts from 8 unknowns; fewer points have none to spare for more
-    (".chosen_terms", "Rational", "fit_chosen_terms"),
+    (".polynomials", "Rational", "fit_chosen_terms"),
     messages.RECOMMEND_RATIONAL,
     lambda request, points: (),
 )
 RATIONAL = ModelKind(
     "rational",
     tuple(Variant(str(order), 4 * terms - 2, 2 * terms - 1, 1 + order) for order, terms in _TERMS_3D.items()),
-    (".rational", "Rational", "fit_rational"),
+    (".polynomials", "Rational", "fit_rational"),
     messages.RECOMMEND_RATIONAL,
 )
 DLT = ModelKind(
     "dlt",
     (Variant("", 11, 6, 2), Variant("xy", 12, 6, 2)),
-    (".rational", "Dlt", "fit_dlt"),
+    (".polynomials", "Dlt", "fit_dlt"),
     messages.RECOMMEND_DLT,
     lambda request, points: (request.variant.name == "xy",),
 )
 PUSHBROOM = ModelKind(
     "pushbroom",
     (Variant("", 8, 4, 0, with_priors=20),),
-    (".pushbroom_fit", "Pushbroom", "fit_pushbroom"),
+    (".pushbroom", "Pushbroom", "fit_pushbroom"),
     messages.RECOMMEND_PUSHBROOM,
     lambda request, points: (request.orbit_height_m, request.size, not points.sigma_known),
 )
 RPC_BIAS = ModelKind(
     "rpc_bias",
     (Variant("shift", 2, 1, 1), Variant("shift_drift", 3, 2, 1), Variant("affine", 6, 3, 1)),
-    (".bias", "BiasedRpc", "fit_bias"),
+    (".rpc", "BiasedRpc", "fit_bias"),
     messages.RECOMMEND_RPC_BIAS,
     lambda request, points: (request.variant.name, request.rpc),
     corrects_rpc=True,

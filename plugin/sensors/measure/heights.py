@@ -1,0 +1,333 @@
+"""Heights above the ellipsoid: what heights refer to, terrain models, and the heights of points.
+
+Heights above sea level are converted by PROJ's grids, or by a grid file of one's own.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Union
+
+import numpy as np
+from osgeo import gdal
+
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import RasterError
+from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.grids import Extent, PixelWindow
+from ...imagery.message import Message
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import RasterRef
+from ...imagery.reference_systems import (
+    extent_on,
+    heights_above_ellipsoid,
+    is_geographic,
+    metres_per_unit,
+    transform_points,
+    vertical_code,
+    vertical_part,
+)
+from . import limits, messages
+from .points import Points
+from .sensor_model import WGS84, GroundSystem, Scaling, least_squares
+
+AUTO, ELLIPSOID, EGM96, EGM2008, GEOID = limits.HEIGHT_DATUMS
+VERTICAL = {EGM96: "EPSG:5773", EGM2008: "EPSG:3855"}
+MAX_UNDULATION_M = 120.0  # the geoid stays within -107 and +86 m of the ellipsoid
+TURN = 360.0  # degrees of longitude
+
+
+@dataclass(frozen=True)
+class Geoid:
+    """A grid file of heights of sea level above the ellipsoid."""
+
+    ref: RasterRef
+
+    @property
+    def name(self) -> str:
+        """File name without its folder."""
+        return self.ref.name
+
+    def undulation(self, geographic: np.ndarray) -> np.ndarray:
+        """(n,) m, bilinear, at longitudes and latitudes (n, 2 or more).
+
+        Raises RasterError where the file is no such grid, or does not cover all places.
+        """
+        source = OpenRaster(self.ref)
+        wkt, transform = source.raster.wkt or WGS84, source.raster.geotransform
+        if transform is None or not source.raster.is_north_up:
+            raise RasterError(messages.NO_GEOID(name=self.name))
+        places = transform_points(geographic, WGS84, wkt)
+        middle = transform[0] + transform[1] * source.columns / 2
+        if is_geographic(wkt):  # from 0 to 360 degrees, or from -180 to 180
+            places[:, 0] += TURN * np.round((middle - places[:, 0]) / TURN)
+        column = (places[:, 0] - transform[0]) / transform[1] - 0.5
+        row = (places[:, 1] - transform[3]) / transform[5] - 0.5
+        round_earth = is_geographic(wkt) and abs(transform[1]) * source.columns >= TURN - 1e-6
+        edge = 0.5 + 1e-6
+        outside = (row < -edge) | (row > source.rows - 1 + edge)
+        if not round_earth:
+            outside |= (column < -edge) | (column > source.columns - 1 + edge)
+            column = np.clip(column, 0, source.columns - 1)
+        if outside.any():
+            raise RasterError(messages.GEOID_NOT_COVERING(name=self.name))
+        row = np.clip(row, 0, source.rows - 1)
+        left, top = np.floor(column).astype(int), np.floor(row).astype(int)
+        x, y = column - left, row - top
+        right, bottom = left + 1, np.minimum(top + 1, source.rows - 1)
+        if round_earth:
+            period = round(TURN / abs(transform[1]))
+            left, right = left % period, right % period
+        else:
+            right = np.minimum(right, source.columns - 1)
+        first = int(min(left.min(), right.min())), int(top.min())
+        grid = self._read(source, PixelWindow(
+            *first, int(max(left.max(), right.max())) - first[0] + 1, int(bottom.max()) - first[1] + 1
+        ))
+        left, right, top, bottom = left - first[0], right - first[0], top - first[1], bottom - first[1]
+        upper = grid[top, left] * (1 - x) + grid[top, right] * x
+        lower = grid[bottom, left] * (1 - x) + grid[bottom, right] * x
+        found: np.ndarray = upper * (1 - y) + lower * y
+        if not np.isfinite(found).all():
+            raise RasterError(messages.GEOID_NOT_COVERING(name=self.name))
+        if np.abs(found).max(initial=0) > MAX_UNDULATION_M:
+            raise RasterError(messages.NO_GEOID(name=self.name))
+        return found
+
+    def _read(self, source: OpenRaster, window: PixelWindow) -> np.ndarray:
+        """(rows, columns) m; NaN where there are none."""
+        with gdal_silenced():
+            alone = gdal.Translate("", source.dataset, format="VRT", bandList=[1])
+        block = OpenRaster(self.ref, alone).read(window)
+        grid: np.ndarray = block.bands[0].astype(np.float64)
+        grid[~block.valid] = np.nan
+        return grid
+
+
+Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class when QGIS unloads it
+"""One of ``limits.HEIGHT_DATUMS`` but ``geoid``, or the grid of that."""
+
+
+def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Message, ...]]:
+    """What heights are to be converted from, empty for nothing, and what to say about it.
+
+    ``wkt`` is the reference system that the heights come with.
+    """
+    if isinstance(datum, Geoid):
+        return datum, ()
+    if datum in VERTICAL:
+        return VERTICAL[datum], ()
+    if datum == ELLIPSOID:
+        return "", ()
+    part = vertical_part(wkt)
+    if not part:
+        return "", (messages.HEIGHTS_ASSUMED(name=name),)
+    return ("" if part == "ellipsoid" else vertical_code(wkt)), ()
+
+
+def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
+    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height; ``vertical`` is not empty.
+
+    Raises RasterError where there is no grid to convert them by, and names the one that is there.
+    """
+    if isinstance(vertical, Geoid):
+        moved: np.ndarray = geographic[:, 2] + vertical.undulation(geographic)
+        return moved
+    try:
+        return heights_above_ellipsoid(geographic, vertical)
+    except RasterError as error:
+        there = [name for name, code in VERTICAL.items() if code != vertical and _has_grid(geographic[:1], code)]
+        if not there:
+            raise
+        named = error.message.values.get("vertical", vertical)
+        raise RasterError(messages.ANOTHER_GRID_IS_THERE(vertical=named, there=" or ".join(there))) from None
+
+
+def _has_grid(geographic: np.ndarray, vertical: str) -> bool:
+    try:
+        heights_above_ellipsoid(geographic, vertical)
+    except RasterError:
+        return False
+    return True
+
+
+def heights_converted(added: np.ndarray, wkt: str, datum: Datum, name: str) -> Message:
+    """What to say of heights that were brought to the ellipsoid by adding so much."""
+    named = datum.name if isinstance(datum, Geoid) else datum if datum in VERTICAL else vertical_part(wkt)
+    return messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=float(added.min()), most=float(added.max()))
+
+
+MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
+LOWEST_M, HIGHEST_M = -12_000.0, 10_000.0  # the deepest sea, the highest mountain
+UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
+
+
+@dataclass(frozen=True)
+class Terrain:
+    """Heights above the ellipsoid on a north-up grid."""
+
+    name: str
+    wkt: str
+    origin: tuple[float, float]
+    """x of the left and y of the upper edge."""
+    step: tuple[float, float]
+    """Map units per column and per row; the second is negative."""
+    heights: np.ndarray
+    """(rows, columns) float32, m; NaN where there are none."""
+    notices: tuple[Message, ...]
+
+    def mesh_m(self) -> tuple[float, float]:
+        """The shorter and the longer side of a mesh on the ground, m."""
+        middle = self.origin[1] + self.step[1] * self.heights.shape[0] / 2
+        sides = np.abs(np.multiply(self.step, metres_per_unit(self.wkt, middle)))
+        return float(sides.min()), float(sides.max())
+
+    def at(self, geographic: np.ndarray) -> np.ndarray:
+        """Bilinear heights (n,) at longitudes and latitudes (n, 2 or more); NaN where there are none."""
+        places = transform_points(geographic, WGS84, self.wkt)
+        columns = (places[:, 0] - self.origin[0]) / self.step[0] - 0.5
+        rows = (places[:, 1] - self.origin[1]) / self.step[1] - 0.5
+        last_row, last_column = self.heights.shape[0] - 1, self.heights.shape[1] - 1
+        inside = (columns >= -0.5) & (rows >= -0.5) & (columns <= last_column + 0.5) & (rows <= last_row + 0.5)
+        columns, rows = np.clip(columns, 0, last_column), np.clip(rows, 0, last_row)
+        left, top = columns.astype(int), rows.astype(int)
+        right, bottom = np.minimum(left + 1, last_column), np.minimum(top + 1, last_row)
+        x, y = columns - left, rows - top
+        upper = _mixed(self._height(top, left), self._height(top, right), x)
+        lower = _mixed(self._height(bottom, left), self._height(bottom, right), x)
+        return np.where(inside, _mixed(upper, lower, y), np.nan)
+
+    def _height(self, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+        return self.heights[rows, columns].astype(np.float64)  # of the places alone, which are few
+
+
+def _mixed(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """Between two values; the first alone where the second has no share, whatever it is."""
+    return np.where(share > 0, first + (second - first) * share, first)
+
+
+def constant_terrain(height: float, extent: Extent) -> Terrain:
+    """A plane at a height above the ellipsoid, over longitudes and latitudes (west, south, east, north)."""
+    west, south, east, north = extent
+    step = ((east - west) / 2, (south - north) / 2)
+    return Terrain("", WGS84, (west, north), step, np.full((2, 2), height, np.float32), ())
+
+
+def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
+    """The heights of a raster over longitudes and latitudes (west, south, east, north), brought to the ellipsoid.
+
+    Raises RasterError where the raster lies elsewhere, is rotated,
+    has no reference system, is too large there, or where PROJ has no grid for its heights.
+    """
+    source = OpenRaster(ref)
+    wkt, transform = source.raster.wkt, source.raster.geotransform
+    if not wkt:
+        raise RasterError(imagery_messages.NO_REFERENCE_SYSTEM(name=ref.name))
+    if transform is None or not source.raster.is_north_up:
+        raise RasterError(imagery_messages.NOT_NORTH_UP(name=ref.name))
+    west, south, east, north = extent
+    elsewhere = messages.DEM_NOT_COVERING(name=ref.name, west=west, east=east, south=south, north=north)
+    try:
+        xmin, ymin, xmax, ymax = extent_on(extent, WGS84, wkt)
+    except RasterError:
+        raise RasterError(elsewhere) from None
+    left = max(int((xmin - transform[0]) / transform[1]) - 2, 0)
+    top = max(int((ymax - transform[3]) / transform[5]) - 2, 0)
+    right = min(int((xmax - transform[0]) / transform[1]) + 3, source.columns)
+    bottom = min(int((ymin - transform[3]) / transform[5]) + 3, source.rows)
+    if right <= left or bottom <= top:
+        raise RasterError(elsewhere)
+    count = (right - left) * (bottom - top)
+    if count > MAX_DEM_PIXELS:
+        most = MAX_DEM_PIXELS // 10**6
+        raise RasterError(messages.DEM_TOO_LARGE(name=ref.name, count=count // 10**6, most=most))
+    heights_alone = gdal.Translate("", source.dataset, format="VRT", bandList=[1])  # whatever the other bands are
+    block = OpenRaster(ref, heights_alone).read(PixelWindow(left, top, right - left, bottom - top))
+    band = source.dataset.GetRasterBand(1)
+    heights = block.bands[0].astype(np.float32)
+    heights *= np.float32(band.GetScale() or 1)
+    heights += np.float32(band.GetOffset() or 0)
+    heights[~block.valid] = np.nan
+    if not block.valid.any():
+        raise RasterError(elsewhere)
+    low, high = float(np.nanmin(heights)), float(np.nanmax(heights))
+    if low < LOWEST_M or high > HIGHEST_M:
+        raise RasterError(messages.DEM_HEIGHTS_IMPLAUSIBLE(name=ref.name, low=low, high=high))
+    origin = (transform[0] + left * transform[1], transform[3] + top * transform[5])
+    found = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, ())
+    return _above_ellipsoid(found, datum)
+
+
+def _above_ellipsoid(terrain: Terrain, datum: Datum) -> Terrain:
+    vertical, notices = vertical_system(terrain.wkt, datum, terrain.name)
+    if not vertical:
+        return replace(terrain, notices=notices)
+    added = _add_undulation(terrain, vertical)
+    return replace(terrain, notices=(heights_converted(added, terrain.wkt, datum, terrain.name),))
+
+
+def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
+    """Bring heights to the ellipsoid where they stand, by a coarse grid, since the geoid is smooth; that grid, m."""
+    rows, columns = terrain.heights.shape
+    step = UNDULATION_STEP_PX
+    knots = [np.unique(np.append(np.arange(0, size, step), size - 1)) for size in (rows, columns)]
+    row, column = np.meshgrid(*knots, indexing="ij")
+    x = terrain.origin[0] + (column.ravel() + 0.5) * terrain.step[0]
+    y = terrain.origin[1] + (row.ravel() + 0.5) * terrain.step[1]
+    places = transform_points(np.column_stack([x, y]), terrain.wkt, WGS84)
+    coarse = above_ellipsoid(np.column_stack([places, np.zeros(len(places))]), vertical).reshape(row.shape)
+    along = np.array([np.interp(np.arange(columns), knots[1], line) for line in coarse], np.float32)
+    for number in range(rows):
+        upper = max(int(np.searchsorted(knots[0], number, "right")) - 1, 0)
+        lower = min(upper + 1, len(knots[0]) - 1)
+        share = (number - knots[0][upper]) / max(knots[0][lower] - knots[0][upper], 1)
+        terrain.heights[number] += along[upper] + np.float32(share) * (along[lower] - along[upper])
+    return coarse
+
+
+FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain
+
+
+def with_heights(
+    points: Points, datum: Datum, dem: RasterRef | None, dem_datum: Datum, name: str
+) -> tuple[Points, list[Message]]:
+    """Points with heights above the ellipsoid, and what to say about them.
+
+    Heights that points have refer to ``datum``; points without get the terrain
+    model's. Those that lie off the terrain model are left out, and without one those that have none where others do.
+    Raises RasterError for a terrain model that can't be
+    used and for heights that PROJ has no grid for.
+    """
+    notices: list[Message] = []
+    heights = points.ground[:, 2].copy()
+    given = np.isfinite(heights)
+    geographic = GroundSystem(points.wkt).to_geographic(np.nan_to_num(points.ground))
+    if given.any():
+        system = points.heights_wkt or points.wkt
+        vertical, assumed = vertical_system(system, datum, name)
+        notices += assumed
+        if vertical:
+            moved = above_ellipsoid(geographic[given], vertical)
+            notices.append(heights_converted(moved - heights[given], system, datum, name))
+            heights[given] = moved
+    if dem is not None and not given.all():
+        low, high = geographic[:, :2].min(axis=0), geographic[:, :2].max(axis=0)
+        extent = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+        terrain = load_terrain(dem, extent, dem_datum)
+        notices += terrain.notices
+        heights[~given] = terrain.at(geographic[~given])
+    without = ~np.isfinite(heights)
+    if without.any() and (dem is not None or given.any()):  # where no point has one, only models in space are lost
+        why = messages.POINT_WITHOUT_HEIGHT() if dem is None else messages.POINT_OFF_DEM()
+        notices += [messages.POINT_LEFT_OUT(name=point, why=why) for point, gone in zip(points.ids, without) if gone]
+        points, heights = points.only(~without), heights[~without]
+    return replace(points, ground=np.column_stack([points.ground[:, :2], heights])), notices
+
+
+def is_flat(points: Points) -> bool:
+    """Whether the points' heights move their images by less than half a pixel, by an affine camera through them."""
+    heights = points.ground[:, 2]
+    if not np.isfinite(heights).all() or np.ptp(heights) == 0:
+        return True  # where heights are not known, nothing but a plane model can be fitted
+    scaled = Scaling.of(points.ground).to(points.ground)
+    affine = least_squares(np.column_stack([np.ones(len(scaled)), scaled]), points.image)
+    return bool(2 * np.linalg.norm(affine.values[3]) < FLAT_SHARE)

@@ -1,0 +1,339 @@
+"""Polynomials and their quotients: of the plane, of space, as in an RPC, and the direct linear transformation.
+
+Terms stand in the order of RPC00B. Quotients can be fitted with all terms or with those only that the points speak for.
+"""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.linalg import norm
+
+from .sensor_model import FittedModel, Scaling, SensorModel, least_squares, newton
+
+EXPONENTS_3D = (
+    (0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1),
+    (1, 1, 0), (1, 0, 1), (0, 1, 1), (2, 0, 0), (0, 2, 0), (0, 0, 2),
+    (1, 1, 1), (3, 0, 0), (1, 2, 0), (1, 0, 2), (2, 1, 0), (0, 3, 0), (0, 1, 2), (2, 0, 1), (0, 2, 1), (0, 0, 3),
+)  # fmt: skip
+"""Powers of x (longitude), y (latitude), z (height): 4, 10 and 20 terms make orders 1, 2 and 3."""
+EXPONENTS_2D = tuple(powers for powers in EXPONENTS_3D if powers[2] == 0)
+COUNT_3D = {1: 4, 2: 10, 3: 20}
+COUNT_2D = {1: 3, 2: 6, 3: 10}
+
+
+def terms_3d(scaled: np.ndarray, order: int) -> np.ndarray:
+    """(n, 3) -> (n, 4 | 10 | 20), the constant first."""
+    return _terms(scaled, EXPONENTS_3D[: COUNT_3D[order]])
+
+
+def terms_2d(scaled: np.ndarray, order: int) -> np.ndarray:
+    """(n, 2 or more) -> (n, 3 | 6 | 10), the constant first; only x and y count."""
+    return _terms(scaled, EXPONENTS_2D[: COUNT_2D[order]])
+
+
+def _terms(scaled: np.ndarray, exponents: tuple[tuple[int, int, int], ...]) -> np.ndarray:
+    columns = []
+    for powers in exponents:
+        column = np.ones(len(scaled))
+        for axis, power in enumerate(powers):
+            for _ in range(power):
+                column = column * scaled[:, axis]
+        columns.append(column)
+    return np.column_stack(columns)
+
+
+MAX_RATIONAL_ITERATIONS = 100  # real scenes take three to ten, noise in few points more
+MAX_RATIONAL_STEP_PX = 1e-7  # below a tenth of the accuracy that exact points have to be recovered with
+MIN_DENOMINATOR = 1e-6  # a quotient is kept away from its poles while it is iterated
+
+
+@dataclass(frozen=True)
+class Rational(SensorModel):
+    """Column and row as quotients of polynomials of x, y and z. Source: Kurczynski and Wolniewicz, equation 3."""
+
+    order: int
+    ground: Scaling
+    image: Scaling
+    numerators: np.ndarray
+    """(terms, 2) of column and row, in the order of RPC00B."""
+    denominators: np.ndarray
+    """(terms, 2), the first of each 1."""
+
+    def project(self, ground: np.ndarray) -> np.ndarray:
+        terms = terms_3d(self.ground.to(ground), self.order)
+        with np.errstate(all="ignore"):
+            return self.image.back((terms @ self.numerators) / (terms @ self.denominators))
+
+    def as_rational(self) -> Rational:
+        return self
+
+    def padded(self) -> Rational:
+        """The same function with the 20 terms of order 3."""
+        numerators, denominators = np.zeros((20, 2)), np.zeros((20, 2))
+        numerators[: COUNT_3D[self.order]] = self.numerators
+        denominators[: COUNT_3D[self.order]] = self.denominators
+        return Rational(3, self.ground, self.image, numerators, denominators)
+
+
+@dataclass(frozen=True)
+class Dlt(SensorModel):
+    """Direct linear transformation: one common denominator. Source: Kurczynski and Wolniewicz, equation 4."""
+
+    ground: Scaling
+    image: Scaling
+    coefficients: np.ndarray
+    """(12,) a1..a12 of the scaled coordinates; a12, of the product of column and row, is 0 unless asked for."""
+
+    def project(self, ground: np.ndarray) -> np.ndarray:
+        return self.as_rational().project(ground)
+
+    def as_rational(self) -> Rational:
+        """The same function as quotients: y = (a5 + ...) / (1 + ... - a12 (a1 + ...))."""
+        a = self.coefficients
+        column_denominator = np.array([1.0, *a[8:11]])
+        row_denominator = column_denominator - a[11] * a[0:4]
+        lead = row_denominator[0]
+        numerators = np.column_stack([a[0:4], a[4:8] / lead])
+        denominators = np.column_stack([column_denominator, row_denominator / lead])
+        return Rational(1, self.ground, self.image, numerators, denominators)
+
+
+def fit_rational(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
+    """Fit quotients by iterated least squares: each step is linear, divided by the last step's denominator.
+
+    ``ground`` (n, 3), ``image`` (n, 2) px, ``weights`` (n,) 1 / standard deviation. Source: C. V. Tao and Y. Hu,
+    A comprehensive study of the rational function model for photogrammetric processing, 2001 (without their ridge).
+    """
+    scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
+    terms, scaled = terms_3d(scale_g.to(ground), order), scale_i.to(image)
+    axes = [_fit_quotient(terms, scaled[:, axis], weights, float(scale_i.scale[axis])) for axis in (0, 1)]
+    count = terms.shape[1]
+    numerators = np.column_stack([values[:count] for values, *_ in axes])
+    denominators = np.column_stack([np.concatenate([[1.0], values[count:]]) for values, *_ in axes])
+    return FittedModel(
+        Rational(order, scale_g, scale_i, numerators, denominators),
+        max(condition for _, condition, *_ in axes),
+        max(iterations for *_, iterations, _ in axes),
+        all(converged for *_, converged in axes),
+        2 * (2 * count - 1),
+    )
+
+
+def _fit_quotient(
+    terms: np.ndarray, wanted: np.ndarray, weights: np.ndarray, scale_px: float
+) -> tuple[np.ndarray, float, int, bool]:
+    """The unknowns of one quotient, the condition, the iterations and whether they converged."""
+    count = terms.shape[1]
+    whole = np.hstack([terms, -wanted[:, None] * terms[:, 1:]])
+    denominator, last = np.ones(len(terms)), np.full(len(terms), np.inf)
+    for iteration in range(1, MAX_RATIONAL_ITERATIONS + 1):
+        row_weights = weights / denominator
+        solution = least_squares(whole * row_weights[:, None], wanted * row_weights)
+        denominator = off_poles(1 + terms[:, 1:] @ solution.values[count:])
+        seen = (terms @ solution.values[:count]) / denominator
+        change = float(np.abs(seen - last).max()) * scale_px
+        last = seen
+        if change < MAX_RATIONAL_STEP_PX:
+            return solution.values, solution.condition, iteration, True
+    return solution.values, solution.condition, MAX_RATIONAL_ITERATIONS, False
+
+
+def off_poles(denominator: np.ndarray) -> np.ndarray:
+    """Denominators kept away from zero while a fit is iterated."""
+    return np.where(np.abs(denominator) < MIN_DENOMINATOR, MIN_DENOMINATOR, denominator)
+
+
+def fit_dlt(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, with_xy: bool) -> FittedModel:
+    """Fit the direct linear transformation by iterated least squares; the arguments of ``fit_rational``."""
+    scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
+    terms, scaled = terms_3d(scale_g.to(ground), 1), scale_i.to(image)
+    x, y = scaled[:, :1], scaled[:, 1:]
+    nothing = np.zeros_like(terms)
+    product = np.vstack([np.zeros_like(x), x * y]) if with_xy else np.empty((2 * len(x), 0))
+    shared = -np.vstack([x, y]) * np.tile(terms[:, 1:], (2, 1))
+    whole = np.hstack([np.vstack([terms, nothing]), np.vstack([nothing, terms]), shared])
+    wanted, both = np.concatenate([x, y])[:, 0], np.tile(weights, 2)
+    denominator, bend, last, change = np.ones(len(x)), np.ones(len(x)), np.full((len(x), 2), np.inf), np.inf
+    iteration = 0
+    while iteration < MAX_RATIONAL_ITERATIONS and not change < MAX_RATIONAL_STEP_PX:
+        iteration += 1
+        divided = np.tile(1 / denominator, 2)
+        bent = both * np.concatenate([np.ones(len(x)), 1 / bend])
+        design = np.hstack([whole * divided[:, None], product]) * bent[:, None]
+        solution = least_squares(design, wanted * divided * bent)
+        coefficients = np.zeros(12)
+        coefficients[: len(solution.values)] = solution.values
+        model = Dlt(scale_g, scale_i, coefficients)
+        denominator = off_poles(1 + terms[:, 1:] @ coefficients[8:11])
+        bend = 1 - coefficients[11] * x[:, 0]
+        seen = model.project(ground)
+        change = float(np.abs(seen - last).max())
+        last = seen
+    return FittedModel(model, solution.condition, iteration, change < MAX_RATIONAL_STEP_PX, len(solution.values))
+
+
+@dataclass(frozen=True)
+class Polynomial3D(SensorModel):
+    """Image coordinates as polynomials of x, y and z. Source: Kurczynski and Wolniewicz, equation 2."""
+
+    order: int
+    ground: Scaling
+    image: Scaling
+    coefficients: np.ndarray
+    """(terms, 2) of the scaled column and row, in the order of RPC00B."""
+
+    def project(self, ground: np.ndarray) -> np.ndarray:
+        return self.image.back(terms_3d(self.ground.to(ground), self.order) @ self.coefficients)
+
+    def as_rational(self) -> Rational:
+        ones = np.zeros_like(self.coefficients)
+        ones[0] = 1.0
+        return Rational(self.order, self.ground, self.image, self.coefficients, ones)
+
+
+@dataclass(frozen=True)
+class Polynomial2D(SensorModel):
+    """Image coordinates as polynomials of x and y. Source: Kurczynski and Wolniewicz, equation 1."""
+
+    SPATIAL: ClassVar[bool] = False
+
+    order: int
+    ground: Scaling
+    """Of x and y."""
+    image: Scaling
+    coefficients: np.ndarray
+    """(terms, 2) of the scaled column and row, or of the scaled x and y when ``to_ground``."""
+    to_ground: bool
+    """Whether x and y are the polynomials and column and row their arguments, as QGIS's georeferencer fits them."""
+
+    def project(self, ground: np.ndarray) -> np.ndarray:
+        scaled = self.ground.to(ground[:, :2])
+        if not self.to_ground:
+            return self.image.back(self._polynomial(scaled))
+        start = (scaled - self.coefficients[0]) @ np.linalg.pinv(self.coefficients[1:3])
+        return self.image.back(newton(self._polynomial, scaled, start))
+
+    def _polynomial(self, scaled: np.ndarray) -> np.ndarray:
+        return terms_2d(scaled, self.order) @ self.coefficients
+
+
+def fit_polynomial_3d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
+    """Fit by linear least squares: ``ground`` (n, 3), ``image`` (n, 2) px, ``weights`` (n,) 1 / standard deviation."""
+    scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
+    design = terms_3d(scale_g.to(ground), order) * weights[:, None]
+    solution = least_squares(design, scale_i.to(image) * weights[:, None])
+    model = Polynomial3D(order, scale_g, scale_i, solution.values)
+    return FittedModel(model, solution.condition, 1, True, solution.values.size)
+
+
+def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
+    """Fit a plane polynomial; the same arguments.
+
+    The paper writes it from the ground to the image, a georeferencer fits it from the image to the ground. Beyond
+    order 1 neither family holds the other. Both are fitted, and the one that leaves the smaller residuals in the
+    image is kept; the paper's where they leave the same.
+    """
+    scale_g, scale_i = Scaling.of(ground[:, :2]), Scaling.of(image)
+    scaled_g, scaled_i = scale_g.to(ground[:, :2]), scale_i.to(image)
+    fits = []
+    for to_ground, known, target in ((True, scaled_i, scaled_g), (False, scaled_g, scaled_i)):
+        solution = least_squares(terms_2d(known, order) * weights[:, None], target * weights[:, None])
+        model = Polynomial2D(order, scale_g, scale_i, solution.values, to_ground)
+        misfit = (model.project(ground) - image) * weights[:, None]
+        fitted = FittedModel(model, solution.condition, 1, True, solution.values.size)
+        fits.append((float(np.sqrt(np.mean(misfit**2))), fitted))
+    (backward, to_ground_fit), (forward, to_image_fit) = fits
+    rounding = 1e-9 * float(np.max(scale_i.scale)) * float(weights.max())
+    return to_ground_fit if backward + rounding < forward else to_image_fit
+
+
+FALSE_ALARM = 0.01  # that any of all terms offered comes in though it means nothing
+SPARE = 3  # points more than an axis has unknowns, so that what is left over says something
+LINEAR = 4  # the constant, x, y and z of the numerator are never left out
+ORDER = 2  # of the terms offered: a higher one does not improve satellite images (Kurczynski and Wolniewicz)
+_EXACT = 1e-12  # of the coordinates: nothing is left over that a term could explain
+_TOO_ALIKE = 1e-6  # of a term's length that the chosen ones do not explain
+
+
+def fit_chosen_terms(ground: np.ndarray, image: np.ndarray, weights: np.ndarray) -> FittedModel:
+    """Fit quotients of order 2 with the terms that are significant, separately for column and row.
+
+    It begins with the numerator's linear terms. Of all others, of numerator and denominator, the one comes in that
+    takes most off the residuals, as long as an F-test over all that are offered says that it is no chance.
+    """
+    scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
+    terms, scaled = terms_3d(scale_g.to(ground), ORDER), scale_i.to(image)
+    count = terms.shape[1]
+    numerators, denominators = np.zeros((count, 2)), np.zeros((count, 2))
+    condition, iterations, converged, unknowns = 1.0, 1, True, 0
+    for axis in (0, 1):
+        whole = np.hstack([terms, -scaled[:, axis, None] * terms[:, 1:]])
+        chosen = _chosen(whole * weights[:, None], scaled[:, axis] * weights)
+        values = np.zeros(whole.shape[1])
+        denominator, last, settled = np.ones(len(terms)), np.full(len(terms), np.inf), False
+        iteration = 0
+        while not settled and iteration < MAX_RATIONAL_ITERATIONS:
+            iteration += 1
+            share = weights / denominator
+            solution = least_squares(whole[:, chosen] * share[:, None], scaled[:, axis] * share)
+            values[chosen] = solution.values
+            denominator = off_poles(1 + terms[:, 1:] @ values[count:])
+            seen = (terms @ values[:count]) / denominator
+            settled = float(np.abs(seen - last).max()) * float(scale_i.scale[axis]) < MAX_RATIONAL_STEP_PX
+            last = seen
+        numerators[:, axis], denominators[:, axis] = values[:count], [1.0, *values[count:]]
+        condition, iterations = max(condition, solution.condition), max(iterations, iteration)
+        converged, unknowns = converged and settled, unknowns + len(chosen)
+    model = Rational(ORDER, scale_g, scale_i, numerators, denominators)
+    return FittedModel(model, condition, iterations, converged, unknowns)
+
+
+def terms_told(model: Rational) -> str:
+    """Which terms a model of chosen terms has, such as ``column: 1 x y z xz / 1 x; row: 1 x y z / 1``."""
+    names = ["".join(letter * power for letter, power in zip("xyz", powers)) or "1" for powers in EXPONENTS_3D]
+    parts = []
+    for axis, side in enumerate(("column", "row")):
+        above, below = (
+            " ".join(name for name, value in zip(names, part[:, axis]) if value != 0)
+            for part in (model.numerators, model.denominators)
+        )
+        parts.append(f"{side}: {above} / {below}")
+    return "; ".join(parts)
+
+
+def _chosen(design: np.ndarray, wanted: np.ndarray) -> list[int]:
+    """Which columns of a design matrix (n, k) are taken, the linear ones first, by orthogonal forward selection.
+
+    It goes on as far as the points allow, and back to the last term that was significant: the first of several may
+    look like chance while the others are missing.
+    """
+    chosen, kept = list(range(LINEAR)), LINEAR
+    basis = np.linalg.qr(design[:, chosen])[0]
+    rest, left = design - basis @ (basis.T @ design), wanted - basis @ (basis.T @ wanted)
+    lengths = norm(design, axis=0)
+    steps = max(min(len(wanted) - SPARE, design.shape[1]) - LINEAR, 0)
+    for _ in range(steps):
+        size = norm(rest, axis=0)
+        size[chosen] = 0
+        offered = size > _TOO_ALIKE * lengths
+        if not offered.any() or float(left @ left) <= (_EXACT * norm(wanted)) ** 2:
+            break
+        gain = np.where(offered, (left @ rest) ** 2 / np.where(offered, size, 1) ** 2, 0.0)
+        best = int(np.argmax(gain))
+        direction = rest[:, best] / size[best]
+        chosen.append(best)
+        left, rest = left - direction * (direction @ left), rest - np.outer(direction, direction @ rest)
+        spare = len(wanted) - len(chosen)
+        if gain[best] > f_limit(FALSE_ALARM / (np.count_nonzero(offered) * steps), spare) * (left @ left) / spare:
+            kept = len(chosen)
+    return chosen[:kept]
+
+
+def f_limit(probability: float, freedom: int) -> float:
+    """The value that F with 1 and ``freedom`` degrees exceeds with a probability: the square of Student's t."""
+    angle = np.linspace(0, np.pi / 2, 200_001)[:-1]  # t = sqrt(freedom) tan(angle): the density is a power of cosine
+    density = np.cos(angle) ** (freedom - 1)
+    beyond = 1 - np.cumsum(density) / density.sum()
+    return float(freedom * np.tan(angle[int(np.argmax(beyond <= probability))]) ** 2)

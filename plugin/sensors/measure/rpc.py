@@ -1,0 +1,388 @@
+"""RPCs: of any model in space, of images and of vendors' files, corrected by control points, and written."""
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Callable, ClassVar
+from xml.etree.ElementTree import ParseError
+
+import numpy as np
+from osgeo import gdal
+
+from ...imagery import messages as imagery_messages
+from ...imagery.atomic_files import save_text
+from ...imagery.documents.document_files import document_bytes
+from ...imagery.documents.xml_documents import looks_like_xml, xml_root
+from ...imagery.errors import CancelledError, SensorModelError, SettingsError
+from ...imagery.gdal_calls import gdal_silenced, gdal_writing
+from ...imagery.message import Message
+from ...imagery.open_raster import OpenRaster
+from ...imagery.raster_writer import whole_raster
+from ...imagery.rasters import Raster, RasterRef
+from . import messages
+from .polynomials import Rational, fit_rational
+from .sensor_model import GEOGRAPHIC, FittedModel, GroundSystem, Scaling, SensorModel, least_squares, locate
+
+
+def open_image(ref: RasterRef) -> OpenRaster:
+    """An image as a sensor took it, which may have no place on the map yet; radar's complex values are welcome."""
+    return OpenRaster(ref, complex_values=True)
+
+
+def rpc_metadata(image: OpenRaster) -> dict[str, str]:
+    """GDAL's metadata domain RPC; empty where the image has none."""
+    return dict(image.dataset.GetMetadata("RPC") or {})
+
+
+def satellite_name(image: OpenRaster) -> str:
+    """What the metadata call the satellite; may be empty."""
+    about = {**(image.dataset.GetMetadata() or {}), **(image.dataset.GetMetadata("IMAGERY") or {})}
+    return next((str(about[key]) for key in ("SATELLITEID", "NITF_ISORCE") if key in about), "")
+
+
+RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
+MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
+
+
+@dataclass(frozen=True)
+class Domain:
+    """Where a model is used."""
+
+    columns: tuple[float, float]
+    """First and last, px."""
+    rows: tuple[float, float]
+    """First and last, px."""
+    heights: tuple[float, float]
+    """Lowest and highest, m above the ellipsoid."""
+    middle: tuple[float, float]
+    """x and y on the ground of a place in it, in the frame of the model's points."""
+
+
+@dataclass(frozen=True)
+class RpcOfModel:
+    """An RPC and how closely it follows the model it was made from."""
+
+    rpc: Rational
+    rms_px: float
+    """Against the model, on places between those it was fitted to; 0 for a model that is an RPC already."""
+    max_px: float
+
+    @property
+    def exact(self) -> bool:
+        """Whether it is the model itself."""
+        return self.max_px == 0
+
+
+def rpc_of(model: SensorModel, wkt: str, domain: Domain) -> RpcOfModel:
+    """A model in space as RPC: as it is where it has that form, else by a terrain-independent fit over the domain.
+
+    ``wkt`` is the system of the points that the model was fitted to. Raises SensorModelError for a plane model.
+    """
+    frame = GEOGRAPHIC if model.GEOGRAPHIC else GroundSystem(wkt)
+    if not model.SPATIAL:
+        raise SensorModelError(messages.PLANE_MODEL_HAS_NO_RPC())
+    exact = model.as_rational() if frame.is_wgs84 else None
+    if exact is not None:
+        assert isinstance(exact, Rational)
+        return RpcOfModel(exact.padded(), 0.0, 0.0)
+    columns, rows, heights = RPC_GRID
+    fitted_to, judged_on = _grid(domain, RPC_GRID, 0.0), _grid(domain, (columns - 1, rows - 1, heights - 1), 0.5)
+    ground = located(model, wkt, fitted_to, domain)
+    rational = fit_rational(ground, fitted_to[:, :2], np.ones(len(ground)), 3).model
+    assert isinstance(rational, Rational)
+    misses = rational.project(located(model, wkt, judged_on, domain)) - judged_on[:, :2]
+    distance = np.linalg.norm(misses, axis=1)
+    return RpcOfModel(rational, float(np.sqrt(np.mean(distance**2))), float(distance.max()))
+
+
+def _grid(domain: Domain, counts: tuple[int, int, int], inset: float) -> np.ndarray:
+    """(n, 3) column, row, height; with ``inset`` 0.5 the middles of the grid's cells."""
+    axes = []
+    for (first, last), count in zip((domain.columns, domain.rows, rpc_heights(domain)), counts):
+        cells = count if inset else count - 1
+        axes.append(first + (np.arange(count) + inset) * (last - first) / cells)
+    return np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+
+
+def rpc_heights(domain: Domain) -> tuple[float, float]:
+    """The heights that an RPC is fitted to: those of the domain, 100 m at least."""
+    low, high = domain.heights
+    half = max((high - low) / 2, MIN_RPC_HEIGHTS_M)
+    return (low + high) / 2 - half, (low + high) / 2 + half
+
+
+def located(model: SensorModel, wkt: str, grid: np.ndarray, domain: Domain) -> np.ndarray:
+    """(n, 3) longitude, latitude, height of grid places (n, 3) column, row, height.
+
+    Raises SensorModelError where the model can't be inverted.
+    """
+    frame = GEOGRAPHIC if model.GEOGRAPHIC else GroundSystem(wkt)
+    middle = np.array([[*domain.middle, float(np.mean(domain.heights))]])
+    if model.GEOGRAPHIC:
+        middle = GroundSystem(wkt).to_geographic(middle)
+    found = locate(model.project, grid[:, :2], grid[:, 2], middle[:, :2], frame.metres(float(middle[0, 1])))
+    return frame.to_geographic(np.column_stack([found, grid[:, 2]]))
+
+
+_Used = tuple[int, ...]
+_TRIALS: dict[str, tuple[tuple[_Used, _Used], ...]] = {
+    "shift": (((0,), (0,)),),
+    "shift_drift": (((0, 2), (0,)), ((0,), (0, 2))),
+    "affine": (((0, 1, 2), (0, 1, 2)),),
+}
+"""Which of constant, column and row the corrections of column and row use; of several the one that fits best."""
+
+
+@dataclass(frozen=True)
+class BiasedRpc(SensorModel):
+    """An RPC plus a correction in the image, linear in its column and row.
+
+    Source: J. Grodecki and G. Dial, Block adjustment of high-resolution satellite images described by rational
+    polynomials, 2003.
+    """
+
+    GEOGRAPHIC: ClassVar[bool] = True
+
+    rpc: Rational
+    correction: np.ndarray
+    """(3, 2) px: constant, per scaled column, per scaled row; of column and row."""
+
+    def project(self, ground: np.ndarray) -> np.ndarray:
+        seen = self.rpc.project(ground)
+        return seen + self.bias(seen)
+
+    def bias(self, image: np.ndarray) -> np.ndarray:
+        """(n, 2) px: how far off the RPC is at the places (n, 2) where it sees points; what is measured minus that."""
+        return _linear(self.rpc.image, image) @ self.correction
+
+    def as_rational(self) -> Rational | None:
+        if self.correction[1:].any():
+            return None
+        scaling = Scaling(self.rpc.image.offset + self.correction[0], self.rpc.image.scale)
+        return replace(self.rpc, image=scaling)
+
+
+def fit_bias(
+    ground: np.ndarray, image: np.ndarray, weights: np.ndarray, form: str, rpc: Rational | None
+) -> FittedModel:
+    """Fit the correction: ``ground`` (n, 3) longitude, latitude, ellipsoidal height; ``image`` (n, 2) px.
+
+    ``shift_drift`` adds to the shift what grows with the line, as a drift of the attitude does: of the column or of
+    the row, whichever leaves the smaller residuals. Raises SettingsError without an RPC.
+    """
+    if rpc is None:
+        raise SettingsError(messages.NO_RPC())
+    seen = rpc.project(ground)
+    linear = _linear(rpc.image, seen)
+    missing = image - seen
+    best: tuple[float, FittedModel] | None = None
+    for used in _TRIALS[form]:
+        correction, condition = np.zeros((3, 2)), 1.0
+        for axis in (0, 1):
+            solution = least_squares(linear[:, used[axis]] * weights[:, None], missing[:, axis] * weights)
+            correction[list(used[axis]), axis] = solution.values
+            condition = max(condition, solution.condition)
+        misfit = float(np.sum(((missing - linear @ correction) * weights[:, None]) ** 2))
+        if best is None or misfit < best[0]:
+            best = misfit, FittedModel(BiasedRpc(rpc, correction), condition, 1, True, sum(map(len, used)))
+    assert best is not None
+    return best[1]
+
+
+def _linear(scaling: Scaling, image: np.ndarray) -> np.ndarray:
+    return np.column_stack([np.ones(len(image)), scaling.to(image)])
+
+
+_OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
+_COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
+_RPB_NAMES = {"line": "LINE", "samp": "SAMP", "lat": "LAT", "long": "LONG", "height": "HEIGHT"}
+RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
+PIXEL_CENTRE = 0.5
+"""An RPC counts from the centre of the first pixel, GDAL and we from its corner."""
+DIMAP_FIRST_PIXEL = 1
+"""DIMAP numbers the first pixel 1, all others 0."""
+
+
+def to_metadata(rpc: Rational) -> dict[str, str]:
+    """The items of GDAL's metadata domain ``RPC``."""
+    full = rpc.padded()
+    column, row = full.image.offset - PIXEL_CENTRE
+    longitude, latitude, height = full.ground.offset
+    scales = dict(zip(("LONG", "LAT", "HEIGHT"), full.ground.scale))
+    scales.update(zip(("SAMP", "LINE"), full.image.scale))
+    offsets = {"LINE": row, "SAMP": column, "LAT": latitude, "LONG": longitude, "HEIGHT": height}
+    items = {f"{name}_OFF": repr(float(offsets[name])) for name in _OFFSETS}
+    items.update({f"{name}_SCALE": repr(float(scales[name])) for name in _OFFSETS})
+    arrays = (full.numerators[:, 1], full.denominators[:, 1], full.numerators[:, 0], full.denominators[:, 0])
+    for name, values in zip(_COEFFICIENTS, arrays):
+        items[f"{name}_COEFF"] = " ".join(repr(float(value)) for value in values)
+    return items
+
+
+def from_metadata(items: Mapping[str, str], name: str, first_pixel: int = 0) -> Rational:
+    """An RPC from the items of GDAL's metadata domain. Raises SensorModelError where some are missing or no numbers."""
+    numbers = [f"{name}_{kind}" for name in _OFFSETS for kind in ("OFF", "SCALE")]
+    try:
+        value = {part: float(str(items[part]).split()[0]) for part in numbers}
+        arrays = {part: np.array(str(items[f"{part}_COEFF"]).split(), float) for part in _COEFFICIENTS}
+    except (KeyError, ValueError, IndexError):
+        raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
+    offsets, scales = ([value[f"{part}_{kind}"] for part in ("LONG", "LAT", "HEIGHT")] for kind in ("OFF", "SCALE"))
+    image = [value[name] - first_pixel + PIXEL_CENTRE for name in ("SAMP_OFF", "LINE_OFF")]
+    finite = np.isfinite(np.concatenate([list(value.values()), *arrays.values()])).all()
+    full = all(len(array) == 20 for array in arrays.values())
+    sound = full and finite and 0 not in (*scales, value["SAMP_SCALE"], value["LINE_SCALE"])
+    if not sound or arrays["LINE_DEN"][0] == 0 or arrays["SAMP_DEN"][0] == 0:
+        raise SensorModelError(messages.RPC_INCOMPLETE(name=name))
+    return Rational(
+        3,
+        Scaling(np.array(offsets), np.array(scales)),
+        Scaling(np.array(image), np.array([value["SAMP_SCALE"], value["LINE_SCALE"]])),
+        np.column_stack([arrays["SAMP_NUM"], arrays["LINE_NUM"]]),
+        np.column_stack([arrays["SAMP_DEN"], arrays["LINE_DEN"]]),
+    )
+
+
+def write_rpc(rpc: Rational, path: Path) -> None:
+    """A file as GDAL reads it beside ``image.tif``: ``image.RPB`` where the name ends so, else ``image_RPC.TXT``."""
+    lines = []
+    if path.suffix.lower() == ".rpb":
+        save_text(_rpb_text(to_metadata(rpc)), path, "ascii")
+        return
+    for name, value in to_metadata(rpc).items():
+        if name.endswith("_COEFF"):
+            lines += [f"{name}_{number}: {one}" for number, one in enumerate(value.split(), 1)]
+        else:
+            lines.append(f"{name}: {value}")
+    save_text("\n".join(lines) + "\n", path, "ascii")
+
+
+def read_rpc(path: Path) -> Rational:
+    """An RPC from a text file (``_RPC.TXT``), a DIMAP file (``RPC_*.XML``), ``.RPB`` or OSSIM's ``.geom``.
+
+    Raises SensorModelError.
+    """
+    try:
+        content = document_bytes(path)
+    except OSError:
+        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+    if looks_like_xml(content):
+        return from_metadata(_dimap_items(content, path.name), path.name, DIMAP_FIRST_PIXEL)
+    text = content.decode(errors="replace")
+    if "BEGIN_GROUP" in text:
+        return from_metadata(_rpb_items(text), path.name)
+    items: dict[str, str] = {}
+    for name, value in re.findall(r"^[ \t]*([A-Za-z_]+(?:_?\d+)?)[ \t]*[:=]\s*([-+.\deE]+)", text, re.MULTILINE):
+        items[name.upper()] = value
+    first, pattern = (0, "{}_COEFF_{:02d}") if "LINE_NUM_COEFF_00" in items else (1, "{}_COEFF_{}")
+    return from_metadata({**items, **_coefficients(items, pattern, first)}, path.name)
+
+
+def _coefficients(items: Mapping[str, str], pattern: str, first: int) -> dict[str, str]:
+    """The lists of coefficients as GDAL has them, from items that hold one each."""
+    numbers = range(first, first + 20)
+    return {
+        f"{name}_COEFF": " ".join(items.get(pattern.format(name, number), "") for number in numbers)
+        for name in _COEFFICIENTS
+    }
+
+
+def _dimap_items(content: bytes, name: str) -> dict[str, str]:
+    """As GDAL has them, of the model from the ground to the image."""
+    try:
+        root = xml_root(content)
+    except ParseError:
+        raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
+    model, validity = (
+        {element.tag: (element.text or "").strip() for element in root.iterfind(f".//{part}//*")}
+        for part in ("Inverse_Model", "RFM_Validity")
+    )
+    return {**validity, **_coefficients(model, "{}_COEFF_{}", 1)}
+
+
+def _rpb_text(items: Mapping[str, str]) -> str:
+    """The RPB of GDAL's items; the errors of the RPC are not known and stand as 0, as GDAL writes them."""
+    lines = ['satId = "";', 'bandId = "";', 'SpecId = "RPC00B";', "BEGIN_GROUP = IMAGE"]
+    lines += ["\terrBias = 0.0;", "\terrRand = 0.0;"]
+    for kind, ending in (("OFF", "Offset"), ("SCALE", "Scale")):
+        lines += [f"\t{ours}{ending} = {items[f'{name}_{kind}']};" for ours, name in _RPB_NAMES.items()]
+    for name in _COEFFICIENTS:
+        axis, part = name.lower().split("_")
+        values = ",\n".join(f"\t\t\t{value}" for value in items[f"{name}_COEFF"].split())
+        lines.append(f"\t{axis}{part.capitalize()}Coef = (\n{values});")
+    return "\n".join([*lines, "END_GROUP = IMAGE", "END;", ""])
+
+
+def _rpb_items(text: str) -> dict[str, str]:
+    items = {}
+    for name, value in re.findall(r"\b(\w+)\s*=\s*([-+.\deE]+)\s*;", text):
+        for ours in _RPB_NAMES:
+            if name in (f"{ours}Offset", f"{ours}Scale"):
+                items[f"{_RPB_NAMES[ours]}_{'OFF' if name.endswith('Offset') else 'SCALE'}"] = value
+    for name, values in re.findall(r"\b(\w+)Coef\s*=\s*\(([^)]*)\)", text):
+        ours = re.sub(r"(?=[A-Z])", "_", name).upper()
+        items[f"{ours}_COEFF"] = " ".join(values.replace(",", " ").split())
+    return items
+
+
+def own_rpc(image: OpenRaster) -> Rational | None:
+    """The RPC that goes with an image: GDAL's, or that of OSSIM's ``.geom`` beside it. Raises SensorModelError."""
+    metadata = rpc_metadata(image)
+    if metadata:
+        return from_metadata(metadata, image.ref.name)
+    beside = Path(image.ref.path).with_suffix(".geom")
+    return read_rpc(beside) if beside.is_file() else None
+
+
+def rpc_of_image_part(rpc: Rational, image: Raster) -> tuple[Rational, Message | None]:
+    """The RPC of a whole scene for an image that is a part of it, and what to say about that.
+
+    A part keeps its place in a geotransform of whole pixels without a reference system (origin = first column and
+    row). It is believed when the RPC's own range holds the part there, so that an RPC of the part itself stays as
+    it is.
+    """
+    if image.geotransform is None or image.own_wkt:
+        return rpc, None
+    left, across, skew_x, top, skew_y, down = image.geotransform
+    if (across, skew_x, skew_y) != (1.0, 0.0, 0.0) or abs(down) != 1.0 or (left, top) == (0.0, 0.0):
+        return rpc, None
+    first = np.array([left, abs(top)])
+    corners = np.array([first, first + [image.columns, image.rows]])
+    if np.abs(rpc.image.to(corners)).max() > RPC_DOMAIN:
+        return rpc, None
+    moved = replace(rpc, image=Scaling(rpc.image.offset - first, rpc.image.scale))
+    return moved, messages.RPC_OF_WHOLE_SCENE(column=first[0], row=first[1])
+
+
+def image_with_rpc(image: OpenRaster, rpc: Rational) -> gdal.Dataset:
+    """The image, virtually, with the RPC and nothing else that could place it."""
+    with gdal_silenced():
+        source = gdal.Translate("", image.dataset, format="VRT", noData=None)
+        source.SetGeoTransform((0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
+        source.SetProjection("")
+        source.SetGCPs([], "")
+        source.SetMetadata(to_metadata(rpc), "RPC")
+    return source
+
+
+def write_image_with_rpc(
+    image: OpenRaster, rpc: Rational, path: Path, cancelled: Callable[[], bool] = lambda: False
+) -> None:
+    """A GeoTIFF of the image with the RPC in its tags.
+
+    Raises RasterError where it can't be written, CancelledError when cancelled; no half-written file is left then.
+    """
+    source = image_with_rpc(image, rpc)
+
+    def report(share: float, message: str, data: Any) -> int:
+        return 0 if cancelled() else 1
+
+    failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
+    creation = ["COMPRESS=DEFLATE", "TILED=YES", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS"]
+    with whole_raster(str(path)) as unfinished:
+        with gdal_writing(failure):
+            gdal.GetDriverByName("GTiff").CreateCopy(unfinished, source, False, creation, report)
+        if cancelled():
+            raise CancelledError(imagery_messages.CANCELLED())

@@ -1,0 +1,187 @@
+"""What all sensor models are made of: the ground's reference system, the model, least squares and the inverse."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Callable, ClassVar
+
+import numpy as np
+
+from ...imagery.errors import SensorModelError
+from ...imagery.reference_systems import is_geographic, metres_per_unit, same_system, transform_points
+from . import limits, messages
+
+WGS84 = "EPSG:4326"
+
+
+@dataclass(frozen=True)
+class GroundSystem:
+    """Ground coordinates: x and y of a reference system and heights above the ellipsoid in m."""
+
+    wkt: str
+    """Anything that PROJ understands; x or longitude comes first."""
+
+    @cached_property
+    def is_wgs84(self) -> bool:
+        """Whether x and y are longitude and latitude of WGS 84 already."""
+        return is_geographic(self.wkt) and same_system(self.wkt, WGS84)
+
+    def to_geographic(self, ground: np.ndarray) -> np.ndarray:
+        """(n, 3) of this system -> (n, 3) longitude, latitude (WGS 84), height."""
+        return ground if self.is_wgs84 else self._moved(ground, self.wkt, WGS84)
+
+    def from_geographic(self, geographic: np.ndarray) -> np.ndarray:
+        """(n, 3) longitude, latitude (WGS 84), height -> (n, 3) of this system."""
+        return geographic if self.is_wgs84 else self._moved(geographic, WGS84, self.wkt)
+
+    def metres(self, y: float) -> tuple[float, float]:
+        """Metres on the ground per unit of x and of y."""
+        return metres_per_unit(self.wkt, y)
+
+    @staticmethod
+    def _moved(ground: np.ndarray, wkt: str, target: str) -> np.ndarray:
+        return np.column_stack([transform_points(ground, wkt, target), ground[:, 2]])
+
+
+GEOGRAPHIC = GroundSystem(WGS84)
+
+
+class SensorModel:
+    """From the ground to the image. A model file holds the fields of the class, which is a dataclass."""
+
+    GEOGRAPHIC: ClassVar[bool] = False
+    """Whether the ground is longitude and latitude (WGS 84) instead of the points' own reference system."""
+    SPATIAL: ClassVar[bool] = True
+    """Whether heights play a part; without them there is no RPC."""
+
+    def project(self, ground: np.ndarray) -> np.ndarray:
+        """(n, 3) x, y, ellipsoidal height -> (n, 2) column, row in px."""
+        raise NotImplementedError
+
+    def as_rational(self) -> SensorModel | None:
+        """The very same function as ``Rational``, which is an RPC's form; None where it has not that form."""
+        return None
+
+
+@dataclass(frozen=True)
+class FittedModel:
+    """A model as fitted."""
+
+    model: SensorModel
+    condition: float
+    """Condition number of the last design matrix, its columns scaled to length 1."""
+    iterations: int
+    """How many it took; 1 for a linear model."""
+    converged: bool
+    """Whether the last iteration changed the image coordinates by less than the limit."""
+    unknowns: float
+    """How many the points have determined: all of a free model, less where priors hold some."""
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Of a linear least squares problem."""
+
+    values: np.ndarray
+    """The unknowns."""
+    condition: float
+    """Largest over smallest singular value of the design matrix with columns of length 1."""
+    rank: int
+
+
+def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
+    """Solve ``design @ x = target`` for (m, n) and (m,) or (m, k), the columns brought to length 1 before.
+
+    Singular values below machine precision times the larger side are taken as zero, nothing is added to the others.
+    Raises SensorModelError where an iteration has run away into numbers that are none.
+    """
+    lengths = np.linalg.norm(design, axis=0)
+    lengths[lengths == 0] = 1.0
+    scaled = design / lengths
+    if not (np.isfinite(scaled).all() and np.isfinite(target).all()):
+        raise SensorModelError(messages.FIT_DIVERGED())
+    values, _, rank, singular = np.linalg.lstsq(scaled, target, rcond=np.finfo(float).eps * max(design.shape))
+    condition = float(singular[0] / singular[-1]) if singular[-1] > 0 else np.inf
+    return Solution((values.T / lengths).T, condition, int(rank))
+
+
+@dataclass(frozen=True)
+class Scaling:
+    """Coordinates brought to -1..1: (value - offset) / scale."""
+
+    offset: np.ndarray
+    """(k,) the middle of the range."""
+    scale: np.ndarray
+    """(k,) half the range, never 0."""
+
+    @classmethod
+    def of(cls, coordinates: np.ndarray) -> Scaling:
+        """The scaling that brings (n, k) coordinates to -1..1."""
+        low, high = coordinates.min(axis=0), coordinates.max(axis=0)
+        half = (high - low) / 2
+        return cls((low + high) / 2, np.where(half > 0, half, 1.0))
+
+    def to(self, coordinates: np.ndarray) -> np.ndarray:
+        return (coordinates - self.offset) / self.scale
+
+    def back(self, scaled: np.ndarray) -> np.ndarray:
+        return scaled * self.scale + self.offset
+
+
+Map = Callable[[np.ndarray], np.ndarray]
+
+
+def newton(function: Map, wanted: np.ndarray, start: np.ndarray, step: float = 1e-4, steps: int = 0) -> np.ndarray:
+    """Solve ``function(x) = wanted`` for (n, 2) x near ``start``; NaN where it does not converge.
+
+    ``step`` is the difference, in units of x, that derivatives are taken with. With ``steps`` only so many are taken,
+    and what they reach is the answer.
+    """
+    found = np.array(start, float)
+    last = np.full(len(found), np.inf)
+    for _ in range(steps or limits.MAX_NEWTON_ITERATIONS):
+        misfit = wanted - function(found)
+        jacobian = np.empty((len(found), 2, 2))
+        for axis in (0, 1):
+            shift = np.zeros(2)
+            shift[axis] = step
+            jacobian[:, :, axis] = (function(found + shift) - function(found - shift)) / (2 * step)
+        determinant = jacobian[:, 0, 0] * jacobian[:, 1, 1] - jacobian[:, 0, 1] * jacobian[:, 1, 0]
+        with np.errstate(all="ignore"):
+            change = np.column_stack([
+                jacobian[:, 1, 1] * misfit[:, 0] - jacobian[:, 0, 1] * misfit[:, 1],
+                jacobian[:, 0, 0] * misfit[:, 1] - jacobian[:, 1, 0] * misfit[:, 0],
+            ]) / determinant[:, None]
+        found = found + change
+        last = np.abs(change).max(axis=1)
+        if not np.any(last > step * 1e-6):
+            break
+    if not steps:
+        found[~(last <= step)] = np.nan
+    return found
+
+
+def locate(
+    project: Map,
+    image: np.ndarray,
+    heights: np.ndarray,
+    start: np.ndarray,
+    metres: tuple[float, float],
+    partly: bool = False,
+    steps: int = 0,
+) -> np.ndarray:
+    """Ground coordinates (n, 2) of image points (n, 2) at heights (n,), by Newton's method from ``start`` (n or 1, 2).
+
+    ``project`` takes (n, 3) ground to (n, 2) image; ``metres`` are about those in a unit of x and y. Raises
+    SensorModelError where the model can't be inverted; with ``partly`` those places are NaN instead. ``steps`` as in
+    ``newton``.
+    """
+    scale = 1 / np.asarray(metres)
+
+    def seen(units: np.ndarray) -> np.ndarray:
+        return project(np.column_stack([start + units * scale, heights]))
+
+    units = newton(seen, image, np.zeros((len(image), 2)), 1.0, steps)
+    if not partly and not np.isfinite(units).all():
+        raise SensorModelError(messages.NOT_INVERTED())
+    return start + units * scale
