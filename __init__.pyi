@@ -89,7 +89,7 @@ from .plugin.sensors.measure.orthorectification import orthorectify as orthorect
 from .plugin.sensors.measure.orthorectification import Ortho as Ortho
 
 # What is told, and what goes wrong
-from .plugin.imagery.message import Message as Message
+from .plugin.imagery.errors import Message as Message
 from .plugin.imagery.errors import SeamInspectorError as SeamInspectorError
 from .plugin.imagery.errors import SeamInspectorWarning as SeamInspectorWarning
 

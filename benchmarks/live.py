@@ -7,7 +7,7 @@ from functools import partial
 from itertools import count
 from statistics import median
 
-from seam_inspector.plugin.imagery.reading.reading_lanes import ReadingLanes
+from seam_inspector.plugin.imagery.raster_pool import ReadingLanes
 from seam_inspector.plugin.seams.measure.inspection import WindowRequest
 from seam_inspector.plugin.seams.measure.live.live_window import LivePixels, live_profile, read_live
 from seam_inspector.plugin.seams.measure.window.measured_window import measure_window

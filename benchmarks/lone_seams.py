@@ -19,7 +19,7 @@ import numpy as np
 from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.imagery.lines.seamlines import find_seams
+from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, cut_in_pieces

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from seam_inspector.plugin.imagery.band_curves import luminance
+from seam_inspector.plugin.imagery.wavelets import luminance
 from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
 
 from .scenes import brighton_scenes, feather

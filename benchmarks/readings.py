@@ -12,11 +12,11 @@ from uuid import uuid4
 import numpy as np
 from osgeo import gdal, osr
 from scipy import ndimage
-from seam_inspector.plugin.imagery.band_curves import luminance
-from seam_inspector.plugin.imagery.band_names import LUMINANCE
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.limits import LUMINANCE
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.wavelets import luminance
 from seam_inspector.plugin.seams.measure.explanation import Change
 from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, WindowRequest, inspect_window, make_block
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult

@@ -13,14 +13,13 @@ from typing import Callable
 import numpy as np
 from osgeo import gdal, ogr
 from scipy import ndimage
-from seam_inspector.plugin.imagery.band_curves import measure_clip
 from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.errors import NotCoveredError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.imagery.wavelets import Curve
+from seam_inspector.plugin.imagery.wavelets import Curve, measure_clip
 from seam_inspector.plugin.seams.measure.causes import Cause
 from seam_inspector.plugin.seams.measure.explanation import Explanation, MeasuredClip, explain
 from seam_inspector.plugin.seams.measure.inspection import Block, make_block

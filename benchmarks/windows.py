@@ -15,12 +15,11 @@ from statistics import median
 
 import numpy as np
 from osgeo import gdal
-from seam_inspector.plugin.imagery.band_curves import measure_clip
 from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.wavelets import Curve
+from seam_inspector.plugin.imagery.wavelets import Curve, measure_clip
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
 from seam_inspector.plugin.seams.measure.explanation import Explanation, explain
 from seam_inspector.plugin.seams.measure.inspection import (

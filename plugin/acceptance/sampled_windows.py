@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..imagery import limits
+from ..imagery import limits as limits
 from ..imagery.errors import RasterError, SettingsError
 from ..imagery.grids import PixelWindow, standard_side_px, standard_window
 from ..imagery.rasters import Raster

@@ -27,8 +27,7 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..imagery.errors import SettingsError
-from ..imagery.message import Message
+from ..imagery.errors import Message, SettingsError
 from ..imagery.reference_systems import utm_wkt
 from ..toolkit import layers
 from ..toolkit.attribute_values import Attributes, attributes, number, text, whole_number

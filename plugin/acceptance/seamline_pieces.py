@@ -10,9 +10,8 @@ from qgis.core import (
     QgsFeatureRequest,
 )
 
-from ..imagery.errors import SeamlineError, SettingsError, WindowError
-from ..imagery.lines.seamlines import find_seams
-from ..imagery.message import Message
+from ..imagery.errors import Message, SeamlineError, SettingsError, WindowError
+from ..imagery.lines import find_seams
 from ..toolkit import layers
 from .measure import messages
 from .measure.delivery import DeliveredPiece, Delivery, in_order

@@ -12,7 +12,8 @@ from itertools import count
 from pathlib import Path
 
 from . import messages
-from .errors import SettingsError, system_reason
+from .errors import SettingsError
+from .messages import system_reason
 
 
 def unfinished_name(path: Path) -> str:

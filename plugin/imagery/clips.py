@@ -1,4 +1,7 @@
-"""Clips: the pixels of a raster under a window of the mosaic, and small pictures of the mosaic itself."""
+"""Clips: the pixels of a raster under a window of the mosaic, and small pictures of the mosaic itself.
+
+Drawn windows are rectangles on the map, laid on the pixels of images in any reference system.
+"""
 from __future__ import annotations
 
 import math
@@ -7,14 +10,61 @@ from dataclasses import dataclass, replace
 import numpy as np
 from osgeo import gdal
 
-from . import limits, messages
-from .errors import NotCoveredError, RasterError
+from . import limits as limits
+from . import messages
+from .errors import Exceeding, NotCoveredError, RasterError, WindowError
 from .gdal_calls import gdal_call
-from .grids import Extent, Grid, PixelWindow
-from .message import Exceeding
+from .grids import Extent, Grid, NumberedWindow, PixelWindow, snap_window
 from .open_raster import OpenRaster, PixelBlock, placed
 from .rasters import Raster
 from .reference_systems import extent_on, same_coordinates
+
+
+@dataclass(frozen=True)
+class DrawnWindow(NumberedWindow):
+    """A rectangle to be measured on every image under it."""
+
+    extent: Extent
+    """In ``wkt``."""
+    wkt: str
+    """Reference system; empty when unknown, and then the images' own is assumed."""
+
+
+def pixels_under(drawn: DrawnWindow, image: Raster, levels: int = 0) -> PixelWindow | None:
+    """The pixels of an image under a window, cut to the image and to multiples of ``2 ** levels``; None where the
+    image does not show it.
+
+    Raises WindowError when the image is rotated, or too few or too many pixels are under it.
+    """
+    if not image.is_north_up:
+        raise WindowError(messages.WINDOW_IMAGE_ROTATED(name=image.ref.name))
+    extent = extent_on_image(drawn.extent, drawn.wkt, image)
+    if extent is None or not shown_share(image.grid, extent):
+        return None
+    return snap_window(image.grid, extent, levels)
+
+
+def extent_on_image(extent: Extent, wkt: str, image: Raster) -> Extent | None:
+    """An extent in the image's reference system; None where it can't be transformed there."""
+    if not wkt or not image.wkt or not image.has_place:
+        return extent
+    try:
+        return extent_on(extent, wkt, image.wkt)
+    except RasterError:
+        return None
+
+
+def shown_share(grid: Grid, extent: Extent) -> float:
+    """How much of an extent a grid covers."""
+    shared = shared_extent(grid.extent, extent)
+    whole = (extent[2] - extent[0]) * (extent[3] - extent[1])
+    return (shared[2] - shared[0]) * (shared[3] - shared[1]) / whole if shared is not None and whole > 0 else 0.0
+
+
+def shared_extent(a: Extent, b: Extent) -> Extent | None:
+    xmin, ymin, xmax, ymax = max(a[0], b[0]), max(a[1], b[1]), min(a[2], b[2]), min(a[3], b[3])
+    return (xmin, ymin, xmax, ymax) if xmin < xmax and ymin < ymax else None
+
 
 MAX_SYSTEM_SHIFT_PX = 0.01  # two reference systems whose coordinates agree this closely are one
 MAX_MISSING_SHARE = 0.995  # of the window: a source that covers less of it can't be told from others there
@@ -40,7 +90,6 @@ class Clip:
     """Whether the pixels had to be warped to the mosaic's grid."""
     valid: np.ndarray | None = None
     """(rows, columns) bool: where it has pixels, when it covers the window only partly."""
-
 
 
 def read_clip(

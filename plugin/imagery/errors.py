@@ -1,10 +1,128 @@
-"""The errors a user can cause. Each carries one sentence from ``messages`` that says what to do."""
+"""Sentences for the user, and the errors that a user can cause: each carries one of ``messages`` that says what to do.
+
+Names that others gave go into sentences as words that can be shown.
+"""
 from __future__ import annotations
 
-import errno
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from enum import Enum
+from functools import cache
+from pathlib import PurePath
+from string import Formatter
 
-from . import messages
-from .message import Message
+_UNPRINTABLE = re.compile(
+    "[\0-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f"  # control characters
+    "\u200b\u2060\ufeff"  # without width
+    "\u202a-\u202e\u2066-\u2069"  # which turn the direction of what follows
+    "\ud800-\udfff\ufffe\uffff]"  # no characters: bytes of a file's name that are no text
+)
+_FORMULA = re.compile(r"[=+@\t\r-](?![\s\d.,%]*$)")
+_LONGEST = 300  # letters of a name in a sentence
+
+
+def printable(text: str) -> str:
+    """A text with a question mark in a box for each character that shows nothing or does something."""
+    return _UNPRINTABLE.sub("\ufffd", text)
+
+
+def in_sentence(text: str) -> str:
+    """A text on one line, its middle left out where it is very long."""
+    line = " ".join(printable(text).splitlines())
+    return line if len(line) <= _LONGEST else f"{line[: _LONGEST // 2]} … {line[-_LONGEST // 2 :]}"
+
+
+def cell_text(text: str) -> str:
+    """A text for a cell of a spreadsheet, which would else calculate what begins as a formula does."""
+    return f"'{text}" if _FORMULA.match(text) else text
+
+
+def of_cell(text: str) -> str:
+    """The text that was made such a cell."""
+    return text[1:] if text.startswith("'") and _FORMULA.match(text, 1) else text
+
+
+class Level(Enum):
+    """How grave a message is where it stands alone; within another one that one's level counts."""
+
+    INFO = "information"
+    """A fact, the reason in a table, or a word that goes into a sentence."""
+    WARNING = "warning"
+    """Something was left out, assumed or is doubtful; the work goes on."""
+    ERROR = "error"
+    """It can't be done: what an exception carries, and most messages are."""
+
+
+INFO, WARNING = Level.INFO, Level.WARNING
+
+
+@dataclass(frozen=True)
+class Message:
+    """One sentence for the user."""
+
+    template: str
+    """English text with ``{name}`` where a value goes."""
+    level: Level = Level.ERROR
+    """How grave it is."""
+    values: Mapping[str, object] = field(default_factory=dict, hash=False)
+    """What goes into the template: numbers, texts, other messages or a tuple of those."""
+
+    def __call__(self, **values: object) -> Message:
+        """The same sentence with its values. Raises TypeError for one that lacks or that has no place in it."""
+        if values.keys() != (wanted := placeholders(self.template)):
+            raise TypeError(f"{self.template!r} takes {sorted(wanted)} and was given {sorted(values)}")
+        return replace(self, values=values)
+
+    def as_warning(self) -> Message:
+        """The same sentence where it is told and the work goes on, though an exception carries it elsewhere."""
+        return replace(self, level=WARNING)
+
+    def __str__(self) -> str:
+        return self.worded(lambda template: template)
+
+    def worded(self, translate: Callable[[str], str], fill: Callable[..., str] = str.format) -> str:
+        """The sentence, its template and those of the messages in it sent through ``translate``, then ``fill``."""
+        values = {name: _worded(value, translate, fill) for name, value in self.values.items()}
+        return fill(translate(self.template), **values)
+
+
+class Exceeding(float):
+    """A value over its limit, for a message: with as many more decimals as it takes to see that."""
+
+    def __new__(cls, value: float, limit: float) -> Exceeding:
+        made = super().__new__(cls, value)
+        made._limit = limit
+        return made
+
+    _limit: float
+
+    def __format__(self, spec: str) -> str:
+        head, point, kind = spec.rpartition(".")
+        if not point or not kind[:-1].isdigit() or kind[-1] not in "f%":
+            return format(float(self), spec)
+        for decimals in range(int(kind[:-1]), int(kind[:-1]) + _MORE_DECIMALS):
+            text = format(float(self), f"{head}.{decimals}{kind[-1]}")
+            if float(text.rstrip("%")) > self._limit * (100 if kind[-1] == "%" else 1):
+                break
+        return text
+
+
+_MORE_DECIMALS = 5
+
+
+@cache
+def placeholders(template: str) -> frozenset[str]:
+    """The names in a template."""
+    return frozenset(name for _, name, _, _ in Formatter().parse(template) if name is not None)
+
+
+def _worded(value: object, translate: Callable[[str], str], fill: Callable[..., str]) -> object:
+    if isinstance(value, Message):
+        return value.worded(translate, fill)
+    if isinstance(value, tuple):
+        return " ".join(str(_worded(part, translate, fill)) for part in value)
+    return in_sentence(str(value)) if isinstance(value, (str, PurePath, Exception)) else value
 
 
 class SeamInspectorError(Exception):
@@ -64,26 +182,3 @@ class WorkersLostError(SeamInspectorError):
 
 class CancelledError(SeamInspectorError):
     """The user stopped the work."""
-
-
-_SYSTEM_REASONS = {
-    errno.EACCES: messages.SYSTEM_ACCESS,
-    errno.EDQUOT: messages.SYSTEM_QUOTA,
-    errno.EEXIST: messages.SYSTEM_EXISTS,
-    errno.EINVAL: messages.SYSTEM_INVALID,
-    errno.EIO: messages.SYSTEM_DEVICE,
-    errno.EISDIR: messages.SYSTEM_FOLDER,
-    errno.ELOOP: messages.SYSTEM_LINKS,
-    errno.ENAMETOOLONG: messages.SYSTEM_NAME,
-    errno.ENOENT: messages.SYSTEM_NOTHING,
-    errno.ENOSPC: messages.SYSTEM_FULL,
-    errno.ENOTDIR: messages.SYSTEM_NO_FOLDER,
-    errno.EPERM: messages.SYSTEM_PERMISSION,
-    errno.EROFS: messages.SYSTEM_READ_ONLY,
-}
-
-
-def system_reason(error: OSError) -> Message | str:
-    """Why the system refuses a file, for a message: its own words are English, and used where that is rare."""
-    word = _SYSTEM_REASONS.get(error.errno or 0)
-    return error.strerror or str(error) if word is None else word()

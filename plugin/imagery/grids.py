@@ -5,7 +5,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
 
-from . import limits, messages
+from . import limits as limits
+from . import messages
 from .errors import SettingsError, WindowError
 
 if TYPE_CHECKING:

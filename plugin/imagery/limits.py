@@ -1,5 +1,10 @@
-"""Limits and defaults that several files here share, each with its source."""
+"""Limits and defaults that several files here share, each with its source; names of bands, and which is judged.
+
+Plain Python, so that tables are read and the toolbox is filled without numpy and GDAL.
+"""
 from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
 
 # The decomposition
 DEFAULT_WAVELET = "coif3"  # Pyka 2009: Coiflet of order 3
@@ -35,3 +40,21 @@ MOST_READ_BYTES = 1_000_000_000  # at once; a window of 16 million pixels has le
 MOST_PIXELS = 10**13  # a country of 300 000 km2 at 0.2 m
 WIDEST_PX = 250_000  # of a raster whose rows are worked through whole: 25 km at 0.1 m
 LARGEST_VALUE = 1e15  # beyond it no pixel is a measurement, and sums of squares leave float32
+COLOURS = ("red", "green", "blue")
+LUMINANCE = "luminance"
+
+
+def has_colours(names: Sequence[str]) -> bool:
+    """Whether the first three bands are red, green and blue, so that there is a luminance to mix."""
+    return tuple(names[:3]) == COLOURS
+
+
+def measured_bands(names: Sequence[str]) -> tuple[str, ...]:
+    """What is measured of such bands: their luminance first where there is one."""
+    return (LUMINANCE, *names) if has_colours(names) else tuple(names)
+
+
+def judged_band(measured: Iterable[str]) -> str:
+    """The band that a verdict is taken from: luminance where it was measured, else the first."""
+    names = list(measured)
+    return LUMINANCE if LUMINANCE in names else names[0]

@@ -1,7 +1,9 @@
 """What a user can be told of rasters, windows, seamlines and files, whatever is measured on them."""
 from __future__ import annotations
 
-from .message import INFO, WARNING, Message
+import errno
+
+from .errors import INFO, WARNING, Message
 
 # rasters
 NOT_FOUND = Message("{path} does not exist; check the path.")
@@ -102,20 +104,6 @@ SEAMLINES_NOT_FINITE = Message(
 CANCELLED = Message("The work was cancelled; nothing was written.", WARNING)
 RASTER_NOT_WRITTEN = Message("{path} can't be written; choose another folder, or make room on the disk.")
 FILE_NOT_WRITTEN = Message("{path} can't be written ({error}); choose another folder.")
-# why the system refuses a file, within other messages
-SYSTEM_ACCESS = Message("Permission denied", INFO)
-SYSTEM_PERMISSION = Message("Operation not permitted", INFO)
-SYSTEM_NOTHING = Message("No such file or directory", INFO)
-SYSTEM_FOLDER = Message("Is a directory", INFO)
-SYSTEM_NO_FOLDER = Message("Not a directory", INFO)
-SYSTEM_EXISTS = Message("File exists", INFO)
-SYSTEM_LINKS = Message("Too many levels of symbolic links", INFO)
-SYSTEM_NAME = Message("File name too long", INFO)
-SYSTEM_FULL = Message("No space left on device", INFO)
-SYSTEM_QUOTA = Message("Disk quota exceeded", INFO)
-SYSTEM_READ_ONLY = Message("Read-only file system", INFO)
-SYSTEM_DEVICE = Message("Input/output error", INFO)
-SYSTEM_INVALID = Message("Invalid argument", INFO)
 # files that are read over the network
 REMOTE_NOT_FOUND = Message("{name} is not on its server (HTTP {code}); check its address.")
 REMOTE_REFUSED = Message("The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.")
@@ -147,3 +135,25 @@ RULES_FLAG_BAD = Message("{place} in {name}: '{key}' has to be true or false.")
 RULES_SOURCE_MISSING = Message("{place} in {name} has no 'source'; say in words where the limit comes from.")
 RULE_PLACE = Message("Rule {number}", INFO)
 RULES_PLACE = Message("The object", INFO)
+
+_SYSTEM_REASONS = {
+    errno.EACCES: Message("Permission denied", INFO),
+    errno.EDQUOT: Message("Disk quota exceeded", INFO),
+    errno.EEXIST: Message("File exists", INFO),
+    errno.EINVAL: Message("Invalid argument", INFO),
+    errno.EIO: Message("Input/output error", INFO),
+    errno.EISDIR: Message("Is a directory", INFO),
+    errno.ELOOP: Message("Too many levels of symbolic links", INFO),
+    errno.ENAMETOOLONG: Message("File name too long", INFO),
+    errno.ENOENT: Message("No such file or directory", INFO),
+    errno.ENOSPC: Message("No space left on device", INFO),
+    errno.ENOTDIR: Message("Not a directory", INFO),
+    errno.EPERM: Message("Operation not permitted", INFO),
+    errno.EROFS: Message("Read-only file system", INFO),
+}
+
+
+def system_reason(error: OSError) -> Message | str:
+    """Why the system refuses a file, for a message: its own words are English, and used where that is rare."""
+    word = _SYSTEM_REASONS.get(error.errno or 0)
+    return error.strerror or str(error) if word is None else word()

@@ -1,13 +1,18 @@
-"""Rasters kept open from one read to the next, since a scan reads each of them thousands of times."""
+"""Rasters kept open from one read to the next, since a scan reads each of them thousands of times, and who reads them.
+
+The rasters of a window are read one after the other, or by threads that keep them open, side by side.
+"""
 from __future__ import annotations
 
 import os
 import threading
 import weakref
 from collections import OrderedDict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import Protocol, TypeVar
 
 from .errors import RasterError
 from .grids import PixelWindow
@@ -180,3 +185,123 @@ def _stamp(path: str) -> _Stamp | None:
     except (OSError, ValueError):
         return None
     return found.st_ino, found.st_size, found.st_mtime_ns
+
+
+_AHEAD = 2  # requests under way per worker: one is measured while the next waits
+
+
+@contextmanager
+def own_threads(executor: Executor | None = None, ahead: int = 0) -> Iterator[tuple[Executor, int]]:
+    """An executor, and how many requests it should have under way: those that are given, where they are."""
+    workers = os.cpu_count() or 1
+    if executor is not None:
+        yield executor, ahead or ahead_of(workers)
+        return
+    with ThreadPoolExecutor(workers, thread_name_prefix="seam-inspector") as executor:
+        yield executor, ahead_of(workers)
+
+
+def ahead_of(workers: int) -> int:
+    """How many requests should be under way with so many workers."""
+    return _AHEAD * workers
+
+
+Found = TypeVar("Found")
+Reading = tuple[RasterRef, Callable[[OpenRaster], Found]]
+"""A raster, and what is read from it once it is open."""
+
+
+class ReadEach(Protocol):
+    """Does all readings; gives what each found, or why it found nothing, in their order."""
+
+    def __call__(self, readings: Iterable[Reading[Found]]) -> list[Found | RasterError]: ...
+
+
+def one_by_one(readings: Iterable[Reading[Found]]) -> list[Found | RasterError]:
+    """In this thread; each raster is opened for it."""
+    return [read_one(OpenRaster, *reading) for reading in readings]
+
+
+def read_one(
+    opened: Callable[[RasterRef], OpenRaster], ref: RasterRef, work: Callable[[OpenRaster], Found]
+) -> Found | RasterError:
+    """What is found in a raster, or why nothing is."""
+    try:
+        return work(opened(ref))
+    except RasterError as error:
+        error.__context__ = None  # that and where it was raised would keep the file open as long as it is remembered
+        return error.with_traceback(None)
+
+
+LANES = min(4, os.cpu_count() or 1)  # more than there are processors cost more than they gain
+KEPT_PER_LANE = 8  # rasters that a lane keeps open
+
+
+class ReadingLanes:
+    """A ``ReadEach``. One thread alone reads a raster, so that it is open already and its blocks are in GDAL's cache.
+
+    The lanes start with the first reading. ``let_go`` closes the files; the next reading opens them again.
+    """
+
+    def __init__(self, lanes: int = LANES) -> None:
+        self._lanes = [_Lane(number) for number in range(lanes)]
+        self._lane_of: dict[RasterRef, _Lane] = {}
+        self._lock = threading.Lock()
+
+    def __call__(self, readings: Iterable[Reading[Found]]) -> list[Found | RasterError]:
+        futures = [self.submit(ref, work) for ref, work in readings]
+        return [future.result() for future in futures]
+
+    def submit(self, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Future[Found | RasterError]:
+        """Have one raster read."""
+        with self._lock:
+            lane = self._lane_of.get(ref)
+            if lane is None:
+                lane = self._lane_of[ref] = self._lanes[len(self._lane_of) % len(self._lanes)]
+            return lane.submit(ref, work)
+
+    def open_count(self) -> int:
+        """How many rasters are open."""
+        return sum(len(lane.pool) for lane in self._lanes)
+
+    def let_go(self) -> None:
+        """Close all files, in their threads, as a large one takes its time: soon, or when what is read has been."""
+        with self._lock:
+            self._lane_of.clear()
+        for lane in self._lanes:
+            lane.let_go()
+
+    def close(self) -> None:
+        """Read nothing more."""
+        self.let_go()
+        for lane in self._lanes:
+            lane.close()
+
+
+class _Lane:
+    """One thread and what it keeps open."""
+
+    def __init__(self, number: int) -> None:
+        self.pool = RasterPool(KEPT_PER_LANE)
+        self._turn = 0  # counts how often all was let go
+        self._thread = ThreadPoolExecutor(1, f"seam-inspector-lane-{number}")
+
+    def submit(self, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Future[Found | RasterError]:
+        return self._thread.submit(self._read, self._turn, ref, work)
+
+    def let_go(self) -> None:
+        """Keep nothing open that was asked for until now."""
+        self._turn += 1
+        if kept := self.pool.emptied():
+            self._thread.submit(kept.clear)
+
+    def _read(self, turn: int, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Found | RasterError:
+        try:
+            return read_one(self.pool.open, ref, work)
+        finally:
+            if turn != self._turn:
+                self.pool.close()
+
+    def close(self) -> None:
+        """Read nothing more."""
+        self._thread.shutdown(wait=False, cancel_futures=True)

@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal, gdal_array
 
-from . import limits, messages
+from . import limits as limits
+from . import messages
 from .atomic_files import replacing
-from .errors import RasterError
+from .errors import Message, RasterError
 from .gdal_calls import drop_from_memory, gdal_call, gdal_masks_beside, gdal_silenced, gdal_writing
-from .message import Message
 from .rasters import Raster
 
 GEOTIFF = "GTiff"

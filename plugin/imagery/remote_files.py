@@ -13,10 +13,8 @@ from urllib.parse import urlsplit
 from osgeo import gdal
 
 from . import messages
-from .errors import RasterError
-from .gdal_calls import gdal_silenced
-from .message import Message
-from .plain_files import vrt_parts
+from .errors import Message, RasterError
+from .gdal_calls import gdal_silenced, vrt_parts
 
 Result = TypeVar("Result")
 
@@ -43,8 +41,6 @@ _REMOTE = re.compile(r"/vsi(?:curl|s3|gs|az|adls|oss|swift|hdfs|webhdfs)(?:_stre
 _INDEX = re.compile(r"^GTI:|\.gti(?:\.gpkg|\.fgb|\.parquet)?$", re.I)
 _ADDRESS = re.compile(r"^(?:https?|ftp)://", re.I)
 _STATUS = re.compile(r"HTTP (?:response|error) code[^:]*: (\d{3})")
-
-
 _MAY_BE_THE_NETWORK = (
     messages.NOT_FOUND.template, messages.NOT_A_RASTER.template, messages.NOT_READABLE.template
 )

@@ -9,8 +9,8 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..imagery.band_names import LUMINANCE, judged_band
-from ..imagery.documents.printable import printable
+from ..imagery.errors import printable
+from ..imagery.limits import LUMINANCE, judged_band
 from ..toolkit.band_titles import band_title
 from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure

@@ -23,7 +23,7 @@ from ..toolkit.translation import filled, tr
 from .measure import messages
 
 if TYPE_CHECKING:
-    from ..imagery.message import Message
+    from ..imagery.errors import Message
     from ..imagery.rasters import RasterRef
     from .measure.group_noise import ClipNoise
 

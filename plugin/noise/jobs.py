@@ -4,10 +4,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..imagery import messages as imagery_messages
-from ..imagery.drawn_windows import DrawnWindow, pixels_under
-from ..imagery.errors import SeamInspectorError
+from ..imagery.clips import DrawnWindow, pixels_under
+from ..imagery.errors import Message, SeamInspectorError
 from ..imagery.limits import DEFAULT_LEVELS
-from ..imagery.message import Message
 from ..imagery.open_raster import describe
 from ..imagery.rasters import RasterRef
 from ..toolkit.background_task import Cancelled, Job

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ..imagery.band_names import judged_band
+from ..imagery.limits import judged_band
 from ..toolkit.attribute_values import number
 from ..toolkit.band_titles import band_title
 from ..toolkit.translation import filled, sentence, shown_number, tr

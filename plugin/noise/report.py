@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from ..imagery.message import Message
+from ..imagery.errors import Message
 from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.how_measured import HowMeasured, each_raster

@@ -16,7 +16,7 @@ from qgis.core import (
 )
 
 from ..imagery.errors import PhotoError
-from ..imagery.plain_files import is_endless
+from ..imagery.gdal_calls import is_endless
 from ..imagery.rasters import GeoTransform
 from ..toolkit.attribute_values import attributes, is_known, is_true, number, text
 from ..toolkit.table_fields import feature, table_fields

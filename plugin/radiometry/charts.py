@@ -8,7 +8,7 @@ from itertools import cycle
 import numpy as np
 from matplotlib.figure import Figure
 
-from ..imagery.value_ranges import ValueRange
+from ..imagery.rasters import ValueRange
 from ..toolkit.charts.chart_style import BAND_COLOURS, MOST_NAMED, PAPER, UNNAMED
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.translation import tr

@@ -31,9 +31,8 @@ from .measure import messages
 from .measure.rules import DEFAULT_RULES, ready_rule_files
 
 if TYPE_CHECKING:
-    from ..imagery.message import Message
-    from ..imagery.rasters import Raster, RasterRef
-    from ..imagery.value_ranges import ValueRange
+    from ..imagery.errors import Message
+    from ..imagery.rasters import Raster, RasterRef, ValueRange
     from .measure.assessment import Assessment
     from .measure.decision import RadiometricDecision
     from .measure.rules import RuleSet

@@ -20,7 +20,7 @@ from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 
 if TYPE_CHECKING:
-    from ..imagery.lines.seamlines import Seam
+    from ..imagery.lines import Seam
     from ..imagery.rasters import Raster
     from .measure.grey_areas import GreyArea
     from .measure.seam_steps import SeamStep
@@ -35,7 +35,7 @@ def has_map(image: Raster) -> bool:
 
 def seams_on(seamlines: QgsProcessingFeatureSource, image: Raster, run: Run) -> list[Seam]:
     """The seams in the image's reference system; none for an image without a place on the map."""
-    from ..imagery.lines.seamlines import find_seams
+    from ..imagery.lines import find_seams
 
     if not has_map(image):
         return []

@@ -8,10 +8,9 @@ from typing import Callable
 from qgis.core import QgsProcessingFeatureSource
 
 from ..imagery import messages as imagery_messages
-from ..imagery.drawn_windows import DrawnWindow, pixels_under
-from ..imagery.errors import SeamInspectorError, WindowError
+from ..imagery.clips import DrawnWindow, pixels_under
+from ..imagery.errors import Message, SeamInspectorError, WindowError
 from ..imagery.grids import PixelWindow
-from ..imagery.message import Message
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
 from ..toolkit.algorithms.run import Run

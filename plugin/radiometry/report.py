@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..imagery.message import Message
-from ..imagery.value_ranges import ValueRange
+from ..imagery.errors import Message
+from ..imagery.rasters import ValueRange
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.how_measured import HowMeasured, each_raster
 from ..toolkit.pages.templates import save_page, sentences_once

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ..imagery.documents.printable import in_sentence
+from ..imagery.errors import in_sentence
 from ..toolkit.band_titles import band_title
 from ..toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
 from .measure import rules as checks

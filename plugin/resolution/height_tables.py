@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from qgis.core import QgsFeature, QgsFields
 
-from ..imagery.message import Message
+from ..imagery.errors import Message
 from ..toolkit.attribute_values import number, text
 from ..toolkit.table_fields import feature, table_fields
 from ..toolkit.translation import sentence

@@ -9,10 +9,9 @@ from collections.abc import Iterator, Sequence
 from qgis.core import QgsCoordinateTransform, QgsCsException, QgsFeature, QgsFields, QgsGeometry, QgsPointXY
 
 from ..imagery import messages as imagery_messages
-from ..imagery.errors import SettingsError
+from ..imagery.errors import Message, SettingsError
 from ..imagery.grids import Grid
-from ..imagery.message import Message
-from ..imagery.statistics.observers import DECIDED, VISIBLE
+from ..imagery.statistics import DECIDED, VISIBLE
 from ..toolkit.attribute_values import text, whole_number
 from ..toolkit.table_fields import Column, column_fields, column_values, feature
 from ..toolkit.translation import sentence

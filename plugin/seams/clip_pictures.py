@@ -11,10 +11,10 @@ from typing import Callable
 
 import numpy as np
 
-from ..imagery.band_names import has_colours
 from ..imagery.clips import MAX_MISSING_SHARE, Clip, read_clip
 from ..imagery.errors import RasterError
 from ..imagery.grids import PixelWindow
+from ..imagery.limits import has_colours
 from ..imagery.open_raster import OpenRaster
 from ..toolkit.picture_stretch import (
     BRIGHTEST,

@@ -5,7 +5,7 @@ import os
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 
-from ..imagery.lines.seamlines import find_seams
+from ..imagery.lines import find_seams
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster, RasterRef
 from ..toolkit.background_task import Ahead, Cancelled, Job

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
 
-from ..imagery.message import Message
+from ..imagery.errors import Message
 from ..imagery.rasters import Raster
 from ..toolkit.background_task import Cancelled, Job
 from .measure.scan.inputs.scan_request import ScanRequest, scan_request

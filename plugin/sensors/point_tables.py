@@ -20,9 +20,8 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..imagery.errors import SensorModelError
+from ..imagery.errors import Message, SensorModelError
 from ..imagery.gdal_calls import gdal_silenced
-from ..imagery.message import Message
 from ..imagery.open_raster import OpenRaster
 from ..toolkit.attribute_values import Attributes, attributes, number, text
 from ..toolkit.layers import features, layer_path, system_wkt

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from ..imagery.message import WARNING, Message
+from ..imagery.errors import WARNING, Message
 from ..toolkit.charts.figure_files import new_figure, svg_text
 from ..toolkit.pages.how_measured import HowMeasured, system_name
 from ..toolkit.pages.templates import save_page, sentences_once

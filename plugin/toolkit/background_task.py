@@ -9,8 +9,7 @@ from typing import Callable, NamedTuple
 from qgis.core import QgsTask
 from qgis.PyQt.QtCore import pyqtSignal
 
-from ..imagery.errors import SeamInspectorError
-from ..imagery.message import Message
+from ..imagery.errors import Message, SeamInspectorError
 from . import messages
 from .interface_first import interface_first
 from .quiet_tasks import hush_end

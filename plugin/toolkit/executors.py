@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..imagery.errors import SettingsError
-from ..imagery.reading.own_threads import ahead_of, own_threads
+from ..imagery.raster_pool import ahead_of, own_threads
 from . import messages
 from .watched_executor import WatchedExecutor
 

@@ -6,7 +6,7 @@ from html import escape
 
 from qgis.core import Qgis, QgsMessageLog
 
-from ..imagery.message import Level, Message
+from ..imagery.errors import Level, Message
 from .translation import sentence, tr
 
 _LEVELS = {

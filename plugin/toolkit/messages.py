@@ -1,7 +1,7 @@
 """What a user can be told of layers, lists of rasters, background tasks, Dask and charts."""
 from __future__ import annotations
 
-from ..imagery.message import WARNING, Message
+from ..imagery.errors import WARNING, Message
 
 # layers
 NOT_A_RASTER_LAYER = Message("{name} is not a raster layer; choose a raster.")

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..imagery.grids import PixelWindow
 from ..imagery.open_raster import OpenRaster
-from ..imagery.value_ranges import is_range_known, value_range
+from ..imagery.rasters import is_range_known, value_range
 
 DARKEST, BRIGHTEST = 2.0, 98.0  # percentiles that become black and white: QGIS's own cumulative cut
 _MOST_OF_ALL = 99.99  # percent of the values, by which a range of 16 bit is told

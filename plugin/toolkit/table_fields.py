@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
-from ..imagery.message import Message
-from ..imagery.records.columns import Column, Result
+from ..imagery.errors import Message
+from ..imagery.records import Column, Result
 from .translation import sentence
 from .version_differences import field
 

@@ -10,7 +10,7 @@ from string import Formatter
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QCoreApplication, QLocale, QTranslator
 
-from ..imagery.message import Message
+from ..imagery.errors import Message
 from .resources import translations_path
 
 _MOST_DECIMALS = 6

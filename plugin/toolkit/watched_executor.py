@@ -6,8 +6,7 @@ from concurrent.futures import CancelledError, Executor, Future, InvalidStateErr
 from threading import Event, Thread
 from typing import TYPE_CHECKING, Any, Callable
 
-from ..imagery.errors import WorkersLostError
-from ..imagery.message import Message
+from ..imagery.errors import Message, WorkersLostError
 from . import messages
 
 if TYPE_CHECKING:

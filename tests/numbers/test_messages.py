@@ -11,7 +11,7 @@ from enum import Enum
 from pathlib import Path
 
 import pytest
-from seam_inspector.plugin.imagery.message import Level, Message, placeholders
+from seam_inspector.plugin.imagery.errors import Level, Message, placeholders
 from seam_inspector.plugin.photos.measure import messages as photos_messages
 from seam_inspector.plugin.photos.measure.orientation import MarkStatus
 from seam_inspector.plugin.photos.measure.scan_orientation import OrientationEvidence

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 
 import pytest
-from seam_inspector.plugin.imagery.message import Message
+from seam_inspector.plugin.imagery.errors import Message
 
 from tools import template_texts
 

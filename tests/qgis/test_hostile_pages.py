@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from qgis.core import QgsProcessingProvider, QgsVectorLayer
-from seam_inspector.plugin.imagery.documents.printable import printable
+from seam_inspector.plugin.imagery.errors import printable
 
 from tests.browser import SeenPage, see
 from tests.printing import why_not

@@ -5,9 +5,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ...imagery.errors import SettingsError
-from ...imagery.message import Exceeding, Message
-from ...imagery.statistics.intervals import Interval
+from ...imagery.errors import Exceeding, Message, SettingsError
+from ...imagery.statistics import Interval
 from . import messages
 from .acceptance_rules import (
     FAILED_SHARE,

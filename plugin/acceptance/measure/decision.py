@@ -6,9 +6,8 @@ from enum import Enum
 
 import numpy as np
 
-from ...imagery.message import Message
-from ...imagery.statistics.agreement import Agreement
-from ...imagery.statistics.intervals import Interval
+from ...imagery.errors import Message
+from ...imagery.statistics import Agreement, Interval
 from .acceptance_rules import AcceptanceRules
 from .delivery import DeliveredPiece, Delivery, SeenWindow, part_of_line
 from .sampling.sampling_plan import OperatingCharacteristic, SamplingPlan

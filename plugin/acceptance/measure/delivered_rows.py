@@ -8,10 +8,9 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 from osgeo import ogr
 
-from ...imagery.errors import SeamInspectorWarning, SettingsError
+from ...imagery.errors import Message, SeamInspectorWarning, SettingsError
 from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.lines.paths import vertex_stations
-from ...imagery.message import Message
+from ...imagery.lines import vertex_stations
 from ...imagery.reference_systems import is_geographic, metres_per_unit, transform_points, utm_wkt
 from . import messages
 from .delivery import DeliveredPiece, Delivery, in_order

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from ...imagery.message import Message
+from ...imagery.errors import Message
 from . import messages
 from .acceptance_rules import LONGEST_FAILURE
 from .decision import MetreFigures, RuleOutcome

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...imagery.lines.paths import points_at, vertex_stations
-from ...imagery.lines.seamlines import Seam
-from ...imagery.message import Message
+from ...imagery.errors import Message
+from ...imagery.lines import Seam, points_at, vertex_stations
 from . import messages
 from .decision import PieceState
 from .delivery import DeliveredPiece

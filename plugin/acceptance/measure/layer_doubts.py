@@ -6,8 +6,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ...imagery.errors import SettingsError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SettingsError
 from . import messages
 from .measured_pieces import NO_VERDICT
 

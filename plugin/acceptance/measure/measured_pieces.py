@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ...imagery.statistics.observers import DECIDED, INVISIBLE, VISIBLE
+from ...imagery.statistics import DECIDED, INVISIBLE, VISIBLE
 from .decision import FailureRun, MetreFigures, PieceState
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 

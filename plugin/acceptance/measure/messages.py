@@ -1,7 +1,7 @@
 """What a user can be told of the decision on a delivery."""
 from __future__ import annotations
 
-from ...imagery.message import INFO, WARNING, Message
+from ...imagery.errors import INFO, WARNING, Message
 
 # an index of sheets
 SHEETS_WITHOUT_NAMES = Message(

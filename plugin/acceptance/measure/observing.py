@@ -5,8 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ...imagery.statistics.agreement import agreement
-from ...imagery.statistics.observers import DECIDED, INVISIBLE, VISIBLE
+from ...imagery.statistics import DECIDED, INVISIBLE, VISIBLE, agreement
 from .decision import Observers
 from .delivery import DeliveredPiece, SeenWindow
 

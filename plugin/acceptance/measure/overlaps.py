@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ...imagery.lines.paths import points_at, vertex_stations
+from ...imagery.lines import points_at, vertex_stations
 from .delivery import DeliveredPiece
 from .piece_places import TOUCHING
 

@@ -1,6 +1,6 @@
 """Files with the rules of a contract.
 
-A rules file is JSON (``imagery.documents.rule_files.py``):
+A rules file is JSON (``imagery/documents.py``):
 
     {"name": "...", "rules": [
         {"check": "kept", "least": 0.7, "source": "..."},
@@ -18,7 +18,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from ...imagery.documents.rule_files import RuleObject, read_rules, ready_rules
+from ...imagery.documents import RuleObject, read_rules, ready_rules
 from ...imagery.errors import SettingsError
 from . import messages
 from .acceptance_rules import (

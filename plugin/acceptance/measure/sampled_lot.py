@@ -4,8 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ...imagery.errors import SettingsError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SettingsError
 from . import messages
 from .acceptance_rules import SAMPLING, SamplingRule
 from .decision import PieceState, PlanOutcome, RuleOutcome

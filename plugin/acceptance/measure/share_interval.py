@@ -6,7 +6,7 @@ from collections.abc import Hashable, Sequence
 import numpy as np
 from scipy import stats
 
-from ...imagery.statistics.intervals import Interval
+from ...imagery.statistics import Interval
 
 CONFIDENCE = 0.95
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from ...imagery.statistics.agreement import Agreement
+from ...imagery.statistics import Agreement
 from ...toolkit.charts.figure_files import svg_text
 from ...toolkit.pages.how_measured import HowMeasured, each_raster, system_name
 from ...toolkit.pages.templates import save_page

@@ -9,7 +9,7 @@ from matplotlib import patheffects
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ...imagery.documents.printable import printable
+from ...imagery.errors import printable
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import metres_per_unit
 from ...toolkit.charts.chart_style import PAPER

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
-from ...imagery.lines.paths import points_at, vertex_stations
+from ...imagery.lines import points_at, vertex_stations
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import transform_points

@@ -1,7 +1,7 @@
 """What a user can be told of what a decision leaves on paper."""
 from __future__ import annotations
 
-from ...imagery.message import INFO, WARNING, Message
+from ...imagery.errors import INFO, WARNING, Message
 
 DEFECTS_NOT_WRITTEN = Message(
     "The layer of failures can't be written; choose another folder, and close the file where it is open."

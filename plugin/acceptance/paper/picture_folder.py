@@ -6,7 +6,8 @@ import os
 from pathlib import Path
 
 from ...imagery.atomic_files import whole_file
-from ...imagery.errors import SettingsError, system_reason
+from ...imagery.errors import SettingsError
+from ...imagery.messages import system_reason
 from . import messages
 
 _NAME = "defect_{}.jpg"

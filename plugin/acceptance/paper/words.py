@@ -5,7 +5,7 @@ import re
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery.message import Message
+from ...imagery.errors import Message
 from ...toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, RuleOutcome

@@ -9,9 +9,9 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QCloseEvent, QHideEvent
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
-from ...imagery.drawn_windows import DrawnWindow
+from ...imagery.clips import DrawnWindow
+from ...imagery.errors import Message
 from ...imagery.grids import PixelWindow
-from ...imagery.message import Message
 from ...imagery.rasters import RasterRef
 from ...toolkit.band_titles import band_title
 from ...toolkit.charts.chart_loader import chart_missing

@@ -14,9 +14,8 @@ from enum import Enum
 import numpy as np
 
 from ...imagery import limits as imagery_limits
-from ...imagery.band_names import LUMINANCE, has_colours
-from ...imagery.errors import SettingsError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SettingsError
+from ...imagery.limits import LUMINANCE, has_colours
 from ...imagery.wavelets import Curve, check_decomposition, clip_curves, detail_components
 from . import messages
 from .grain import Grain, curve_if_white, possible_grains, recognised_grain

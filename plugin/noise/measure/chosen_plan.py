@@ -7,10 +7,9 @@ from typing import Callable
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
-from ...imagery.drawn_windows import extent_on_image, shared_extent, shown_share
-from ...imagery.errors import RasterError, WindowError
+from ...imagery.clips import extent_on_image, shared_extent, shown_share
+from ...imagery.errors import Message, RasterError, WindowError
 from ...imagery.grids import PixelWindow, snap_window
-from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from . import messages

@@ -11,10 +11,9 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
-from ...imagery.drawn_windows import extent_on_image
-from ...imagery.errors import RasterError
+from ...imagery.clips import extent_on_image
+from ...imagery.errors import Exceeding, Message, RasterError
 from ...imagery.grids import PixelWindow
-from ...imagery.message import Exceeding, Message
 from ...imagery.open_raster import OpenRaster, describe
 from ...imagery.rasters import RasterRef
 from . import messages

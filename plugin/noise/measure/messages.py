@@ -1,7 +1,7 @@
 """What a user can be told of random noise: of settings, windows and groups, and of a curve."""
 from __future__ import annotations
 
-from ...imagery.message import INFO, WARNING, Message
+from ...imagery.errors import INFO, WARNING, Message
 
 NOISE_LEVELS_TOO_FEW = Message("{levels} levels asked for; the noise rule compares levels, so use at least {least}.")
 # windows and groups

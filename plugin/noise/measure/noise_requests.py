@@ -5,9 +5,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from ...imagery import messages as imagery_messages
-from ...imagery.errors import RasterError
+from ...imagery.errors import Message, RasterError
 from ...imagery.grids import PixelWindow
-from ...imagery.message import Message
 from ...imagery.open_raster import describe
 from ...imagery.rasters import Raster, RasterRef
 

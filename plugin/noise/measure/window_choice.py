@@ -10,8 +10,7 @@ import numpy as np
 from ...imagery import limits as imagery_limits
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
-from ...imagery.rasters import Raster
-from ...imagery.value_ranges import value_range
+from ...imagery.rasters import Raster, value_range
 
 NOISE_WINDOW_PX = 1024  # side of a window; Pyka 2009, section 3
 NOISE_SHRINK = 8  # every 8th pixel shows where an image is saturated or invalid

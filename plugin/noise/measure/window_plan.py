@@ -6,10 +6,9 @@ from dataclasses import replace
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
-from ...imagery.drawn_windows import DrawnWindow, extent_on_image, shared_extent, shown_share
-from ...imagery.errors import WindowError
+from ...imagery.clips import DrawnWindow, extent_on_image, shared_extent, shown_share
+from ...imagery.errors import Message, WindowError
 from ...imagery.grids import Extent, snap_window
-from ...imagery.message import Message
 from . import messages
 from .noise_requests import GroupedImage, NoiseRequest, Part, Plan
 

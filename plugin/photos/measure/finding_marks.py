@@ -9,9 +9,8 @@ from itertools import islice
 
 import numpy as np
 
-from ...imagery.errors import PhotoError
+from ...imagery.errors import Message, PhotoError
 from ...imagery.grids import PixelWindow
-from ...imagery.message import Message
 from . import limits, messages, scan_orientation
 from .arrangements import Candidate, candidates, placing_tolerance, turned_with_frame
 from .camera_calibration import CameraCalibration

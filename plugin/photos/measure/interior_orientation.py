@@ -8,8 +8,7 @@ from typing import Callable
 
 import numpy as np
 
-from ...imagery.errors import PhotoError
-from ...imagery.message import Message
+from ...imagery.errors import Message, PhotoError
 from . import limits, messages, scan_orientation
 from .camera_calibration import CameraCalibration, check_calibration
 from .finding_marks import find_marks

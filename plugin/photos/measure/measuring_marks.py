@@ -8,9 +8,8 @@ from enum import Enum
 import numpy as np
 from scipy import ndimage
 
-from ...imagery.errors import PhotoError
+from ...imagery.errors import Message, PhotoError
 from ...imagery.grids import PixelWindow
-from ...imagery.message import Message
 from ...imagery.shifts import shifted
 from . import messages
 from .correlation import SurfaceError, correlate, fit_surface, peak_pixel, subpixel_maximum, surface_extremum

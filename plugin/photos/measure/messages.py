@@ -1,7 +1,7 @@
 """What a user can be told of scanned photos: of marks and their positions, calibrations, the transformation."""
 from __future__ import annotations
 
-from ...imagery.message import INFO, WARNING, Message
+from ...imagery.errors import INFO, WARNING, Message
 
 # enhancing
 FILTER_SIDE = Message("The side of the mean is {size:g} px; give an odd number from 3 to {most:g}.")

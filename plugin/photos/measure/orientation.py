@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 
-from ...imagery.message import Message
+from ...imagery.errors import Message
 from . import limits
 from .mark_templates import CutOut, MarkShape
 from .measuring_marks import MarkWindow, MeasuredMark, SurfaceBasis, UnmeasuredMark

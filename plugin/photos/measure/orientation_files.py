@@ -11,9 +11,9 @@ from xml.etree.ElementTree import Element, ParseError, SubElement
 
 import numpy as np
 
-from ...imagery.documents.document_files import document_bytes
-from ...imagery.documents.xml_documents import looks_like_xml, xml_root
-from ...imagery.errors import PhotoError, system_reason
+from ...imagery.documents import document_bytes, looks_like_xml, xml_root
+from ...imagery.errors import PhotoError
+from ...imagery.messages import system_reason
 from . import messages
 from .camera_calibration import CameraCalibration
 from .orientation import FittedTransformation, MarkResult, PhotoOrientation

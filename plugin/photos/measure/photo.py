@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...imagery import messages as imagery_messages
-from ...imagery.band_curves import judged_plane, luminance
 from ...imagery.errors import NotCoveredError, PhotoError
 from ...imagery.gdal_calls import gdal_call
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
+from ...imagery.wavelets import judged_plane, luminance
 from . import limits, messages
 
 MOST_GREY = 65535  # of 16 bits; a float raster's 3.4e38 is no grey value

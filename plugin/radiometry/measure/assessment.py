@@ -5,9 +5,8 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ...imagery.message import Message
-from ...imagery.rasters import Raster
-from ...imagery.value_ranges import ValueRange
+from ...imagery.errors import Message
+from ...imagery.rasters import Raster, ValueRange
 from . import limits, messages
 from . import rules as checks
 from .grey_areas import ColourBalance, MaybeGrey, colour_balance, find_maybe_grey

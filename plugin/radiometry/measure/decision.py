@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
-from ...imagery.message import Message
+from ...imagery.errors import Message
 from .assessment import Assessment, CheckedFigure
 
 

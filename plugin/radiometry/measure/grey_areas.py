@@ -15,7 +15,7 @@ from osgeo import gdal, ogr
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.open_raster import OpenRaster
-from ...imagery.value_ranges import ValueRange
+from ...imagery.rasters import ValueRange
 from . import limits
 from .uniform_areas import Areas, maybe_grey
 

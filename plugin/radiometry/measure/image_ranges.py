@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...imagery.message import Message
-from ...imagery.rasters import Raster
-from ...imagery.value_ranges import BIT_DEPTHS, ValueRange
+from ...imagery.errors import Message
+from ...imagery.rasters import BIT_DEPTHS, Raster, ValueRange
 from . import messages
 from .image_statistics import Histogram
 

@@ -11,8 +11,7 @@ import numpy as np
 
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster, PixelBlock
-from ...imagery.rasters import Raster
-from ...imagery.value_ranges import ValueRange
+from ...imagery.rasters import Raster, ValueRange
 from . import limits
 from .luminosity import figure_bands, luminosity
 from .rules import LUMINOSITY

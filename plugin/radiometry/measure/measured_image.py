@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Callable
 
 from ...imagery.grids import PixelWindow
-from ...imagery.lines.seamlines import Seam
+from ...imagery.lines import Seam
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from . import rules as checks

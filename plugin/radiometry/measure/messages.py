@@ -1,7 +1,7 @@
 """What a user can be told of radiometry: of a file with rules, and why a rule could not be checked."""
 from __future__ import annotations
 
-from ...imagery.message import INFO, WARNING, Message
+from ...imagery.errors import INFO, WARNING, Message
 
 # a file with rules
 RULES_CHECK_TWICE = Message("{place} in {name}: '{check}' of {band} has a rule already; leave one.")

@@ -1,6 +1,6 @@
 """The rules of acceptance: which figures are checked, of which bands, against which limits, and where those come from.
 
-A rules file is JSON (``imagery/rule_files.py``):
+A rules file is JSON (``imagery/documents.py``):
 
     {"name": "...", "value_range": [0, 4095], "rules": [
         {"check": "contrast", "band": "luminosity", "least": 0.10, "most": 0.20, "source": "..."}, ...]}
@@ -19,13 +19,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ...imagery.band_names import COLOURS
-from ...imagery.documents.rule_files import RuleObject, is_number, read_rules, ready_rules
+from ...imagery.documents import RuleObject, is_number, read_rules, ready_rules
 from ...imagery.errors import SettingsError
+from ...imagery.limits import COLOURS
 from . import messages
 
 if TYPE_CHECKING:
-    from ...imagery.value_ranges import ValueRange
+    from ...imagery.rasters import ValueRange
 
 CLIPPED_LOW, CLIPPED_HIGH, PEAK, CONTRAST = "clipped_low", "clipped_high", "peak", "contrast"
 SIGNAL_TO_NOISE, COLOUR_BALANCE = "signal_to_noise", "colour_balance"

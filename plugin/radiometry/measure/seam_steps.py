@@ -7,8 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...imagery.grids import Grid, PixelWindow
-from ...imagery.lines.paths import vertex_stations
-from ...imagery.lines.seamlines import Seam
+from ...imagery.lines import Seam, vertex_stations
 from ...imagery.open_raster import OpenRaster
 from . import limits
 from .luminosity import figure_bands

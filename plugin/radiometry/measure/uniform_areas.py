@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...imagery.value_ranges import ValueRange
+from ...imagery.rasters import ValueRange
 from . import limits
 
 MAX_QUADRANT_RATIO = 3.86  # variance between the four quadrants over that within: 99 % of F(3, 252), white noise

@@ -25,8 +25,7 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ...imagery.errors import SeamInspectorError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.rasters import Raster
 from ...toolkit.background_task import End, Outcome
 from ...toolkit.desk.background_tasks import BackgroundTasks

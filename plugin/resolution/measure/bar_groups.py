@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...imagery.message import Message
+from ...imagery.errors import Message
 from ...imagery.rasters import Raster
 from . import limits, messages
 from .bar_lines import MeasuredLine

@@ -6,10 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ...imagery.errors import BarLineError
-from ...imagery.message import Message
-from ...imagery.rasters import Raster
-from ...imagery.value_ranges import BIT_DEPTHS
+from ...imagery.errors import BarLineError, Message
+from ...imagery.rasters import BIT_DEPTHS, Raster
 from .bars import BarReading, read_bars
 from .profiles import Patch, Segment, bar_profile, perpendicular_line, read_patch
 

@@ -1,7 +1,7 @@
 """What a user can be told of ground resolution: of bar targets, minimum heights and the Bayer filter."""
 from __future__ import annotations
 
-from ...imagery.message import INFO, WARNING, Message
+from ...imagery.errors import INFO, WARNING, Message
 
 # the target and how it is measured
 TOO_FEW_BARS = Message("A group of {bars} bars can't be measured; a target has at least {least} bars in a group.")

@@ -6,8 +6,7 @@ import statistics
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from ...imagery.errors import SettingsError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SettingsError
 from . import messages
 
 MIN_OBSERVATIONS = 5  # of the minimum height: the Open Skies treaty asks for five passes

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem
 
-from ...imagery.errors import SettingsError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.run import Run
 from ..measure import messages

@@ -8,7 +8,7 @@ from qgis.core import QgsProcessing, QgsProcessingParameterFeatureSink, QgsProce
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.errors import SettingsError
-from ...imagery.statistics.observers import UNSURE
+from ...imagery.statistics import UNSURE
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run

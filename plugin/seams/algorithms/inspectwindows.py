@@ -16,7 +16,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
-from ...imagery.statistics.observers import JUDGING_FIELDS
+from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm

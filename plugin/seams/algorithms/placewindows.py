@@ -70,7 +70,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         self._mosaic = run.mosaic()
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...imagery.lines.seamlines import find_seams
+        from ...imagery.lines import find_seams
         from ...imagery.open_raster import OpenRaster
         from ...toolkit import layers
         from ...toolkit.table_fields import column_fields, column_values, feature

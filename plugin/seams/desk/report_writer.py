@@ -10,8 +10,7 @@ from qgis.core import Qgis, QgsProject
 from qgis.PyQt.QtCore import QObject, QUrl, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QWidget
 
-from ...imagery.errors import SeamInspectorError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SeamInspectorError
 from ...toolkit.desk.background_tasks import BackgroundTasks
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import filled, sentence, tr

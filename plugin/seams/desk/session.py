@@ -8,10 +8,9 @@ from pathlib import Path
 from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ...imagery.errors import SeamInspectorError
+from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.grids import Grid, PixelWindow
-from ...imagery.message import Message
-from ...imagery.statistics.observers import FIRST, Operator
+from ...imagery.statistics import FIRST, Operator
 from ...toolkit.layer_editing import edit_step
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr

@@ -6,8 +6,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy import fft
 
-from ...imagery.rasters import Raster
-from ...imagery.value_ranges import is_range_known, value_range
+from ...imagery.rasters import Raster, is_range_known, value_range
 from .causes import MIN_COMPRESSED_DN, SourceTone, Texture
 from .seam_cells import UNKNOWN
 from .tone import Tone

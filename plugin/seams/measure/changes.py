@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...imagery import limits as imagery_limits
-from ...imagery.band_names import COLOURS, LUMINANCE
+from ...imagery.limits import COLOURS, LUMINANCE
 from ...imagery.shifts import Shift
 from ...imagery.wavelets import Curve
 from .compared_image import ComparedImage

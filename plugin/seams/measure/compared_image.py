@@ -8,12 +8,11 @@ from functools import cached_property
 import numpy as np
 
 from ...imagery import limits as imagery_limits
-from ...imagery.band_curves import judged_plane
-from ...imagery.band_names import LUMINANCE, has_colours
 from ...imagery.clips import Clip
+from ...imagery.limits import LUMINANCE, has_colours
 from ...imagery.rasters import Raster
 from ...imagery.shifts import Spectra
-from ...imagery.wavelets import Curve
+from ...imagery.wavelets import Curve, judged_plane
 from .tone import Tone, coarse_means, fit_tones
 
 

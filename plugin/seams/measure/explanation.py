@@ -10,9 +10,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ...imagery.band_curves import correlation, measure_bands
 from ...imagery.shifts import Shift, farthest_apart, find_shift
-from ...imagery.wavelets import Curve
+from ...imagery.wavelets import Curve, correlation, measure_bands
 from .cause_evidence import grey_unit, measure_texture, measure_tones, range_factor
 from .causes import Cause, CauseEvidence, Misfit, Texture, find_causes
 from .changes import Change, gains_of_colours, measure_changes

@@ -8,9 +8,8 @@ from dataclasses import dataclass, replace
 from typing import Union
 
 from ...imagery import limits as imagery_limits
-from ...imagery.errors import SeamInspectorWarning, WindowError
+from ...imagery.errors import Message, SeamInspectorWarning, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window, standard_side_px, standard_window
-from ...imagery.message import Message
 from ...imagery.open_raster import describe_mosaic
 from ...imagery.rasters import Raster, RasterRef
 from . import messages

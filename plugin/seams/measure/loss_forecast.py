@@ -14,16 +14,14 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
-from ...imagery.band_curves import judged_plane
 from ...imagery.clips import Clip, read_clip
-from ...imagery.errors import NotCoveredError, RasterError, SettingsError, WindowError
+from ...imagery.errors import Message, NotCoveredError, RasterError, SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
-from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster, placed
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import extent_on, metres_per_unit
 from ...imagery.shifts import Shift, Spectra, find_shift
-from ...imagery.wavelets import check_decomposition
+from ...imagery.wavelets import check_decomposition, judged_plane
 from . import messages
 from .feather_prediction import Feather, expected_ratios, feathers
 from .feathers.feathered_detail import KeptDetail, kept_detail, least_kept, place_feather

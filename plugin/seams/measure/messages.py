@@ -1,7 +1,7 @@
 """What a user can be told of seams: of windows placed and inspected, forecasts, thresholds and reports."""
 from __future__ import annotations
 
-from ...imagery.message import INFO, WARNING, Message
+from ...imagery.errors import INFO, WARNING, Message
 
 # settings
 MAX_RATIO_OUT_OF_RANGE = Message("The largest ratio of a significant loss is {ratio}; give a number between 0 and 1.")

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ...imagery.lines.seamlines import Seam
+from ...imagery.lines import Seam
 
 
 class SeamIndex:

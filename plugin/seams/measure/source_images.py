@@ -7,9 +7,8 @@ from dataclasses import dataclass, replace
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
-from ...imagery.errors import RasterError, SettingsError
+from ...imagery.errors import Message, RasterError, SettingsError
 from ...imagery.grids import Extent, extents_meet
-from ...imagery.message import Message
 from ...imagery.open_raster import placed
 from ...imagery.raster_pool import RasterPool
 from ...imagery.rasters import RasterRef

@@ -15,8 +15,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...imagery import limits as imagery_limits
-from ...imagery.message import Message
-from ...imagery.statistics.intervals import Interval
+from ...imagery.errors import Message
+from ...imagery.statistics import Interval
 from . import limits, messages
 from .verdict_statistics.neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods
 from .verdict_statistics.roc_area import MIN_VERDICTS, roc_area, wanted_verdicts

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from ...imagery import limits as imagery_limits
-from ...imagery.errors import SettingsError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SettingsError
 from ...imagery.wavelets import Curve
 from . import messages
 from .causes import MIN_MIXED

@@ -27,8 +27,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...imagery.rasters import Raster
-from ...imagery.value_ranges import value_range
+from ...imagery.rasters import Raster, value_range
 from .limits import JUDGED_MAGNIFICATION
 from .profile.cell_table import CELL_PX, CellTable
 from .profile.seam_profile import SeamProfile, strip_bins

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from ...imagery.band_names import judged_band
 from ...imagery.grids import NumberedWindow
-from ...imagery.statistics.observers import DECIDED
+from ...imagery.limits import judged_band
+from ...imagery.statistics import DECIDED
 
 COMPOSITE = "composite"
 """The hard-cut composite of the sources, where a source's name or a clip's role would stand."""

@@ -6,9 +6,8 @@ from collections.abc import Iterable, Iterator
 from concurrent.futures import Executor, Future, wait
 from typing import Callable, TypeVar
 
-from ...imagery.errors import WorkersLostError
-from ...imagery.message import Message
-from ...imagery.reading.own_threads import own_threads
+from ...imagery.errors import Message, WorkersLostError
+from ...imagery.raster_pool import own_threads
 from . import messages
 from .inspection import WindowRequest, inspect_in_stages, inspect_window
 from .window.measured_window import MeasureWindow

@@ -9,9 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...imagery.clips import Clip, read_clip
-from ...imagery.errors import RasterError, SeamInspectorError
+from ...imagery.errors import Message, RasterError, SeamInspectorError
 from ...imagery.grids import Extent, PixelWindow, snap_window
-from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsProject
 
-from ...imagery.band_names import judged_band
+from ...imagery.limits import judged_band
 from ...toolkit import layers
 from ...toolkit.background_task import Cancelled, Job
 from ..measure.inspection import Block

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import repeat
 
-from ...imagery.band_names import judged_band
-from ...imagery.message import Message
+from ...imagery.errors import Message
+from ...imagery.limits import judged_band
 from ...toolkit.translation import filled, formatted, percent, sentence, tr
 from ..cause_words import cause_sentence, cause_word
 from ..measure import messages

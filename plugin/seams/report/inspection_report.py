@@ -16,10 +16,9 @@ from typing import Callable
 
 from ...imagery import limits as imagery_limits
 from ...imagery.clips import read_overview
-from ...imagery.errors import RasterError
-from ...imagery.message import Message
+from ...imagery.errors import Message, RasterError
 from ...imagery.reference_systems import metres_per_unit
-from ...imagery.statistics.observers import INVISIBLE, UNSURE, VISIBLE
+from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ...toolkit.pages.how_measured import HowMeasured, each_raster, measured_raster
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page, sentences_once

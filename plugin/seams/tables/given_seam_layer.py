@@ -6,8 +6,7 @@ from collections.abc import Iterable, Sequence
 from qgis.core import QgsCoordinateTransform, QgsFeature
 from qgis.PyQt.QtCore import QDate, QDateTime, Qt
 
-from ...imagery.errors import WindowError
-from ...imagery.message import Message
+from ...imagery.errors import Message, WindowError
 from ...toolkit.attribute_values import is_known, text
 from ...toolkit.layers import line_wkb
 from ..measure.scan import messages

@@ -9,10 +9,9 @@ from typing import Any, NamedTuple
 
 from qgis.core import QgsCoordinateTransform, QgsFeature
 
-from ...imagery.band_names import judged_band
-from ...imagery.documents.printable import of_cell
-from ...imagery.errors import SettingsError
-from ...imagery.statistics.observers import OPERATORS
+from ...imagery.errors import SettingsError, of_cell
+from ...imagery.limits import judged_band
+from ...imagery.statistics import OPERATORS
 from ...toolkit.attribute_values import attributes, number, text, whole_number
 from ...toolkit.layers import outline_extent
 from ..measure import messages

@@ -9,8 +9,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
-from ...imagery.records.columns import Column
-from ...imagery.statistics.observers import JUDGING_FIELDS
+from ...imagery.records import Column
+from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit.attribute_values import whole_number
 from ...toolkit.table_fields import column_features, column_fields, column_values, feature
 from ...toolkit.version_differences import field

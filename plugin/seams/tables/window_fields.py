@@ -11,8 +11,8 @@ from typing import Any
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery.records.columns import Column
-from ...imagery.statistics.observers import JUDGING_FIELDS
+from ...imagery.records import Column
+from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit.field_titles import give_titles
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import WINDOW_COLUMNS

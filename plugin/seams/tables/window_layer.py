@@ -27,7 +27,7 @@ from qgis.core import (
 )
 
 from ...imagery.errors import WindowLayerError
-from ...imagery.statistics.observers import FIRST, JUDGING_FIELDS
+from ...imagery.statistics import FIRST, JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.attribute_values import is_known
 from ...toolkit.layer_editing import change_quietly, edit_step

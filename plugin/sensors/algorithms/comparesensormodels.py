@@ -14,7 +14,7 @@ from . import sensor_parameters
 from .sensor_parameters import SensorAlgorithm, image_box
 
 if TYPE_CHECKING:
-    from ...imagery.message import Message
+    from ...imagery.errors import Message
     from ..measure.adjustment import Comparison
 
 OUTPUT = "OUTPUT"

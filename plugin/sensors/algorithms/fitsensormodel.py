@@ -27,7 +27,7 @@ from . import sensor_parameters
 from .sensor_parameters import SensorAlgorithm, image_box
 
 if TYPE_CHECKING:
-    from ...imagery.message import Message
+    from ...imagery.errors import Message
     from ...imagery.open_raster import OpenRaster
     from ..measure.adjustment import Accuracy, Adjustment
     from ..measure.point_checks import ImageBox

@@ -25,7 +25,7 @@ from ...toolkit.translation import tr
 from ..measure import limits, messages
 
 if TYPE_CHECKING:
-    from ...imagery.message import Message
+    from ...imagery.errors import Message
     from ...imagery.open_raster import OpenRaster
     from ..measure.fit_files import ViewDirection
     from ..measure.heights import Datum

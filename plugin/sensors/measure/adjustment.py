@@ -8,8 +8,7 @@ from typing import Callable
 
 import numpy as np
 
-from ...imagery.errors import SeamInspectorError, SensorModelError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SeamInspectorError, SensorModelError
 from . import limits, messages, registry
 from .points import Points
 from .polynomials import Rational

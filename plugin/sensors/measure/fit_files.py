@@ -14,9 +14,8 @@ import numpy as np
 
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import save_text
-from ...imagery.documents.document_files import document_bytes, json_document
-from ...imagery.errors import RasterError, SensorModelError
-from ...imagery.message import Message
+from ...imagery.documents import document_bytes, json_document
+from ...imagery.errors import Message, RasterError, SensorModelError
 from ...imagery.open_raster import OpenRaster
 from ...imagery.reference_systems import metres_per_unit
 from . import messages, registry

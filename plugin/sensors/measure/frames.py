@@ -16,11 +16,9 @@ from xml.etree.ElementTree import Element, ParseError
 import numpy as np
 
 from ...imagery import messages as imagery_messages
-from ...imagery.documents.document_files import document_bytes, json_document
-from ...imagery.documents.xml_documents import looks_like_xml, xml_root
-from ...imagery.errors import SensorModelError
+from ...imagery.documents import document_bytes, json_document, looks_like_xml, xml_root
+from ...imagery.errors import Message, SensorModelError
 from ...imagery.grids import PixelWindow
-from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit, transform_points

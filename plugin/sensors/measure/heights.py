@@ -11,10 +11,9 @@ import numpy as np
 from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
-from ...imagery.errors import RasterError
+from ...imagery.errors import Message, RasterError
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.grids import Extent, PixelWindow
-from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import (

@@ -1,7 +1,7 @@
 """What a user can be told of satellite images: of points, sensor models, RPCs, terrain and orthorectification."""
 from __future__ import annotations
 
-from ...imagery.message import INFO, WARNING, Message
+from ...imagery.errors import INFO, WARNING, Message
 
 # points
 NO_POINTS = Message("There are no points to fit a model to; measure some, or choose another layer.")

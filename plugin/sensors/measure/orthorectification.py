@@ -12,12 +12,10 @@ import numpy as np
 from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
-from ...imagery.errors import CancelledError, RasterError, SensorModelError, SettingsError
-from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing
+from ...imagery.errors import CancelledError, Message, RasterError, SensorModelError, SettingsError
+from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing, vrt_parts
 from ...imagery.grids import Extent
-from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
-from ...imagery.plain_files import vrt_parts
 from ...imagery.raster_writer import whole_raster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt

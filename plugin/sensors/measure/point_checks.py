@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...imagery.errors import SensorModelError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SensorModelError
 from ...imagery.reference_systems import is_geographic
 from . import messages
 from .points import Points

@@ -7,8 +7,7 @@ from typing import Callable
 
 import numpy as np
 
-from ...imagery.errors import SensorModelError, SettingsError
-from ...imagery.message import Message
+from ...imagery.errors import Message, SensorModelError, SettingsError
 from . import limits, messages
 from .adjustment import accuracy, adjust
 from .points import Points

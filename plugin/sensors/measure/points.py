@@ -10,7 +10,7 @@ import numpy as np
 
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import save_text
-from ...imagery.documents.document_files import document_bytes
+from ...imagery.documents import document_bytes
 from ...imagery.errors import SensorModelError
 from ...imagery.open_raster import OpenRaster
 from . import messages

@@ -10,7 +10,7 @@ from importlib import import_module
 from math import comb
 from typing import TYPE_CHECKING, Callable
 
-from ...imagery.message import Message
+from ...imagery.errors import Message
 from . import limits, messages
 
 if TYPE_CHECKING:

@@ -13,11 +13,9 @@ from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import save_text
-from ...imagery.documents.document_files import document_bytes
-from ...imagery.documents.xml_documents import looks_like_xml, xml_root
-from ...imagery.errors import CancelledError, SensorModelError, SettingsError
+from ...imagery.documents import document_bytes, looks_like_xml, xml_root
+from ...imagery.errors import CancelledError, Message, SensorModelError, SettingsError
 from ...imagery.gdal_calls import gdal_silenced, gdal_writing
-from ...imagery.message import Message
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import whole_raster
 from ...imagery.rasters import Raster, RasterRef

@@ -17,7 +17,8 @@ from qgis.core import (
 )
 
 from ...imagery import messages as imagery_messages
-from ...imagery.errors import SettingsError, system_reason
+from ...imagery.errors import SettingsError
+from ...imagery.messages import system_reason
 from .. import messages
 from .output_files import is_database, is_file, output_text, table_place
 

@@ -15,9 +15,8 @@ from qgis.core import QgsFeature, QgsFeatureSink, QgsProcessingException
 from qgis.PyQt import sip
 
 from ...imagery.atomic_files import UnfinishedFile, drop_unfinished
-from ...imagery.documents.printable import cell_text
+from ...imagery.errors import Message, cell_text
 from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.message import Message
 from .. import messages
 from ..translation import sentence, tr
 from .output_files import DataPlace

@@ -24,11 +24,9 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QUrl
 
-from ...imagery.documents.document_files import document_bytes
-from ...imagery.documents.xml_documents import xml_root
+from ...imagery.documents import document_bytes, xml_root
 from ...imagery.errors import RasterError, SettingsError
-from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.plain_files import check_raster_path
+from ...imagery.gdal_calls import check_raster_path, gdal_silenced
 from .. import messages
 from . import parameters as common
 from .output_files import DataPlace, files_beside, is_database, output_text, table_place, value_text

@@ -25,7 +25,7 @@ from qgis.core import (
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
-from ...imagery.plain_files import check_raster_path, is_endless
+from ...imagery.gdal_calls import check_raster_path, is_endless
 from .. import messages
 from ..translation import tr
 

@@ -15,7 +15,7 @@ from .run import Run
 from .window_features import WindowFeatures
 
 if TYPE_CHECKING:
-    from ...imagery.drawn_windows import DrawnWindow
+    from ...imagery.clips import DrawnWindow
 
 RASTERS, WINDOWS = "RASTERS", "WINDOWS"
 
@@ -63,7 +63,7 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
 
         ``carried``: fields whose values ``window_values`` then has, as text.
         """
-        from ...imagery.drawn_windows import DrawnWindow
+        from ...imagery.clips import DrawnWindow
         from .. import layers
 
         if not run.parameters.get(WINDOWS):

@@ -23,8 +23,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
-from ...imagery.errors import RasterError, SettingsError
-from ...imagery.message import Level
+from ...imagery.errors import Level, RasterError, SettingsError
 from .. import messages
 from ..translation import sentence
 from . import parameters as common
@@ -33,7 +32,7 @@ from .layer_stylers import layer_styler
 from .output_files import GEOTIFF_FILES, is_file, output_text, table_place
 
 if TYPE_CHECKING:
-    from ...imagery.message import Message
+    from ...imagery.errors import Message
     from ...imagery.rasters import Raster, RasterRef
 
 

@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsFeature, QgsGeometry, QgsProcessingFeatureSource
 
-from ...imagery.errors import WindowError
+from ...imagery.errors import Message, WindowError
 from ...imagery.grids import NumberedWindow
-from ...imagery.message import Message
 from ..attribute_values import text, whole_number
 from .run import Run
 

@@ -7,7 +7,7 @@ from typing import Callable
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ...imagery.message import Message
+from ...imagery.errors import Message
 from ..background_task import Ahead, BackgroundTask, Job, Outcome
 
 

@@ -8,7 +8,7 @@ from typing import Any, Callable
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ...imagery.message import Message
+from ...imagery.errors import Message
 from .. import messages
 from ..interface_first import interface_first
 

@@ -8,8 +8,8 @@ from typing import Any, Callable, Protocol
 from qgis.core import QgsVectorLayer
 from qgis.PyQt.QtWidgets import QWidget
 
+from ...imagery.errors import Message
 from ...imagery.grids import PixelWindow
-from ...imagery.message import Message
 from ...imagery.rasters import Raster, RasterRef
 
 

@@ -15,8 +15,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 from ...imagery.atomic_files import whole_file
-from ...imagery.documents.printable import printable
-from ...imagery.message import Message
+from ...imagery.errors import Message, printable
 from ..resources import reports_path
 from ..translation import filled, formatted, language, sentence, tr
 from .how_measured import HowMeasured, MeasuredRaster

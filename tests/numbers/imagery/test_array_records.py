@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
-from seam_inspector.plugin.imagery.records.array_records import packed, unpacked
+from seam_inspector.plugin.imagery.records import packed, unpacked
 
 kinds = st.sampled_from(["?", "u1", "<i4", "<i8", "<f4", "<f8"])
 shapes = array_shapes(min_dims=0, max_dims=4, min_side=0, max_side=6)

@@ -3,11 +3,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.band_curves import measure_clip, measure_directions
 from seam_inspector.plugin.imagery.clips import Clip, read_clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.wavelets import measure_clip, measure_directions
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import luminance, orthoimage, wavedec, without_mean

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import pytest
-from seam_inspector.plugin.imagery.message import Exceeding
+from seam_inspector.plugin.imagery.errors import Exceeding
 from seam_inspector.plugin.imagery.messages import TOO_MANY_INVALID
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.imagery.filters.kernels import correlated
+from seam_inspector.plugin.imagery.filters import correlated
 
 
 @pytest.mark.parametrize("shape", [(512, 512), (64, 72), (101, 67), (3, 5), (130, 2)])

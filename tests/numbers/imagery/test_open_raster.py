@@ -13,8 +13,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
-from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.imagery.value_ranges import is_range_known, value_range
+from seam_inspector.plugin.imagery.rasters import Raster, RasterRef, is_range_known, value_range
 
 from tests.examples import at_most
 from tests.numbers.synthetic import ORIGIN, orthoimage, read_pixels, write_plain, write_raster

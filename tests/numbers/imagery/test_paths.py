@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 from osgeo import ogr
-from seam_inspector.plugin.imagery.lines.paths import points_at, vertex_stations
+from seam_inspector.plugin.imagery.lines import points_at, vertex_stations
 
 PATH = np.array([[0.0, 0.0], [3.0, 4.0], [3.0, 4.0], [3.0, 10.0], [-1.0, 7.0]])
 

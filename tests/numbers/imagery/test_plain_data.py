@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.imagery.message import INFO, WARNING, Message
-from seam_inspector.plugin.imagery.records.array_records import packed
-from seam_inspector.plugin.imagery.records.plain_data import NotUnderstoodError, record_of, value_of
+from seam_inspector.plugin.imagery.errors import INFO, WARNING, Message
+from seam_inspector.plugin.imagery.records import NotUnderstoodError, packed, record_of, value_of
 
 from tests.examples import times
 

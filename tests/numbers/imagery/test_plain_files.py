@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery import limits
-from seam_inspector.plugin.imagery.documents.document_files import document_bytes, json_document
+from seam_inspector.plugin.imagery import limits as limits
+from seam_inspector.plugin.imagery.documents import document_bytes, json_document
 from seam_inspector.plugin.imagery.errors import RasterError
+from seam_inspector.plugin.imagery.gdal_calls import check_raster_path, vrt_parts
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
-from seam_inspector.plugin.imagery.plain_files import check_raster_path, vrt_parts
 from seam_inspector.plugin.imagery.rasters import RasterRef
 
 from tests.numbers.synthetic import write_raster

@@ -6,7 +6,7 @@ import unicodedata
 
 import pytest
 from seam_inspector.plugin.imagery import messages
-from seam_inspector.plugin.imagery.documents.printable import cell_text, in_sentence, of_cell, printable
+from seam_inspector.plugin.imagery.errors import cell_text, in_sentence, of_cell, printable
 
 NAMES = ["<script>alert(1)</script>", '"><svg onload=x>', "{{7*7}}", "[% @project_path %]",
          "{0.__class__}", "$\\frac$", "łódź",

@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery.errors import CancelledError, RasterError
-from seam_inspector.plugin.imagery.message import Message
+from seam_inspector.plugin.imagery.errors import CancelledError, Message, RasterError
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.raster_writer import raster_writer
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef

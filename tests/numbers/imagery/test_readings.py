@@ -9,8 +9,8 @@ import numpy as np
 from seam_inspector.plugin.imagery import messages
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
+from seam_inspector.plugin.imagery.raster_pool import read_one
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.reading.readings import read_one
 
 from tests.numbers.synthetic import write_raster
 

@@ -15,8 +15,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.records.record_keeper import RecordKeeper
-from seam_inspector.plugin.imagery.records.record_store import RecordStore
+from seam_inspector.plugin.imagery.record_store import RecordKeeper, RecordStore
 
 KIND = "Tests, 2"
 

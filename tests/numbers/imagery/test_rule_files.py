@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from seam_inspector.plugin.imagery.documents.rule_files import RuleObject, read_rules, ready_rules
+from seam_inspector.plugin.imagery.documents import RuleObject, read_rules, ready_rules
 from seam_inspector.plugin.imagery.errors import SettingsError
 
 

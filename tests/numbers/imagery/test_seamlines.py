@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.errors import SeamlineError
-from seam_inspector.plugin.imagery.lines.seamlines import Seam, find_seams
+from seam_inspector.plugin.imagery.lines import Seam, find_seams
 
 ORIGIN = np.array([576000.0, 5188000.0])
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from xml.etree.ElementTree import ParseError
 
 import pytest
-from seam_inspector.plugin.imagery.documents.xml_documents import looks_like_xml, xml_root
+from seam_inspector.plugin.imagery.documents import looks_like_xml, xml_root
 
 
 def test_names_come_without_namespaces() -> None:

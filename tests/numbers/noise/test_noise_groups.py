@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery.drawn_windows import DrawnWindow
+from seam_inspector.plugin.imagery.clips import DrawnWindow
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, PixelBlock
 from seam_inspector.plugin.imagery.rasters import RasterRef

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import ogr
-from seam_inspector.plugin.imagery.lines.seamlines import find_seams
+from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.measure import chosen_plan, group_noise
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.lines.seamlines import Seam
+from seam_inspector.plugin.imagery.lines import Seam
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure.assessment import Assessment, CheckedFigure, judge

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.lines.seamlines import Seam
+from seam_inspector.plugin.imagery.lines import Seam
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure import image_statistics

@@ -6,13 +6,11 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.imagery.band_curves import measure_bands, measure_clip
-from seam_inspector.plugin.imagery.band_names import LUMINANCE
 from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET
+from seam_inspector.plugin.imagery.limits import DEFAULT_LEVELS, DEFAULT_WAVELET, LUMINANCE
 from seam_inspector.plugin.imagery.rasters import Raster
-from seam_inspector.plugin.imagery.wavelets import Curve
+from seam_inspector.plugin.imagery.wavelets import Curve, measure_bands, measure_clip
 from seam_inspector.plugin.seams.measure.causes import Cause
 from seam_inspector.plugin.seams.measure.explanation import MeasuredClip, explain
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN

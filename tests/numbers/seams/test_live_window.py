@@ -14,9 +14,8 @@ import pytest
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
+from seam_inspector.plugin.imagery.raster_pool import ReadingLanes, one_by_one
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.reading.reading_lanes import ReadingLanes
-from seam_inspector.plugin.imagery.reading.readings import one_by_one
 from seam_inspector.plugin.seams.measure.inspection import (
     Block,
     InspectionSettings,

@@ -11,9 +11,8 @@ import pytest
 from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.clips import read_clip
-from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.errors import Message, SettingsError
 from seam_inspector.plugin.imagery.grids import Extent, PixelWindow
-from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.feathers.seam_places import Seamlines

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
+from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.message import Message
 from seam_inspector.plugin.seams.measure.inspection import (
     Block,
     InspectionSettings,

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import ogr
-from seam_inspector.plugin.imagery.lines.seamlines import Seam
+from seam_inspector.plugin.imagery.lines import Seam
 from seam_inspector.plugin.seams.measure.nearest_seam import SeamIndex
 
 from tests.work import calls_of

@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import gdal
 from scipy.ndimage import gaussian_filter
-from seam_inspector.plugin.imagery import clips
-from seam_inspector.plugin.imagery.band_names import judged_band
+from seam_inspector.plugin.imagery import clips as clips
 from seam_inspector.plugin.imagery.clips import read_overview
+from seam_inspector.plugin.imagery.limits import judged_band
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.greatest_loss import greatest_loss

@@ -9,8 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
+from seam_inspector.plugin.imagery.raster_pool import one_by_one
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.imagery.reading.readings import one_by_one
 from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, WindowRequest, inspect_window
 from seam_inspector.plugin.seams.measure.live.live_window import live_profile, read_live
 from seam_inspector.plugin.seams.measure.verdicts import Verdict

@@ -6,8 +6,7 @@ import math
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.message import Message
+from seam_inspector.plugin.imagery.errors import Message, SettingsError
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Verdict, check_max_ratio, curve_ratios, judge

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import numpy as np
-from seam_inspector.plugin.imagery.message import Message
+from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, window_request
 from seam_inspector.plugin.seams.measure.window.window_composite import WindowComposite, window_composite
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.imagery.lines.seamlines import Seam, find_seams
+from seam_inspector.plugin.imagery.lines import Seam, find_seams
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.placing.window_placing import Placement, place_windows
 from seam_inspector.plugin.seams.measure.placing.window_sides import fitting_side_m, window_side_px

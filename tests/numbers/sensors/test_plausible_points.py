@@ -9,8 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull, HalfspaceIntersection
-from seam_inspector.plugin.imagery.errors import SensorModelError
-from seam_inspector.plugin.imagery.message import WARNING
+from seam_inspector.plugin.imagery.errors import WARNING, SensorModelError
 from seam_inspector.plugin.sensors.measure.adjustment import adjust, suspects
 from seam_inspector.plugin.sensors.measure.point_checks import check_against_rpc, check_plausible, control_coverage
 from seam_inspector.plugin.sensors.measure.points import Points

@@ -9,7 +9,7 @@ import pytest
 from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFeature, QgsVectorLayer
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.acceptance.paper.defect_layer import DEFECT_COLUMNS
-from seam_inspector.plugin.imagery.statistics.observers import JUDGING_FIELDS
+from seam_inspector.plugin.imagery.statistics import JUDGING_FIELDS
 from seam_inspector.plugin.seams.measure.scan.results.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS, PLACED_COLUMNS
 from seam_inspector.plugin.seams.tables.window_fields import WINDOW_FIELDS

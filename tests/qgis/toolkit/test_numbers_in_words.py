@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QLocale
-from seam_inspector.plugin.imagery.message import Message
+from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.radiometry.measure.rules import Rule
 from seam_inspector.plugin.radiometry.words import figure_words
 from seam_inspector.plugin.toolkit.charts.figure_files import new_figure, svg_text

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from qgis.core import Qgis, QgsApplication, QgsProcessingContext
 from seam_inspector.plugin.imagery import messages as imagery_messages
-from seam_inspector.plugin.imagery.message import Level, Message
+from seam_inspector.plugin.imagery.errors import Level, Message
 from seam_inspector.plugin.toolkit.algorithms.base import SeamInspectorAlgorithm
 from seam_inspector.plugin.toolkit.algorithms.run import Run
 from seam_inspector.plugin.toolkit.message_bar import bar_level, write_log

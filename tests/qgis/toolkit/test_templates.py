@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 from jinja2 import UndefinedError
 from qgis.core import QgsCoordinateReferenceSystem
-from seam_inspector.plugin.imagery.documents.printable import printable
-from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.errors import SettingsError, printable
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.report.map_sketch import SketchBackground, SketchShape, map_sketch
 from seam_inspector.plugin.toolkit.pages.how_measured import HowMeasured, MeasuredRaster, each_raster, measured_raster

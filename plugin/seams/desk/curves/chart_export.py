@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ....imagery.atomic_files import replacing
-from ....imagery.documents.printable import cell_text, printable
+from ....imagery.errors import cell_text, printable
 from ....toolkit.attribute_values import is_known
 from ....toolkit.charts.chart_style import PAPER
 from ...charts.curve_chart import draw_curves

@@ -18,9 +18,8 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import SeamInspectorError, SettingsError, WindowError
+from ....imagery.errors import WARNING, Message, SeamInspectorError, SettingsError, WindowError
 from ....imagery.grids import PixelWindow
-from ....imagery.message import WARNING, Message
 from ....toolkit import layers
 from ....toolkit import messages as toolkit_messages
 from ....toolkit.background_task import Outcome

@@ -11,8 +11,7 @@ from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import SettingsError
-from ....imagery.message import WARNING
+from ....imagery.errors import WARNING, SettingsError
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.summary_box import SummaryBox
 from ....toolkit.desk.timers import single_shot

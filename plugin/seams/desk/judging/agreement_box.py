@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtWidgets import QMessageBox, QWidget
 
-from ....imagery.statistics.agreement import Agreement, agreement
+from ....imagery.statistics import Agreement, agreement
 from ....toolkit.translation import filled, percent, shown_number, tr
 
 if TYPE_CHECKING:

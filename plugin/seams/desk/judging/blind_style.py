@@ -13,7 +13,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QColor
 
-from ....imagery.statistics.observers import Operator
+from ....imagery.statistics import Operator
 from ....toolkit.translation import tr
 
 _NAME = "seam_inspector_blind"  # of the layer's style; its user's own one is kept beside it

@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QEvent, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
-from ....imagery.statistics.observers import INVISIBLE, UNSURE, VISIBLE
+from ....imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ....toolkit.desk.clipped_label import ClippedLabel
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.desk.tooltips import rich_tip

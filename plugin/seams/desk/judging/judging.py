@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.statistics.observers import OPERATORS, Operator
+from ....imagery.statistics import OPERATORS, Operator
 from ....toolkit.translation import filled, tr
 from ...verdict_words import observer_word
 from .judging_progress import JudgingProgress, JudgingTally, is_left

@@ -8,7 +8,7 @@ from itertools import compress
 from operator import is_not
 from typing import TYPE_CHECKING
 
-from ....imagery.statistics.observers import DECIDED, Operator
+from ....imagery.statistics import DECIDED, Operator
 from ....toolkit.translation import filled, tr
 
 if TYPE_CHECKING:

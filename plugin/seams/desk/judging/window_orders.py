@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ....imagery.statistics.observers import FIRST, SECOND, VISIBLE
+from ....imagery.statistics import FIRST, SECOND, VISIBLE
 from ...judged_value import judged_value
 from ...measure.window_records import WindowRecord
 

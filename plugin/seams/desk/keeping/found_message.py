@@ -9,7 +9,7 @@ from qgis.core import Qgis
 from qgis.gui import QgsMessageBar
 from qgis.PyQt.QtCore import QObject
 
-from ....imagery.message import Message
+from ....imagery.errors import Message
 from ....toolkit.desk.bar_question import BarQuestion
 from ....toolkit.translation import sentence, tr
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.records.record_keeper import RecordKeeper
+from ....imagery.record_store import RecordKeeper
 from ...measure.window.result_records import result_of, result_record
 from ...measure.window.window_result import WindowResult
 from ...measure.window_records import WindowRecord

@@ -8,7 +8,7 @@ from typing import Any
 from qgis.core import QgsFeature, QgsGeometry, QgsVectorLayer, QgsVectorLayerUtils
 
 from ....imagery.errors import WindowLayerError
-from ....imagery.statistics.observers import JUDGING_FIELDS
+from ....imagery.statistics import JUDGING_FIELDS
 from ....toolkit import messages as toolkit_messages
 from ....toolkit.attribute_values import is_known
 from ....toolkit.layer_editing import edit_step

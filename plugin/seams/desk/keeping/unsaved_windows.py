@@ -17,8 +17,7 @@ from qgis.PyQt.QtCore import QObject, pyqtBoundSignal, pyqtSignal
 
 from ....imagery.errors import SettingsError
 from ....imagery.gdal_calls import gdal_silenced
-from ....imagery.records.record_keeper import RecordKeeper
-from ....imagery.records.record_store import RecordStore
+from ....imagery.record_store import RecordKeeper, RecordStore
 from ....toolkit.attribute_values import whole_number
 from ....toolkit.desk.timers import single_shot
 from .restoring import UnsavedWindow, kept_values

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.grids import PixelWindow
-from ....imagery.reading.reading_lanes import ReadingLanes
+from ....imagery.raster_pool import ReadingLanes
 from ....toolkit.desk.latest_only import LatestOnly
 from ....toolkit.desk.timers import single_shot
 from ...measure.inspection import WindowRequest, window_request

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsApplication, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.errors import SeamInspectorError
-from ....imagery.message import INFO, Message
+from ....imagery.errors import INFO, Message, SeamInspectorError
 from ....toolkit.background_task import End, Outcome
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.message_bar import bar_level, write_log

@@ -5,9 +5,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import RasterError
+from ....imagery.errors import Message, RasterError
 from ....imagery.gdal_calls import gdal_call
-from ....imagery.message import Message
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import raster_writer
 from ....imagery.rasters import RasterRef

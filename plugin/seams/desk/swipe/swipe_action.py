@@ -9,8 +9,8 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QAction, QActionGroup, QMenu, QWidget
 
+from ....imagery.errors import Message
 from ....imagery.grids import Extent, extents_meet
-from ....imagery.message import Message
 from ....toolkit.desk.greyed import allow
 from ....toolkit.desk.tooltips import plain_tip
 from ....toolkit.layers import box_extent

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Callable
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QComboBox, QSizePolicy, QWidget
 
-from ....imagery.statistics.observers import FIRST, UNSURE
+from ....imagery.statistics import FIRST, UNSURE
 from ....toolkit.translation import tr
 from ...verdict_words import VERDICTS, verdict_word
 from ..judging.window_orders import ORDERS, TABLE, WindowOrder, operators_disagree, tool_and_observer_disagree

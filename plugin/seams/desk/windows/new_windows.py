@@ -13,9 +13,8 @@ from typing import Any
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....imagery.errors import SeamInspectorError
+from ....imagery.errors import Message, SeamInspectorError
 from ....imagery.grids import Extent, PixelWindow
-from ....imagery.message import Message
 from ....toolkit import layer_editing, layers
 from ....toolkit.desk.background_tasks import BackgroundTasks
 from ....toolkit.desk.timers import single_shot

@@ -18,8 +18,7 @@ from qgis.core import (
     QgsFields,
 )
 
-from ....imagery.errors import SettingsError
-from ....imagery.message import Message
+from ....imagery.errors import Message, SettingsError
 from ....toolkit.version_differences import field
 from ...cause_words import cause_word
 from ...measure import messages

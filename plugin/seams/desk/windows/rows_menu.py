@@ -9,7 +9,7 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import QAction, QMenu, QWidget
 
-from ....imagery.statistics.observers import INVISIBLE, UNSURE, VISIBLE
+from ....imagery.statistics import INVISIBLE, UNSURE, VISIBLE
 from ....toolkit.translation import tr
 
 

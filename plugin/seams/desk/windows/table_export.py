@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from qgis.PyQt.QtCore import QLocale
 
 from ....imagery.atomic_files import replacing
-from ....imagery.documents.printable import cell_text
+from ....imagery.errors import cell_text
 from .windows_columns import TableColumn
 
 if TYPE_CHECKING:

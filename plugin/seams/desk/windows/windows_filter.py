@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QModelIndex, QObject, QSortFilterProxyModel, Qt
 
-from ....imagery.errors import SettingsError
-from ....imagery.message import Message
-from ....imagery.statistics.observers import DECIDED, FIRST, UNSURE
+from ....imagery.errors import Message, SettingsError
+from ....imagery.statistics import DECIDED, FIRST, UNSURE
 from ...cause_words import cause_word
 from ...verdict_words import observer_word, verdict_word
 from .number_filter import hidden_message, is_expression, window_test

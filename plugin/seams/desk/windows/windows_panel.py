@@ -18,8 +18,8 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....imagery.errors import system_reason
-from ....imagery.statistics.observers import Operator
+from ....imagery.messages import system_reason
+from ....imagery.statistics import Operator
 from ....toolkit.desk.confirmation import is_confirmed
 from ....toolkit.desk.timers import single_shot
 from ....toolkit.message_bar import bar_level

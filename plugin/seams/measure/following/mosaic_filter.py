@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ....imagery.filters.kernels import correlated
+from ....imagery.filters import correlated
 
 REACH_PX = 2
 """The filter has 5 x 5 taps."""

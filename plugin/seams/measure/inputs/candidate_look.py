@@ -12,9 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....imagery.clips import read_clip
-from ....imagery.errors import RasterError
+from ....imagery.errors import Message, RasterError
 from ....imagery.grids import Extent, PixelWindow
-from ....imagery.message import Message
 from ....imagery.open_raster import describe_mosaic, placed
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef

@@ -1,7 +1,7 @@
 """Why a raster is not suggested as a source of the mosaic, what is odd about one that is, and which is a copy."""
 from __future__ import annotations
 
-from ....imagery.message import INFO, WARNING, Message
+from ....imagery.errors import INFO, WARNING, Message
 
 # by its header
 IS_THE_MOSAIC = Message("The mosaic itself.", INFO)

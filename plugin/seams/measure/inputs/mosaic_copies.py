@@ -8,13 +8,12 @@ from enum import Enum
 
 import numpy as np
 
-from ....imagery.band_names import measured_bands
 from ....imagery.clips import read_clip
-from ....imagery.errors import RasterError
+from ....imagery.errors import Message, RasterError
+from ....imagery.gdal_calls import vrt_parts
 from ....imagery.grids import Extent, Grid, PixelWindow
-from ....imagery.message import Message
+from ....imagery.limits import measured_bands
 from ....imagery.open_raster import OpenRaster, placed
-from ....imagery.plain_files import vrt_parts
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import same_coordinates

@@ -5,8 +5,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
+from ....imagery.errors import Message
 from ....imagery.grids import Extent, extents_meet
-from ....imagery.message import Message
 from . import messages
 from .mosaic_copies import SAME_PLACE, covered_share
 

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 
-from ....imagery.message import Message
+from ....imagery.errors import Message
 from ..causes import Cause
 from ..window.window_result import WindowResult
 from ..window_records import COMPOSITE

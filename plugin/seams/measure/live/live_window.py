@@ -6,13 +6,12 @@ from functools import partial
 
 import numpy as np
 
-from ....imagery.band_curves import judged_plane
 from ....imagery.clips import Clip
 from ....imagery.errors import RasterError
 from ....imagery.grids import PixelWindow
 from ....imagery.open_raster import OpenRaster
-from ....imagery.reading.readings import ReadEach
-from ....imagery.wavelets import Curve, clip_curves
+from ....imagery.raster_pool import ReadEach
+from ....imagery.wavelets import Curve, clip_curves, judged_plane
 from ..compared_image import ComparedImage, MeasuredClip
 from ..following.hard_cut import is_unclear, judged_ground
 from ..inspection import WindowRequest

@@ -7,8 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from ....imagery.grids import Grid, PixelWindow, standard_window
-from ....imagery.lines.paths import points_at, vertex_stations
-from ....imagery.lines.seamlines import Seam
+from ....imagery.lines import Seam, points_at, vertex_stations
 
 
 class SeamTrack:

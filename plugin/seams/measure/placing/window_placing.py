@@ -15,9 +15,9 @@ from typing import Callable
 import numpy as np
 
 from ....imagery import limits as imagery_limits
+from ....imagery.errors import Message
 from ....imagery.grids import Grid, PixelWindow
-from ....imagery.lines.seamlines import Seam
-from ....imagery.message import Message
+from ....imagery.lines import Seam
 from .. import limits, messages
 from .seam_track import SeamTrack
 from .window_index import WindowIndex

@@ -8,7 +8,7 @@ from typing import Callable
 
 import numpy as np
 
-from ....imagery.message import Message
+from ....imagery.errors import Message
 from ..seam_cells import UNKNOWN
 from .blocks.block_grid import SQUARES, UNITS, BlockKey, place_of
 from .blocks.block_records import record_of, scan_of

@@ -1,7 +1,7 @@
 """What a user can be told of the scan of a whole mosaic: its settings, inputs, journal, and pieces of seam."""
 from __future__ import annotations
 
-from ....imagery.message import INFO, WARNING, Message
+from ....imagery.errors import INFO, WARNING, Message
 
 # settings of a scan
 SCAN_LEVELS = Message("The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.")

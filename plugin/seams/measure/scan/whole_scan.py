@@ -11,10 +11,9 @@ from pathlib import Path
 from typing import Callable, Protocol
 
 from ....imagery.atomic_files import drop_unfinished
-from ....imagery.message import Message
-from ....imagery.raster_pool import rasters_kept
+from ....imagery.errors import Message
+from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.rasters import Raster
-from ....imagery.reading.own_threads import own_threads
 from ..inspection import Block, PathLike
 from .block_runs import BlockRun, ScanStep
 from .inputs.scan_request import ScanRequest, scan_request

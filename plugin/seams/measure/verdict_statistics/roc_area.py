@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 
-from ....imagery.statistics.intervals import NORMAL_95, Interval
+from ....imagery.statistics import NORMAL_95, Interval
 from .neighbourhoods import Neighbourhoods
 
 MIN_VERDICTS = 5  # of either kind: below it one verdict moves the sensitivity by more than 20 %

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.special import ndtr
 from scipy.stats import t as student
 
-from ....imagery.statistics.intervals import Interval
+from ....imagery.statistics import Interval
 from .neighbourhoods import Neighbourhoods
 
 RESAMPLES = 400  # Efron and Tibshirani 1993, section 6.4: 200 and more for a standard error

@@ -6,8 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ....imagery.band_curves import correlation
-from ....imagery.wavelets import Curve
+from ....imagery.wavelets import Curve, correlation
 from .. import messages
 from ..causes import Cause
 from ..changes import Change

@@ -6,7 +6,7 @@ from concurrent.futures import Future
 from dataclasses import replace
 from threading import Lock
 
-from ....imagery.reading.readings import ReadEach
+from ....imagery.raster_pool import ReadEach
 from .measured_window import Measured, MeasuredWindow, measure_window
 from .window_request import WindowRequest
 

@@ -7,13 +7,11 @@ from functools import cached_property, partial
 from typing import Union
 
 from ....imagery import limits as imagery_limits
-from ....imagery.band_curves import measure_clip, measure_directions
-from ....imagery.band_names import measured_bands
-from ....imagery.errors import NotCoveredError, RasterError
-from ....imagery.message import Message
+from ....imagery.errors import Message, NotCoveredError, RasterError
+from ....imagery.limits import measured_bands
 from ....imagery.open_raster import OpenRaster
-from ....imagery.reading.readings import ReadEach, one_by_one
-from ....imagery.wavelets import Curve
+from ....imagery.raster_pool import ReadEach, one_by_one
+from ....imagery.wavelets import Curve, measure_clip, measure_directions
 from .. import messages
 from ..compared_image import MeasuredClip
 from ..verdicts import Judgement, Verdict, judge

@@ -5,9 +5,8 @@ from functools import cache
 from typing import Any
 
 from ....imagery import messages as imagery_messages
-from ....imagery.message import Message
-from ....imagery.records.array_records import NotUnderstoodError
-from ....imagery.records.plain_data import record_of, value_of
+from ....imagery.errors import Message
+from ....imagery.records import NotUnderstoodError, record_of, value_of
 from .. import messages
 from .window_result import WindowResult
 

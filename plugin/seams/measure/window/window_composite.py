@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ....imagery.message import Message
+from ....imagery.errors import Message
 from .. import messages
 from ..following.hard_cut import cut_hard
 from .explained_window import known_labels

@@ -4,9 +4,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import SettingsError
+from ....imagery.errors import Message, SettingsError
 from ....imagery.grids import PixelWindow
-from ....imagery.message import Message
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import check_decomposition
 from .. import limits, messages

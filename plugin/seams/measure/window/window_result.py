@@ -4,10 +4,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Union
 
-from ....imagery.band_curves import Directions
+from ....imagery.errors import Message
 from ....imagery.grids import PixelWindow
-from ....imagery.message import Message
-from ....imagery.wavelets import Curve
+from ....imagery.wavelets import Curve, Directions
 from ..causes import Cause
 from ..changes import Change
 from ..explanation import Explanation

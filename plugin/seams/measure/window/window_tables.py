@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from ....imagery.records.columns import Column, Row, rows_of
+from ....imagery.records import Column, Row, rows_of
 from ....imagery.shifts import Shift
 from ....imagery.wavelets import DIRECTIONS, Curve
 from ..changes import Change

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy import ndimage
-from seam_inspector.plugin.imagery.band_curves import luminance
-from seam_inspector.plugin.imagery.band_names import LUMINANCE
 from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.limits import LUMINANCE
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.imagery.wavelets import luminance
 from seam_inspector.plugin.seams.measure.causes import Cause, causes_taken
 from seam_inspector.plugin.seams.measure.explanation import Explanation
 from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.records.array_records import packed, unpacked
-from seam_inspector.plugin.imagery.records.record_store import RecordStore
+from seam_inspector.plugin.imagery.record_store import RecordStore
+from seam_inspector.plugin.imagery.records import packed, unpacked
 from seam_inspector.plugin.seams.measure.scan.blocks.block_records import record_of, scan_of
 from seam_inspector.plugin.seams.measure.scan.inputs.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import _KIND, _VERSION

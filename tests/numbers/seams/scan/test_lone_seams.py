@@ -9,7 +9,7 @@ import pytest
 from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
-from seam_inspector.plugin.imagery.lines.seamlines import find_seams
+from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import cut_in_pieces
 from seam_inspector.plugin.seams.measure.scan.lone.lone_kept import COLOURLESS, LoneKept, LoneSeams

@@ -10,8 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
-from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.imagery.message import INFO, WARNING, Message
+from seam_inspector.plugin.imagery.errors import INFO, WARNING, Message, SettingsError
 from seam_inspector.plugin.seams.measure.scan import messages
 from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import ScanJournal, open_journal
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.atomic_files import drop_unfinished, replacing
-from seam_inspector.plugin.imagery.message import Message
+from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.scan.journal.scan_fingerprint import fingerprint_of
 

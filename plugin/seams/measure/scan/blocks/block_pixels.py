@@ -7,14 +7,13 @@ from typing import Callable
 
 import numpy as np
 
-from .....imagery.band_curves import judged_plane
-from .....imagery.band_names import LUMINANCE, measured_bands
 from .....imagery.clips import Clip, read_clip
-from .....imagery.errors import NotCoveredError, RasterError
+from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
-from .....imagery.message import Message
+from .....imagery.limits import LUMINANCE, measured_bands
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster, RasterRef
+from .....imagery.wavelets import judged_plane
 from ...inputs.grey_values import factor_of
 from .. import messages
 from .block_grid import UNIT_PX

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .....imagery.records.array_records import NotUnderstoodError, packed, understanding, unpacked
+from .....imagery.records import NotUnderstoodError, packed, understanding, unpacked
 from ...profile.cell_table import CellTable, MixtureTable
 from .block_grid import LABELS, SQUARES, UNITS
 from .scan_block import CELLS, BlockScan

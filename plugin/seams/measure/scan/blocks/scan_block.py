@@ -5,9 +5,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .....imagery.errors import NotCoveredError, RasterError
+from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
-from .....imagery.message import Message
 from .....imagery.rasters import Raster
 from .....imagery.remote_files import remote_settings
 from ...following.boxes import enlarged, widened

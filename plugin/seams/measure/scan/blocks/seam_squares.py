@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from .....imagery.lines.paths import points_at, vertex_stations
+from .....imagery.lines import points_at, vertex_stations
 from ..lines.seam_pieces import SidedLine
 from .block_grid import UNIT_PX, UNITS, BlockGrid, BlockKey
 

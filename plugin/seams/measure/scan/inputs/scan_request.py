@@ -8,9 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from .....imagery import limits as imagery_limits
-from .....imagery.errors import SettingsError
+from .....imagery.errors import Message, SettingsError
 from .....imagery.grids import PixelWindow
-from .....imagery.message import Message
 from .....imagery.rasters import Raster
 from ...inputs.grey_values import grey_factor
 from ...inputs.mosaic_copies import leave_out_copies

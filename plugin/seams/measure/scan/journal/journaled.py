@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any, Callable
 
-from .....imagery.message import Message
-from .....imagery.records.array_records import NotUnderstoodError
+from .....imagery.errors import Message
+from .....imagery.records import NotUnderstoodError
 from ...window_runs import in_order
 from ..blocks.block_grid import BlockKey
 from .scan_journal import ScanJournal

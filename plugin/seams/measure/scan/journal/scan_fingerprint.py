@@ -13,10 +13,9 @@ from xml.etree.ElementTree import ParseError, tostring
 import numpy as np
 from osgeo import gdal
 
-from .....imagery.documents.xml_documents import xml_root
-from .....imagery.gdal_calls import gdal_silenced
-from .....imagery.message import Message
-from .....imagery.plain_files import vrt_parts
+from .....imagery.documents import xml_root
+from .....imagery.errors import Message
+from .....imagery.gdal_calls import gdal_silenced, vrt_parts
 from .....imagery.rasters import RasterRef
 from .....imagery.remote_files import forget_fetched, is_remote, readable_path
 from ...source_images import Source

@@ -8,9 +8,9 @@ from collections.abc import KeysView
 from pathlib import Path
 
 from .....imagery import messages as imagery_messages
-from .....imagery.errors import SettingsError, system_reason
-from .....imagery.message import Message
-from .....imagery.records.record_store import RecordStore
+from .....imagery.errors import Message, SettingsError
+from .....imagery.messages import system_reason
+from .....imagery.record_store import RecordStore
 from .. import messages
 from .scan_fingerprint import what_changed
 

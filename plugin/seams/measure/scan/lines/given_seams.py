@@ -7,11 +7,10 @@ from itertools import chain
 
 import numpy as np
 
+from .....imagery import lines as seamlines
 from .....imagery import messages as imagery_messages
-from .....imagery.errors import SeamlineError
+from .....imagery.errors import Message, SeamlineError
 from .....imagery.grids import Grid
-from .....imagery.lines import line_networks, seamlines
-from .....imagery.message import Message
 from ...seam_cells import Cell
 from .. import messages
 from .polygon_faults import polygon_faults
@@ -97,9 +96,9 @@ class _Network:
         names, owner = np.unique(owners, return_inverse=True)
         ends, ring = seamlines.line_pieces(rings)
         shift, ends = self._in_pixels(ends)
-        nodes, edges, piece = line_networks.network(ends, line_networks.BORDER_SNAP_PX)
+        nodes, edges, piece = seamlines.network(ends, seamlines.BORDER_SNAP_PX)
         of_edge = owner[ring[piece]]
-        pairs, pair = line_networks.undirected(edges, len(nodes))
+        pairs, pair = seamlines.undirected(edges, len(nodes))
         forward = edges[:, 0] < edges[:, 1]
         # Two owners on one side overlap there: the line is inside one of them, and no border.
         low = np.full((2, len(pairs)), len(names))
@@ -116,8 +115,8 @@ class _Network:
         side = side.reshape(-1, 2)
         ends, line = seamlines.line_pieces(lines)
         shift, ends = self._in_pixels(ends)
-        nodes, edges, piece = line_networks.network(ends, seamlines.END_SNAP_PX)
-        pairs, pair = line_networks.undirected(edges, len(nodes))
+        nodes, edges, piece = seamlines.network(ends, seamlines.END_SNAP_PX)
+        pairs, pair = seamlines.undirected(edges, len(nodes))
         first = np.full(len(pairs), len(edges))
         np.minimum.at(first, pair, np.arange(len(edges)))
         of_pair = side[line[piece[first]]]
@@ -145,7 +144,7 @@ class _Network:
         key = local.min(axis=1) * len(used) + local.max(axis=1)
         order = np.argsort(key)
         key, sides = key[order], np.where((local[:, 0] < local[:, 1])[:, np.newaxis], sides, sides[:, ::-1])[order]
-        for path in line_networks.joined(places, local):
+        for path in seamlines.joined(places, local):
             seam = seamlines.straightened(seamlines.directed(path))
             if not abs(np.diff(seam)).any():
                 continue  # a loop of a pixel

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from .....imagery.grids import Grid
-from .....imagery.lines.paths import points_at, vertex_stations
+from .....imagery.lines import points_at, vertex_stations
 from .label_cleaning import NONE
 from .seam_pieces import SeamPiece, Side
 

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from osgeo import ogr
 
+from .....imagery.errors import Message
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Grid
-from .....imagery.message import Message
 from .. import messages
 
 WIDTH_PX = 1.0  # on the mean: what is narrower is how borders drawn twice differ, and is bridged

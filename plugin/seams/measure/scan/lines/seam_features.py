@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 import numpy as np
 from osgeo import ogr
 
+from .....imagery import lines as seamlines
 from .....imagery import messages as imagery_messages
 from .....imagery.errors import SeamlineError
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Extent, Grid, extents_meet
-from .....imagery.lines import seamlines
 from ...seam_cells import Cell
 from .. import messages
 from .seam_fields import Attributes, SeamFields, said

@@ -6,10 +6,8 @@ import os
 from osgeo import gdal, ogr
 
 from .....imagery import messages as imagery_messages
-from .....imagery.errors import RasterError, SeamlineError
-from .....imagery.gdal_calls import gdal_silenced
-from .....imagery.message import Message
-from .....imagery.plain_files import check_raster_path
+from .....imagery.errors import Message, RasterError, SeamlineError
+from .....imagery.gdal_calls import check_raster_path, gdal_silenced
 from .....imagery.rasters import Raster
 from .....imagery.reference_systems import geometry_on
 from ...seam_cells import Cell

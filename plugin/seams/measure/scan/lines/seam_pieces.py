@@ -8,10 +8,9 @@ from typing import Protocol, Union
 
 import numpy as np
 
-from .....imagery.errors import SettingsError
+from .....imagery.errors import Message, SettingsError
 from .....imagery.grids import Grid
-from .....imagery.lines.paths import points_at, vertex_stations
-from .....imagery.message import Message
+from .....imagery.lines import points_at, vertex_stations
 from .. import messages
 
 TOLD_OUTSIDE_M = 1.0

@@ -4,7 +4,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from .....imagery.message import Message
+from .....imagery.errors import Message
 from ...seam_cells import source_stem
 from .. import messages
 

@@ -8,15 +8,14 @@ from typing import Callable
 
 import numpy as np
 
-from .....imagery.band_curves import judged_plane
 from .....imagery.clips import read_clip
-from .....imagery.errors import NotCoveredError, RasterError
+from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
-from .....imagery.message import Message
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster
-from .....imagery.records.array_records import packed, understanding, unpacked
+from .....imagery.records import packed, understanding, unpacked
 from .....imagery.remote_files import remote_settings
+from .....imagery.wavelets import judged_plane
 from ...inputs.grey_values import grey_factor
 from ..block_runs import ScanStep
 from ..blocks.block_grid import BlockGrid, BlockKey

@@ -9,7 +9,7 @@ from typing import Callable
 
 import numpy as np
 
-from .....imagery.lines.paths import points_at, vertex_stations
+from .....imagery.lines import points_at, vertex_stations
 from .....imagery.rasters import Raster
 from ..blocks.block_grid import BLOCK_PX, BlockGrid, BlockKey
 from ..journal.scan_journal import ScanJournal

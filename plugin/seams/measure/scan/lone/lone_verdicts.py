@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .....imagery.message import Message
+from .....imagery.errors import Message
 from ...limits import MAX_SIGNIFICANT_KEPT
 from ...verdicts import Verdict
 from .. import messages

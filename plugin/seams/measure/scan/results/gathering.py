@@ -10,8 +10,7 @@ from osgeo import ogr
 from scipy import ndimage
 
 from .....imagery import messages as imagery_messages
-from .....imagery.errors import CancelledError
-from .....imagery.message import Message
+from .....imagery.errors import CancelledError, Message
 from ...following.boxes import enlarged
 from ...placing.window_placing import PlacedWindow
 from ...profile.cell_table import CellTable, MixtureTable

@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from .....imagery.message import Message
+from .....imagery.errors import Message
 from ...following.likely_source import MIN_FIT, MIN_TEXTURE
 from ...limits import MAX_SIGNIFICANT_KEPT
 from ...profile.seam_profile import MIN_STRIP_PX, STRIP_PX

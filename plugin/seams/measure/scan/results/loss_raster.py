@@ -9,8 +9,8 @@ import numpy as np
 from osgeo import gdal
 
 from .....imagery import messages as imagery_messages
+from .....imagery.errors import Message
 from .....imagery.gdal_calls import gdal_call, gdal_writing
-from .....imagery.message import Message
 from .....imagery.raster_writer import GEOTIFF, whole_raster
 from .....imagery.rasters import Raster
 from ...profile.cell_table import CELL_PX, whole_cells

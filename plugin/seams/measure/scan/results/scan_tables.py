@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .....imagery.records.columns import Column, Row, rows_of
+from .....imagery.records import Column, Row, rows_of
 from .gathering import ScanResult
 from .judged_pieces import JudgedPiece
 

@@ -9,7 +9,7 @@ import numpy as np
 from .....imagery import limits as imagery_limits
 from .....imagery.errors import RasterError
 from .....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
-from .....imagery.lines.paths import points_at, vertex_stations
+from .....imagery.lines import points_at, vertex_stations
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster
 from ...placing.window_index import WindowIndex

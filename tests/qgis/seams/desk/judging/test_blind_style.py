@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import pytest
 from qgis.core import QgsProject, QgsRenderContext, QgsVectorLayer
-from seam_inspector.plugin.imagery.statistics.observers import FIRST, SECOND
+from seam_inspector.plugin.imagery.statistics import FIRST, SECOND
 from seam_inspector.plugin.seams.desk.judging.blind_style import hide_verdicts, show_verdicts
 from seam_inspector.plugin.toolkit.resources import style_path
 

@@ -1,14 +1,49 @@
-"""How well two observers agree on the same windows: Cohen's kappa, the agreement beyond chance."""
+"""What observers say of a window and how well they agree (Cohen's kappa); values with their confidence intervals."""
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
+if TYPE_CHECKING:
+    import numpy as np
 
-from .intervals import NORMAL_95, Interval
-from .observers import DECIDED
+VISIBLE, INVISIBLE, UNSURE = "visible", "invisible", "unsure"
+DECIDED = (VISIBLE, INVISIBLE)
+"""The words that are a verdict; whoever is not sure has looked and not judged."""
+
+
+class Operator(NamedTuple):
+    """One of two who judge the same windows: the fields of the window layer that are his, records' too."""
+
+    observer: str
+    """His word."""
+    confidence: str
+    """How sure he is of it, 0 to 100."""
+    remark: str
+
+
+FIRST = Operator("observer", "confidence", "remark")
+SECOND = Operator("observer_2", "confidence_2", "remark_2")
+OPERATORS = (FIRST, SECOND)
+JUDGING_FIELDS = {
+    field: kind
+    for operator in OPERATORS
+    for field, kind in zip(operator, ("text", "integer", "text"))
+}
+"""The fields of both and their kinds. A window layer has those that were used, the first one's word always."""
+
+NORMAL_95 = 1.959964  # standard errors either side of a normal value that hold 95 %
+
+
+@dataclass(frozen=True)
+class Interval:
+    """A value with its 95 % confidence interval."""
+
+    value: float
+    low: float
+    high: float
 
 
 @dataclass(frozen=True)
@@ -36,6 +71,8 @@ class Agreement:
 
 def agreement(words: Sequence[tuple[str, str]]) -> Agreement:
     """Of pairs of words; where one of the two did not judge, or was not sure, a pair does not count."""
+    import numpy as np  # not when QGIS starts
+
     table = np.zeros((2, 2), np.int64)
     for first, second in words:
         if first in DECIDED and second in DECIDED:
@@ -60,7 +97,7 @@ def cohen_kappa(table: np.ndarray) -> Interval | None:
     if rows.max() == 1 or columns.max() == 1:
         return None
     by_chance = float(rows @ columns)
-    agreed = float(np.trace(shares))
+    agreed = float(shares.trace())
     kappa = (agreed - by_chance) / (1 - by_chance)
     exceptions = NORMAL_95**2 / (count + NORMAL_95**2)
     if agreed == 1:
@@ -76,9 +113,9 @@ def _standard_error(
 ) -> float:
     """Of one window; Fleiss, Cohen and Everitt 1969, equation 13."""
     rest = 1 - kappa
-    same = np.diag(shares)
+    same = shares.diagonal()
     agreeing = float((same * (1 - (rows + columns) * rest) ** 2).sum())
-    marginals = (columns[:, np.newaxis] + rows[np.newaxis, :]) ** 2
-    apart = rest**2 * float((shares * marginals).sum() - (same * np.diag(marginals)).sum())
+    marginals = (columns[:, None] + rows) ** 2
+    apart = rest**2 * float((shares * marginals).sum() - (same * marginals.diagonal()).sum())
     spread = agreeing + apart - (kappa - by_chance * rest) ** 2
     return math.sqrt(max(spread, 0.0)) / (1 - by_chance)

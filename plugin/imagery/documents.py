@@ -1,24 +1,86 @@
-"""Rules of acceptance as JSON files: what all of them share, and the ready ones.
+"""Documents that others wrote, read with care: files of moderate size, XML without entities, JSON, rules of acceptance.
 
-A file is an object with a ``name`` and a list of ``rules``, each of them an object with the limits ``least`` and
-``most`` (both inclusive) and a ``source`` that says in words where they come from. What else stands in it, each subject
-says; whatever nobody knows is refused, so that no limit is overlooked for a slip of the pen.
+A file of rules is a JSON object with a ``name`` and a list of ``rules``, each of them an object with the limits
+``least`` and ``most`` (both inclusive) and a ``source`` that says in words where they come from. What else stands in
+it, each subject says; whatever nobody knows is refused, so that no limit is overlooked for a slip of the pen.
 """
 from __future__ import annotations
 
+import errno
 import json
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable, TypeVar
+from typing import Any, Callable, Optional, TypeVar
+from xml.etree.ElementTree import Element, ParseError, TreeBuilder, XMLParser
 
-from .. import messages
-from ..errors import SettingsError, system_reason
-from ..message import Message
-from .document_files import document_bytes, json_document
+from . import messages
+from .errors import Message, SettingsError
+from .gdal_calls import is_endless
+from .messages import system_reason
 
-_READY = Path(__file__).parents[3] / "resources" / "rules"
+MOST_BYTES = 100_000_000  # a hundred times the largest table of points or rules anybody has
+
+_PairsHook = Optional[Callable[[Sequence[tuple[str, Any]]], Any]]
+
+
+def document_bytes(path: Path) -> bytes:
+    """The content of a file. Raises OSError for one that can't be read, is none (a device, a pipe), or is too large."""
+    if is_endless(str(path)):
+        raise OSError(errno.EINVAL, "a device or a pipe")
+    with open(path, "rb") as file:
+        content = file.read(MOST_BYTES + 1)
+    if len(content) > MOST_BYTES:
+        raise OSError(errno.EFBIG, f"larger than {MOST_BYTES // 1_000_000} MB")
+    return content
+
+
+def json_document(text: str | bytes, pairs: _PairsHook = None) -> Any:
+    """What a JSON text says; ``pairs`` makes the objects. Raises ValueError for what is none, or nested too deeply."""
+    try:
+        return json.loads(text, object_pairs_hook=pairs)
+    except RecursionError:
+        raise json.JSONDecodeError("nested too deeply", "", 0) from None
+
+
+_PIECE = 64  # bytes given to the parser at once: it stops before a document type's entities are put to use
+
+
+def looks_like_xml(content: bytes) -> bool:
+    """Whether a file's content begins as XML does, in any encoding."""
+    return content.lstrip(b"\xef\xbb\xbf\xfe\xff\0 \t\r\n").startswith(b"<")
+
+
+def xml_root(content: bytes) -> Element:
+    """The root of a document, all names without their namespaces.
+
+    Raises ParseError for what is no XML and for a document type of its own: no data need one, and its entities can
+    name other files or grow beyond all memory.
+    """
+    parser = XMLParser(target=_PlainElements())
+    try:
+        for start in range(0, len(content), _PIECE):
+            parser.feed(content[start : start + _PIECE])
+        root = parser.close()
+    except (ValueError, LookupError) as error:  # an encoding that is unknown or not kept to
+        raise ParseError(str(error)) from None
+    assert isinstance(root, Element)
+    return root
+
+
+class _PlainElements(TreeBuilder):
+    def start(self, tag: str, attributes: dict[str, str]) -> Element:
+        return super().start(tag.rpartition("}")[2], attributes)
+
+    def end(self, tag: str) -> Element:
+        return super().end(tag.rpartition("}")[2])
+
+    def doctype(self, *declared: object) -> None:
+        raise ParseError("document types are refused")
+
+
+_READY = Path(__file__).parents[2] / "resources" / "rules"
 
 Made = TypeVar("Made")
 

@@ -1,7 +1,11 @@
-"""Frozen dataclasses as JSON and arrays, and back: a file that somebody sent can bring numbers and words, and no code.
+"""Results as rows of tables, and as bytes and back: a file that somebody sent brings numbers and words, and no code.
 
-What is read is only ever made into the classes that the given class's annotations name, and into sentences that are
-known. Floats come back to the last digit; arrays of float32, which are pictures, to a two-thousandth.
+- A ``Column`` says its field, and how its value comes from a result; layers and plain rows are made of the same ones.
+- ``packed`` makes bytes of arrays by name: numpy's own archives take longer to open than a block takes to be put
+  together.
+- ``record_of`` makes bytes of frozen dataclasses, as JSON and arrays. What is read is only ever made into the classes
+  that the given class's annotations name, and into sentences that are known. Floats come back to the last digit; arrays
+  of float32, which are pictures, to a two-thousandth.
 """
 from __future__ import annotations
 
@@ -9,17 +13,108 @@ import ast
 import builtins
 import dataclasses
 import json
+import math
+import struct
 import sys
 import typing
-from collections.abc import Mapping
+import zlib
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 from enum import Enum
 from functools import cache
-from typing import Any
+from typing import Any, Callable, Generic, TypeVar
 
 import numpy as np
 
-from ..message import Level, Message
-from .array_records import NotUnderstoodError, packed, understanding, unpacked
+from .errors import Level, Message
+
+Result = TypeVar("Result")
+
+Row = dict[str, Any]
+"""Numbers, texts and None by the names of their fields."""
+
+
+@dataclass(frozen=True)
+class Column(Generic[Result]):
+    """A column of a table of results."""
+
+    name: str
+    kind: str
+    """``integer``, ``real`` or ``text``."""
+    value: Callable[[Result], Any]
+    """What a result has there, None where it has nothing; a ``Message`` for a sentence."""
+    by_level: bool = False
+    """Whether there are columns ``name_1``..``name_R``; the value is then that of all levels, in their order."""
+
+    def names(self, levels: int) -> list[str]:
+        """Of the fields."""
+        return [f"{self.name}_{level}" for level in range(1, levels + 1)] if self.by_level else [self.name]
+
+    def values(self, result: Result, levels: int) -> Sequence[object]:
+        """Of the fields."""
+        found = self.value(result)
+        listed = ([None] * levels if found is None else found) if self.by_level else [found]
+        return [value.item() if isinstance(value, np.generic) else value for value in listed]  # fields take no numpy's
+
+
+def rows_of(columns: Sequence[Column[Result]], results: Iterable[Result], levels: int = 0) -> Iterator[Row]:
+    """Each result as a row, sentences in English."""
+    names = [name for column in columns for name in column.names(levels)]
+    for result in results:
+        values = [value for column in columns for value in column.values(result, levels)]
+        yield {name: str(value) if isinstance(value, Message) else value for name, value in zip(names, values)}
+
+
+_LENGTH = struct.Struct("<I")
+_QUICK = 1  # of zlib: what is worth it are runs
+_MOST_BYTES = 2**29  # of all arrays of a record; the largest of ours is a tenth of it
+
+
+class NotUnderstoodError(Exception):
+    """A record of another version, or by somebody else."""
+
+
+@contextmanager
+def understanding() -> Iterator[None]:
+    """Around the reading of a record: raises NotUnderstoodError whatever its bytes do."""
+    try:
+        yield
+    except NotUnderstoodError:
+        raise
+    except Exception as error:
+        raise NotUnderstoodError(f"{type(error).__name__}: {error}") from None
+
+
+def packed(arrays: Mapping[str, np.ndarray], compressed: Collection[str] = ()) -> bytes:
+    """Arrays of numbers one after the other, those named in ``compressed`` deflated."""
+    parts, layout = [], []
+    for name, array in arrays.items():
+        held = np.ascontiguousarray(array).tobytes()
+        if name in compressed:
+            held = zlib.compress(held, _QUICK)
+        layout.append((name, array.dtype.str, array.shape, len(held), name in compressed))
+        parts.append(held)
+    head = json.dumps(layout).encode()
+    return b"".join([_LENGTH.pack(len(head)), head, *parts])
+
+
+def unpacked(record: bytes) -> dict[str, np.ndarray]:
+    """What ``packed`` made bytes of; the arrays can't be written to. To be called with ``understanding``."""
+    (length,) = _LENGTH.unpack_from(record)
+    place, found, left = _LENGTH.size + length, {}, _MOST_BYTES
+    for name, kind, shape, size, is_compressed in json.loads(record[_LENGTH.size : place]):
+        held = record[place : place + size]
+        whole = math.prod(shape) * np.dtype(kind).itemsize
+        left -= max(whole, size)
+        if left < 0:
+            raise NotUnderstoodError(f"{name}: {shape}")
+        if is_compressed:
+            held = zlib.decompressobj().decompress(held, max(whole, 1))
+        found[name] = np.frombuffer(held, kind).reshape(shape)
+        place += size
+    return found
+
 
 _JSON = "json"
 _MESSAGE = ("template", "level", "values")

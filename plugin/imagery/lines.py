@@ -1,0 +1,409 @@
+"""Seamlines: any lines or polygons that describe a mosaic's seams -> long, straightened, numbered seams.
+
+Lines come as mosaicking and raster-to-vector tools leave them: up to hundreds of thousands of pieces one
+pixel long, doubled, in any order and direction. Polygons (seam cells, source polygons) share their borders
+without sharing vertices. Both are turned into a network of nodes and pieces, and its pieces into seams:
+
+- A seam goes on where exactly two pieces meet. Where more meet, the two that go on straightest are one
+  seam, then the next two unless they would turn back; a single one ends there. So neither a patch of a third
+  source beside a seam nor two raster cells that touch at a corner chop it.
+- A seam is straightened by 1.5 px (Douglas-Peucker), so that its length is the one on the ground: along a
+  raster staircase it would be up to sqrt(2) times longer.
+- Seams are numbered longest first. Each runs from its western end to its eastern one (from south to north
+  when that decides nothing); a ring starts at its westernmost vertex and runs counter-clockwise. The order and
+  direction of the input therefore change nothing.
+
+Inside this file points are complex numbers x + iy, in networks in pixels of the mosaic, none of them negative: shifts,
+lengths, directions and projections are then one operation each.
+"""
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import chain, combinations
+
+import numpy as np
+from osgeo import gdal, ogr
+
+from . import messages
+from .errors import SeamlineError
+
+
+def vertex_stations(path: np.ndarray) -> np.ndarray:
+    """Length of a path, (n, 2), up to each of its vertices, (n,)."""
+    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))])
+
+
+def points_at(path: np.ndarray, along: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    """Points of a path, (m, 2), at some stations, (m,). ``along``: those of its vertices."""
+    return np.column_stack([np.interp(wanted, along, one) for one in path.T])
+
+
+BORDER_SNAP_PX = 0.5  # borders of polygons nearer than this are one: half a raster step
+BRANCH_REACH_PX = 10  # how far a branch's direction is looked at: beyond it a raster step turns it by < 6 degrees
+BRANCH_TURN_DEG = 75.0  # the straightest two of three branches turn by 60 at most, so one seam always goes on
+
+
+def network(pieces: np.ndarray, tolerance: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Make pieces meet in common nodes.
+
+    ``pieces``: (n, 2) start and end. Ends within ``tolerance`` of each other become one node, and a piece that
+    passes a node within ``tolerance`` is split there. No new crossing points are made: pieces that cross
+    elsewhere do overlap and share no border.
+
+    Returns nodes (k,), edges (m, 2) as node numbers, in the direction of their piece, and the piece (m,) that
+    each edge is a part of.
+    """
+    nodes, ends = _clustered(pieces, tolerance)
+    piece, passed = _passed_nodes(nodes, ends, tolerance)
+    count = np.arange(len(ends))
+    piece = np.concatenate([count, piece, count])
+    node = np.concatenate([ends[:, 0], passed, ends[:, 1]])
+    start, stop = nodes[ends[piece]].T
+    along = ((nodes[node] - start) * (stop - start).conj()).real
+    order = np.lexsort((node, along, piece))
+    piece, node = piece[order], node[order]
+    follows = (piece[1:] == piece[:-1]) & (node[1:] != node[:-1])
+    return nodes, np.column_stack([node[:-1], node[1:]])[follows], piece[1:][follows]
+
+
+def _clustered(points: np.ndarray, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
+    """Points no two of which lie within ``tolerance``, and for each input point the number of its one.
+
+    From west to east each point is kept unless a kept one is near: chains of near points don't collapse.
+    """
+    unique, member = np.unique(points, return_inverse=True)
+    # The box of 2 x tolerance around a point lies in four cells of that size.
+    one, other = _in_cells(unique, unique, 2 * tolerance)
+    near = (one < other) & (abs(unique[one] - unique[other]) <= tolerance)
+    one, other = one[near], other[near]
+    order = np.lexsort((one, other))
+    kept = list(range(len(unique)))
+    for earlier, later in zip(one[order].tolist(), other[order].tolist()):
+        if kept[earlier] == earlier and kept[later] == later:
+            kept[later] = earlier
+    used, cluster = np.unique(kept, return_inverse=True)
+    return unique[used], cluster[member].reshape(points.shape)
+
+
+def _passed_nodes(nodes: np.ndarray, ends: np.ndarray, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs (piece, node) where a piece passes a node within ``tolerance`` between its ends; pairs may repeat."""
+    start, stop = nodes[ends].T
+    length = abs(stop - start)
+    # Pieces are searched in steps of up to the mean length, and steps of like length together: long borders
+    # of a block then cost as little as the raster steps within it.
+    steps = np.maximum(np.ceil(length / max(length.mean(), tolerance)), 1).astype(int)
+    piece, step = np.repeat(np.arange(len(ends)), steps), _count_up(steps)
+    middle = start[piece] + (stop - start)[piece] * (step + 0.5) / steps[piece]
+    octave = np.ceil(np.log2(np.maximum(length / steps, tolerance)))[piece]
+    found = []
+    for size in np.unique(octave):
+        chosen = np.flatnonzero(octave == size)
+        near, node = _in_cells(middle[chosen], nodes, 2**size + 2 * tolerance)
+        passing = piece[chosen[near]]
+        span = length[passing]
+        offset = (nodes[node] - start[passing]) * (stop - start)[passing].conj()
+        inside = (offset.real > 0) & (offset.real < span**2) & (abs(offset.imag) <= tolerance * span)
+        inside &= (node != ends[passing, 0]) & (node != ends[passing, 1])
+        found.append(np.stack([passing, node])[:, inside])
+    passing, node = np.concatenate(found, axis=1)
+    return passing, node
+
+
+def _in_cells(centres: np.ndarray, points: np.ndarray, size: float) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs (centre, point) that hold all points in the square of ``size`` around each centre, and some more."""
+    rows = int(points.imag.max() / size) + 3  # all coordinates are 0 or more; a cell free on either side
+    cell = np.floor(points.real / size).astype(int) * rows + np.floor(points.imag / size).astype(int)
+    order = np.argsort(cell, kind="stable")
+    cell = cell[order]
+    pairs = []
+    corner = np.floor(centres.real / size - 0.5).astype(int) * rows + np.floor(centres.imag / size - 0.5).astype(int)
+    # Two cells above each other are neighbours in the sorted list.
+    for column in (corner, corner + rows):
+        first, last = np.searchsorted(cell, column), np.searchsorted(cell, column + 1, side="right")
+        centre = np.repeat(np.arange(len(centres)), last - first)
+        pairs.append((centre, order[first[centre] + _count_up(last - first)]))
+    return np.concatenate([pairs[0][0], pairs[1][0]]), np.concatenate([pairs[0][1], pairs[1][1]])
+
+
+def _count_up(counts: np.ndarray) -> np.ndarray:
+    """0, 1, ..., n - 1 for each n in ``counts``, one after the other."""
+    return np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+
+
+def borders(pieces: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes and edges (m, 2) that have one feature's polygon on their left and another feature's on their right.
+
+    ``pieces``: (n, 2) of all rings, the interior on their left; ``owner``: (n,) the feature of each.
+    """
+    nodes, edges, piece = network(pieces, BORDER_SNAP_PX)
+    owner = owner[piece]
+    forward = edges[:, 0] < edges[:, 1]
+    pairs, pair = undirected(edges, len(nodes))
+    left, right = np.zeros((2, len(pairs)), dtype=bool)
+    left[pair[forward]] = True
+    right[pair[~forward]] = True
+    first, last = np.full(len(pairs), owner.max()), np.zeros(len(pairs), dtype=int)
+    np.minimum.at(first, pair, owner)
+    np.maximum.at(last, pair, owner)
+    return nodes, pairs[left & right & (first < last)]
+
+
+def undirected(edges: np.ndarray, node_count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Each pair of nodes that edges join, once, (k, 2); and for each edge the number of its pair, (m,)."""
+    key, pair = np.unique(edges.min(axis=1) * node_count + edges.max(axis=1), return_inverse=True)
+    return np.column_stack(np.divmod(key, node_count)), pair
+
+
+def joined(nodes: np.ndarray, edges: np.ndarray) -> Iterator[np.ndarray]:
+    """Edges (m, 2) end to end: paths of vertices, the longest possible ones under the rules above.
+
+    An end of edge e is numbered 2e (its start) or 2e + 1 (its stop), so ``end ^ 1`` is the other end.
+    """
+    edges, _ = undirected(edges, len(nodes))
+    ends = edges.ravel()
+    order = np.argsort(ends, kind="stable")
+    degree = np.bincount(ends, minlength=len(nodes))
+    simple = order[(degree == 2)[ends[order]]].reshape(-1, 2)
+    next_end = np.full(len(ends), -1)
+    next_end[simple] = simple[:, ::-1]
+    chains = [np.append(ends[run], ends[run[-1] ^ 1]) for run in _runs(next_end)]
+
+    # The same once more with chains for edges, now through the branches.
+    outward: dict[int, list[tuple[int, complex]]] = {}
+    for number, nodes_of_chain in enumerate(chains):
+        for end, path in ((2 * number, nodes_of_chain), (2 * number + 1, nodes_of_chain[::-1])):
+            if degree[path[0]] > 2:
+                outward.setdefault(path[0], []).append((end, _direction(nodes[path])))
+    next_end = np.full(2 * len(chains), -1)
+    for ends_here in outward.values():
+        for one, other in _straightest(ends_here):
+            next_end[[one, other]] = other, one
+    for run in _runs(next_end):
+        parts = [chains[end >> 1][:: -1 if end & 1 else 1] for end in run]
+        yield nodes[np.concatenate([part[:-1] for part in parts] + [parts[-1][-1:]])]
+
+
+def _runs(next_end: np.ndarray) -> Iterator[list[int]]:
+    """Edges in a row, each given by the end it is entered at. ``next_end``: the end that goes on from each, or -1."""
+    following = next_end.tolist()
+    done = bytearray(len(following) // 2)
+    # Open ends first; what is left after them are rings.
+    for start in chain(np.flatnonzero(next_end < 0).tolist(), range(len(following))):
+        run = []
+        while start >= 0 and not done[start >> 1]:
+            done[start >> 1] = True
+            run.append(start)
+            start = following[start ^ 1]
+        if run:
+            yield run
+
+
+def _direction(path: np.ndarray) -> complex:
+    """Unit vector from the first vertex to the point some pixels along the path, beyond the raster's steps."""
+    head = path[: 4 * BRANCH_REACH_PX]
+    station = np.append(0, np.cumsum(abs(np.diff(head))))
+    reach = min(BRANCH_REACH_PX, station[-1] / 2)  # half: the far end of a loop is its start
+    step = np.interp(reach, station, head.real) + 1j * np.interp(reach, station, head.imag) - path[0]
+    return step / abs(step) if step else 0j
+
+
+def _straightest(branches: Sequence[tuple[int, complex]]) -> Iterator[tuple[int, int]]:
+    """Pairs of ends at one node that go on into each other, straightest first.
+
+    ``branches``: number of each end and the direction it goes from the node.
+    """
+    limit = -math.cos(math.radians(BRANCH_TURN_DEG))
+    pairs = [((a * b.conjugate()).real, one, other) for (one, a), (other, b) in combinations(branches, 2)]
+    free = {end for end, _ in branches}
+    for cosine, one, other in sorted(pairs):
+        if cosine <= limit and one in free and other in free:
+            free -= {one, other}
+            yield one, other
+
+
+END_SNAP_PX = 0.1  # ends of lines nearer than this meet: far below a raster step, far above rounding
+STRAIGHTEN_PX = 1.5  # a staircase leaves its line by up to 1 px, with a noisy step by 1.5 px
+MAX_EXTENT_PX = 1e8  # 5000 km at 5 cm: a wider layer has another reference system than the mosaic
+
+
+@dataclass(frozen=True, eq=False)
+class Seam:
+    """One seam of a mosaic."""
+
+    seam_id: int
+    """1..n, longest first."""
+    vertices: np.ndarray
+    """(n, 2) float64, n >= 2: x and y in map units; first and last are equal when the seam is a ring."""
+
+    @property
+    def length(self) -> float:
+        """Length in map units."""
+        return float(np.hypot(*np.diff(self.vertices, axis=0).T).sum())
+
+
+def find_seams(geometries: Iterable[bytes | None], pixel_size: float) -> list[Seam]:
+    """The seams that a layer's lines and polygons describe.
+
+    ``geometries``: WKB of each feature in the mosaic's CRS; any line or polygon type, curves, Z and M allowed,
+    points ignored, None and empty ones skipped. Lines are seams themselves, pieces with the same ends counted
+    once. Polygons yield the borders between different features, each once; borders between the parts of one
+    feature and the outside of the block are no seams. ``pixel_size``: the mosaic's, in map units; borders up
+    to half a pixel apart or over each other are taken as one.
+
+    Raises SeamlineError when the layer is empty, holds neither lines nor polygons, can't be read, is of another
+    size than the mosaic by far, or holds polygons that share no border.
+    """
+    lines, rings, owners = _read(geometries)
+    if not lines and not rings:
+        raise SeamlineError(messages.SEAMLINES_NO_LINES())
+    points = np.concatenate(lines + rings)
+    if not np.isfinite(points).all():
+        raise SeamlineError(messages.SEAMLINES_NOT_FINITE())
+    origin = complex(points.real.min(), points.imag.min())
+    width, height = np.ptp(points.real) / pixel_size, np.ptp(points.imag) / pixel_size
+    if max(width, height) > MAX_EXTENT_PX:
+        raise SeamlineError(messages.SEAMLINES_TOO_WIDE(width=round(width), height=round(height)))
+    nodes, edges = np.empty(0, dtype=complex), np.empty((0, 2), dtype=int)
+    if rings:
+        pieces, ring = line_pieces(rings)
+        nodes, edges = borders((pieces - origin) / pixel_size, np.array(owners)[ring])
+    if lines:
+        pieces = (line_pieces(lines)[0] - origin) / pixel_size
+        nodes, edges, _ = network(np.concatenate([pieces, nodes[edges]]), END_SNAP_PX)
+    seams = [straightened(directed(path)) for path in joined(nodes, edges)]
+    seams = [seam for seam in seams if abs(np.diff(seam)).any()]  # a loop of one pixel straightens to a point
+    if not seams:
+        raise SeamlineError(messages.SEAMLINES_APART() if rings else messages.SEAMLINES_TOO_SHORT())
+    # Rounded, so that equal lengths stay equal whichever way the input was summed up.
+    seams.sort(key=lambda seam: (-round(abs(np.diff(seam)).sum(), 3), seam[0].real, seam[0].imag))
+    return [Seam(number, as_xy(seam * pixel_size + origin)) for number, seam in enumerate(seams, start=1)]
+
+
+# --- reading ---------------------------------------------------------------------------------------------------
+
+
+def _read(geometries: Iterable[bytes | None]) -> tuple[list[np.ndarray], list[np.ndarray], list[int]]:
+    """Lines, polygon rings with the interior on their left, and the feature each ring belongs to (map units)."""
+    lines: list[np.ndarray] = []
+    rings: list[np.ndarray] = []
+    owners: list[int] = []
+    empty = True
+    for number, wkb in enumerate(geometries, start=1):
+        if not wkb:
+            continue
+        geometry = read_geometry(wkb, number)
+        if geometry.IsEmpty():
+            continue
+        empty = False
+        for part in simple_parts(geometry):
+            if is_line(part):
+                lines += [line_points(part)] if part.GetPointCount() > 1 else []
+            else:
+                found = list(polygon_rings(part, number))
+                rings += found
+                owners += [number] * len(found)
+    if empty:
+        raise SeamlineError(messages.SEAMLINES_EMPTY())
+    return lines, rings, owners
+
+
+def read_geometry(wkb: bytes, number: int) -> ogr.Geometry:
+    """A geometry without curves, Z and M. Raises SeamlineError when the bytes are none."""
+    try:
+        geometry = ogr.CreateGeometryFromWkb(bytes(wkb))
+    except RuntimeError as error:  # only where the process has GDAL's exceptions switched on
+        raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number)) from error
+    if geometry is None:
+        raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number))
+    if geometry.HasCurveGeometry():
+        geometry = geometry.GetLinearGeometry()
+    geometry.FlattenTo2D()
+    return geometry
+
+
+def simple_parts(geometry: ogr.Geometry) -> Iterator[ogr.Geometry]:
+    """Every line string and polygon in a geometry, however deep in collections."""
+    if is_line(geometry) or is_polygon(geometry):
+        if not geometry.IsEmpty():
+            yield geometry
+    else:
+        for index in range(geometry.GetGeometryCount()):
+            yield from simple_parts(geometry.GetGeometryRef(index))
+
+
+def is_line(geometry: ogr.Geometry) -> bool:
+    return geometry.GetGeometryType() == ogr.wkbLineString
+
+
+def is_polygon(geometry: ogr.Geometry) -> bool:
+    return geometry.GetGeometryType() in (ogr.wkbPolygon, ogr.wkbTriangle)
+
+
+def polygon_rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
+    """The rings of a polygon, its interior on their left: outer ones counter-clockwise, inner ones clockwise.
+
+    Raises SeamlineError when the polygon is invalid beyond repair.
+    """
+    gdal.PushErrorHandler("CPLQuietErrorHandler")  # IsValid warns on stderr about what is repaired here
+    try:
+        valid = polygon if polygon.IsValid() else polygon.MakeValid()
+    except RuntimeError as error:
+        raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number)) from error
+    finally:
+        gdal.PopErrorHandler()
+    if valid is None:
+        raise SeamlineError(messages.SEAMLINES_BROKEN(feature=number))
+    for part in filter(is_polygon, simple_parts(valid)):
+        wkb, offset = part.ExportToWkb(ogr.wkbNDR), 9  # byte order, type, number of rings
+        for index in range(part.GetGeometryCount()):
+            count = int.from_bytes(wkb[offset : offset + 4], "little")
+            ring = np.frombuffer(wkb, dtype="<c16", count=count, offset=offset + 4)
+            offset += 4 + ring.nbytes
+            yield ring if (_signed_area(ring) > 0) == (index == 0) else ring[::-1]
+
+
+def line_points(line: ogr.Geometry) -> np.ndarray:
+    """The vertices of a 2D line string, complex."""
+    return np.frombuffer(line.ExportToWkb(ogr.wkbNDR), dtype="<c16", offset=9)  # byte order, type, number of points
+
+
+# --- lines -----------------------------------------------------------------------------------------------------
+
+
+def directed(path: np.ndarray) -> np.ndarray:
+    """A path in its standard direction: west to east, or a ring counter-clockwise from its westernmost vertex."""
+    if path[0] != path[-1]:
+        return path if (path[0].real, path[0].imag) < (path[-1].real, path[-1].imag) else path[::-1]
+    ring = path[:-1]
+    ring = np.roll(ring, -int(np.lexsort((ring.imag, ring.real))[0]))
+    ring = np.append(ring, ring[0])
+    return ring if _signed_area(ring) > 0 else ring[::-1]
+
+
+def straightened(path: np.ndarray) -> np.ndarray:
+    """A path without the vertices that lie within 1.5 px of it."""
+    header = struct.pack("<BII", 1, ogr.wkbLineString, len(path))
+    line = ogr.CreateGeometryFromWkb(header + path.astype("<c16").tobytes())
+    return line_points(line.Simplify(STRAIGHTEN_PX))
+
+
+def _signed_area(ring: np.ndarray) -> float:
+    """Area of a closed ring, positive when it runs counter-clockwise."""
+    ring = ring - ring[0]
+    return float((ring[:-1].conj() * ring[1:]).imag.sum()) / 2
+
+
+def line_pieces(paths: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """The pieces of all paths, (n, 2) start and end, and the number of the path each one is from, (n,)."""
+    points = np.concatenate(paths)
+    path = np.repeat(np.arange(len(paths)), [len(one) for one in paths])
+    within = path[1:] == path[:-1]
+    return np.column_stack([points[:-1], points[1:]])[within], path[1:][within]
+
+
+def as_xy(points: np.ndarray) -> np.ndarray:
+    """(n, 2) float64 of (n,) complex."""
+    return np.column_stack([points.real, points.imag])
