@@ -29,7 +29,7 @@ from ..toolkit.picture_stretch import (
     to_bytes,
 )
 from .measure.inspection import WindowRequest
-from .measure.window.window_composite import WindowComposite
+from .measure.window.explained_window import WindowComposite
 from .measure.window_records import COMPOSITE
 
 LEAST_SIDE_PX = 384  # of a picture: smaller windows are shown with the ground around them

@@ -14,8 +14,8 @@ from .measure.inputs.candidate_look import SourceCandidate, look_at_candidates
 from .measure.inspection import InspectionSettings, WindowRequest
 from .measure.nearest_seam import SeamIndex
 from .measure.placing.window_placing import place_windows
+from .measure.window.explained_window import WindowComposite, window_composite
 from .measure.window.measured_window import MeasureWindow, measure_window
-from .measure.window.window_composite import WindowComposite, window_composite
 from .measure.window.window_result import WindowClips
 from .measure.window_runs import inspect_one, inspect_windows
 

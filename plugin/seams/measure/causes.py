@@ -12,7 +12,7 @@ from math import log
 
 from . import limits
 from .profile.intervals import MOST_LEFT
-from .profile.mixture_sums import NARROW_PX
+from .profile.mixture import NARROW_PX
 from .profile.seam_profile import Measure, SeamProfile
 
 MIN_MISSING_SHARE = 0.03  # of the pixels, lying together, that no given source explains; noise alone has made 0.02

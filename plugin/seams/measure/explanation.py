@@ -18,9 +18,8 @@ from .changes import Change, gains_of_colours, measure_changes
 from .compared_image import ComparedImage, MeasuredClip
 from .feather_prediction import expected_ratios, feathers
 from .following.boxes import enlarged, near_border
-from .following.composite import Composite, follows_at
 from .following.followed_source import FollowedSource
-from .following.hard_cut import HardCut, cut_hard
+from .following.hard_cut import Composite, HardCut, cut_hard, follows_at
 from .following.levelling import left_by_curve, left_over
 from .following.source_filters import present
 from .misfit import misfit_of, placed_misfit

@@ -17,14 +17,7 @@ from ...toolkit.version_differences import field
 from ..measure.loss_forecast import Forecast, ForecastPair
 from ..measure.placing.window_placing import PlacedWindow
 from ..measure.window.window_result import WindowResult
-from ..measure.window.window_tables import (
-    CURVE_COLUMNS,
-    PAIR_COLUMNS,
-    PROFILE_COLUMNS,
-    bins_of,
-    curves_of,
-    pairs_of,
-)
+from ..measure.window.window_tables import CURVE_COLUMNS, PAIR_COLUMNS, PROFILE_COLUMNS, bins_of, curves_of, pairs_of
 from .window_fields import MEASURED
 
 FORECAST_COLUMNS: tuple[Column[Forecast], ...] = (

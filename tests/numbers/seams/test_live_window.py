@@ -25,7 +25,7 @@ from seam_inspector.plugin.seams.measure.inspection import (
     window_request,
 )
 from seam_inspector.plugin.seams.measure.live.live_window import live_profile, read_live
-from seam_inspector.plugin.seams.measure.window.measured_ahead import KEPT, MeasuredAhead
+from seam_inspector.plugin.seams.measure.window.measured_window import KEPT, MeasuredAhead
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, mosaic_of
 from tests.numbers.synthetic import orthoimage

@@ -14,7 +14,7 @@ from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, WindowRequest, inspect_window
 from seam_inspector.plugin.seams.measure.live.live_window import live_profile, read_live
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
-from seam_inspector.plugin.seams.measure.window.surroundings import (
+from seam_inspector.plugin.seams.measure.window.window_request import (
     ENOUGH_PX,
     MARGIN_PX,
     place_in,

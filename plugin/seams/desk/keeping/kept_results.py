@@ -7,8 +7,8 @@ from pathlib import Path
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.record_store import RecordKeeper
-from ...measure.window.result_records import result_of, result_record
 from ...measure.window.window_result import WindowResult
+from ...measure.window.window_tables import result_of, result_record
 from ...measure.window_records import WindowRecord
 from ...window_summary import is_same
 

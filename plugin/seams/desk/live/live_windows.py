@@ -13,7 +13,7 @@ from ....toolkit.desk.latest_only import LatestOnly
 from ....toolkit.desk.timers import single_shot
 from ...measure.inspection import WindowRequest, window_request
 from ...measure.live.live_window import LivePixels, LiveWindow, live_profile, read_live
-from ...measure.window.measured_ahead import MeasuredAhead
+from ...measure.window.measured_window import MeasuredAhead
 
 if TYPE_CHECKING:
     from ...measure.profile.seam_profile import SeamProfile

@@ -12,7 +12,7 @@ from ....imagery.raster_writer import raster_writer
 from ....imagery.rasters import RasterRef
 from ....toolkit.background_task import Cancelled, Job
 from ...measure.inspection import WindowRequest
-from ...measure.window.window_composite import WindowComposite, window_composite
+from ...measure.window.explained_window import WindowComposite, window_composite
 from .swiped_layer import private_layer
 
 

@@ -17,8 +17,17 @@ from .followed_source import FollowedSource
 from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, square_means
 from .likely_source import FINE, LikelySource, Sampling, likely_source
 from .mixed_ground import MixedGround, mixed_ground
-from .mosaic_filter import FEWEST_PIXELS, filtered
-from .source_filters import SAMPLE, Filters, cut_of, find_filters, present, share_left, through_filter
+from .source_filters import (
+    FEWEST_PIXELS,
+    SAMPLE,
+    Filters,
+    cut_of,
+    filtered,
+    find_filters,
+    present,
+    share_left,
+    through_filter,
+)
 
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
 MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .boxes import enlarged, square_sums
-from .mosaic_filter import filtered, fit_filters
+from .source_filters import filtered, fit_filters
 
 BLOCK_PX = 64
 """Side of the blocks in which weights are taken as constant."""

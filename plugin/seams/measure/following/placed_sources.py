@@ -12,7 +12,7 @@ import numpy as np
 from ....imagery.shifts import Shift, Spectra, farthest_apart, find_shift, shifted
 from ..compared_image import ComparedImage
 from .followed_source import FollowedSource, follow_planes, high_pass, like_the_mosaic
-from .mosaic_filter import filtered, fit_filter
+from .source_filters import filtered, fit_filter
 
 MIN_SOURCE_FIT = 0.9  # share of the mosaic's fine detail that its sources explain; below it shifts are looked for
 MIN_UNEXPLAINED_SHARE = 0.02  # of the pixels: a part of a window this large is looked at for a shift of its own

@@ -18,7 +18,7 @@ from ..inspection import WindowRequest
 from ..profile.seam_profile import SeamProfile
 from ..verdicts import judge
 from ..window.explained_window import known_labels
-from ..window.surroundings import place_in, read_with_surroundings
+from ..window.window_request import place_in, read_with_surroundings
 from ..window.window_result import ClipResult, WindowClips
 
 

@@ -15,8 +15,7 @@ from .cell_table import EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCell
 from .energy_sums import EnergySums
 from .ground import LevelGround
 from .intervals import MOST_KEPT, Kept, together, weighted
-from .mixture import MOST_EVERYWHERE
-from .mixture_sums import MixedStrips, MixtureSums
+from .mixture import MOST_EVERYWHERE, MixedStrips, MixtureSums
 from .seam_profile import (
     BAND_KEPT,
     MIN_STRIP_PX,

@@ -2,20 +2,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....imagery.errors import Message
 from ....imagery.wavelets import Curve, correlation
 from .. import messages
 from ..causes import Cause
 from ..changes import Change
 from ..compared_image import MeasuredClip
 from ..explanation import Explanation, explain
+from ..following.hard_cut import cut_hard
 from ..seam_cells import UNKNOWN, cell_labels
 from ..verdicts import Judgement, Ratios, Verdict, curve_ratios, judge, judge_by_seam
 from ..window_records import COMPOSITE, SEAM
-from .measured_window import MeasuredWindow, in_file_values
+from .measured_window import MeasuredWindow, in_file_values, measure_window
 from .window_request import WindowRequest
 from .window_result import PairResult, WindowResult
 
@@ -123,3 +125,30 @@ def _pairs(mosaic: MeasuredClip, source: MeasuredClip, changes: Mapping[str, Cha
         for name in (changes if is_part else source.curves)
         if name in mosaic.curves
     ]
+
+
+@dataclass(frozen=True, eq=False)
+class WindowComposite:
+    """The cut that the inspection compares the mosaic with, in the mosaic's grey values."""
+
+    names: tuple[str, ...]
+    """Bands that the mosaic and all its sources have."""
+    bands: np.ndarray
+    """(bands, rows, columns) in the mosaic's data type; the mosaic's own pixels where no source explains them."""
+
+
+def window_composite(request: WindowRequest) -> WindowComposite | Message:
+    """Each pixel from the source that the mosaic follows there; why there is none where none explains it."""
+    measured = measure_window(request)
+    if measured is None or isinstance(measured, Message):
+        return measured or messages.COMPOSITE_UNCLEAR()
+    if not measured.is_explicable:
+        return measured.paper.reason or messages.COMPOSITE_UNCLEAR()
+    cut = cut_hard(measured.mosaic, measured.judged, request.settings.levels, known_labels(request, measured.judged))
+    if cut.is_unclear:
+        return messages.COMPOSITE_UNCLEAR()
+    kind, levelled = cut.mosaic.bands.dtype, cut.composite.levelled / measured.mosaic.grey_factor
+    if kind.kind != "f":
+        ends = np.iinfo(kind)
+        levelled = np.clip(np.rint(levelled), ends.min, ends.max)
+    return WindowComposite(cut.mosaic.names, levelled.astype(kind))

@@ -1,9 +1,13 @@
-"""The first half of an inspection: the clips of a window, their curves, and the paper's verdict."""
+"""The first half of an inspection: the clips of a window, their curves, and the paper's verdict; also of windows
+that are measured before anybody asks for them, such as the one under the mouse."""
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Callable, Iterable, Mapping
+from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from threading import Lock
 from typing import Union
 
 from ....imagery import limits as imagery_limits
@@ -15,8 +19,7 @@ from ....imagery.wavelets import Curve, measure_clip, measure_directions
 from .. import messages
 from ..compared_image import MeasuredClip
 from ..verdicts import Judgement, Verdict, judge
-from .surroundings import place_in, read_with_surroundings
-from .window_request import InspectionSettings, WindowRequest
+from .window_request import InspectionSettings, WindowRequest, place_in, read_with_surroundings
 from .window_result import ClipResult, WindowClips
 
 
@@ -137,3 +140,42 @@ def _incomparable(source: MeasuredClip, band: str) -> Message | None:
     if source.curves and source.curves[band].variance == 0:
         return messages.SOURCE_CONSTANT(name=raster.ref.name)
     return None
+
+
+KEPT = 2  # windows with their pixels, some 10 MB each: the one under the mouse, and the one before
+
+
+class MeasuredAhead:
+    """A ``MeasureWindow`` that keeps the last windows; who asks for one that is under way waits for it."""
+
+    def __init__(self, read_each: ReadEach) -> None:
+        self._read_each = read_each
+        self._found: OrderedDict[WindowRequest, Future[Measured]] = OrderedDict()
+        self._lock = Lock()
+
+    def __call__(self, request: WindowRequest) -> Measured:
+        key = replace(request, window_id=0)
+        with self._lock:
+            future = self._found.get(key)
+            if is_new := future is None:
+                future = self._found[key] = Future()
+                while len(self._found) > KEPT:
+                    self._found.popitem(last=False)
+        assert future is not None
+        if is_new:
+            try:
+                future.set_result(measure_window(key, self._read_each))
+            except Exception as error:
+                self._drop(key)
+                future.set_exception(error)
+        found = future.result()
+        return replace(found, request=request) if isinstance(found, MeasuredWindow) else found
+
+    def forget(self) -> None:
+        """Let go of the pixels."""
+        with self._lock:
+            self._found.clear()
+
+    def _drop(self, key: WindowRequest) -> None:
+        with self._lock:
+            self._found.pop(key, None)

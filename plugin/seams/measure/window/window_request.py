@@ -1,19 +1,82 @@
-"""What is to be measured in one window."""
+"""What is to be measured in one window, and the ground around it that is read with it where it is small: to compare its
+seam with, and to tell labels and filters by."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from ....imagery import limits as imagery_limits
-from ....imagery.errors import Message, SettingsError
+from ....imagery.clips import Clip
+from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError
 from ....imagery.grids import PixelWindow
+from ....imagery.open_raster import OpenRaster
 from ....imagery.rasters import Raster
 from ....imagery.wavelets import check_decomposition
 from .. import limits, messages
+from ..inputs.grey_values import read_grey_clip
+from ..profile.cell_table import CELL_PX
 from ..seam_cells import Cell
 from ..source_images import Source
 from ..verdicts import check_max_ratio, check_min_kept
 from ..window_records import REFERENCES
-from .surroundings import surroundings
+
+MARGIN_PX = 128
+"""On every side, or what there is of the mosaic."""
+ENOUGH_PX = 512
+"""A side: a window as long has ground enough of its own."""
+
+
+def surroundings(window: PixelWindow, mosaic: Raster, levels: int) -> PixelWindow:
+    """A window with its margin, in whole cells and multiples of 2^R, inside the mosaic."""
+    step = max(CELL_PX, 2**levels)
+
+    def margins(first: int, length: int, end: int) -> tuple[int, int]:
+        wanted = min(MARGIN_PX, max(ENOUGH_PX - length, 0) // 2)
+        before, after = (min(wanted, max(there, 0)) // step * step for there in (first, end - first - length))
+        return before, after
+
+    left, right = margins(window.column, window.width, mosaic.columns)
+    top, bottom = margins(window.row, window.height, mosaic.rows)
+    return PixelWindow(
+        window.column - left, window.row - top, window.width + left + right, window.height + top + bottom
+    )
+
+
+def place_in(window: PixelWindow, around: PixelWindow) -> tuple[slice, slice]:
+    """Rows and columns of a window in a larger one."""
+    row, column = window.row - around.row, window.column - around.column
+    return slice(row, row + window.height), slice(column, column + window.width)
+
+
+def read_with_surroundings(
+    raster: OpenRaster, mosaic: Raster, window: PixelWindow, around: PixelWindow, partly: bool
+) -> tuple[Clip, Clip, float]:
+    """The clip of a window, that of all that is read around it, and by what both were multiplied.
+
+    The window's own is as ``read_grey_clip`` has it. Raises RasterError.
+    """
+    wide: Clip | None = None
+    if around != window:
+        with suppress(RasterError if partly else NotCoveredError):  # the window itself may be covered, and readable
+            wide, factor = read_grey_clip(raster, mosaic, around, partly=True)
+    if wide is not None and wide.invalid_share == 0:
+        place = place_in(window, around)
+        return replace(wide, bands=np.ascontiguousarray(wide.bands[(slice(None), *place)])), wide, factor
+    clip, factor = read_grey_clip(raster, mosaic, window, partly)
+    return clip, wide or _padded(clip, window, around), factor
+
+
+def _padded(clip: Clip, window: PixelWindow, around: PixelWindow) -> Clip:
+    """A clip as one of all that is around it, where that has no pixels: mirrored, so that no edge is seen there."""
+    if around == window:
+        return clip
+    place, shape = place_in(window, around), (around.height, around.width)
+    margins = [(part.start, length - part.stop) for part, length in zip(place, shape)]
+    valid = np.zeros(shape, bool)
+    valid[place] = True if clip.valid is None else clip.valid
+    return replace(clip, bands=np.pad(clip.bands, [(0, 0), *margins], "symmetric"), valid=valid)
 
 
 @dataclass(frozen=True)

@@ -1,15 +1,20 @@
-"""The tables of an inspection, one entry per column: its field, and how its value comes from a result.
+"""The tables of an inspection, one entry per column: its field, and how its value comes from a result; and a window's
+result as bytes that are kept beside the window layer, and back.
 
 The field names are contracts; layers, the desk and plain rows are made of them.
 """
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
+from functools import cache
+from typing import Any, NamedTuple
 
-from ....imagery.records import Column, Row, rows_of
+from ....imagery import messages as imagery_messages
+from ....imagery.errors import Message
+from ....imagery.records import Column, NotUnderstoodError, Row, record_of, rows_of, value_of
 from ....imagery.shifts import Shift
 from ....imagery.wavelets import DIRECTIONS, Curve
+from .. import messages
 from ..changes import Change
 from ..profile.seam_profile import ProfileBin
 from ..tone import Tone
@@ -187,3 +192,24 @@ def _composite_ratios(result: WindowResult) -> tuple[float | None, ...] | None:
 
 def _most_levels(results: Iterable[WindowResult]) -> int:
     return max((result.levels for result in results), default=0)
+
+
+def result_record(result: WindowResult) -> bytes:
+    """All that was measured; the picture of the loss to a two-thousandth."""
+    return record_of(result)
+
+
+def result_of(record: bytes) -> WindowResult | None:
+    """None for what can't be read, or is of another version."""
+    try:
+        found: Any = value_of(WindowResult, record, _sentences())
+    except NotUnderstoodError:
+        return None
+    return found if isinstance(found, WindowResult) else None
+
+
+@cache
+def _sentences() -> dict[str, Message]:
+    """Those that a result may hold."""
+    every = (*vars(imagery_messages).values(), *vars(messages).values())
+    return {one.template: one for one in every if isinstance(one, Message)}

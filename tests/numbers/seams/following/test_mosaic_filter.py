@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.followed_source import high_pass
-from seam_inspector.plugin.seams.measure.following.mosaic_filter import REACH_PX, filtered, fit_filter
+from seam_inspector.plugin.seams.measure.following.source_filters import REACH_PX, filtered, fit_filter
 
 from tests.numbers.synthetic import texture
 

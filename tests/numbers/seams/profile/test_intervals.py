@@ -9,7 +9,7 @@ from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, MixtureTable
 from seam_inspector.plugin.seams.measure.profile.energy_sums import EnergySums
 from seam_inspector.plugin.seams.measure.profile.intervals import Kept, together
-from seam_inspector.plugin.seams.measure.profile.mixture_sums import LEAST_ERROR, MixedStrips, MixtureSums
+from seam_inspector.plugin.seams.measure.profile.mixture import LEAST_ERROR, MixedStrips, MixtureSums
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 
 from tests.numbers.seams.profile.blends import LEVELS, Blend, blend

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.desk.profile.curves_and_profile import CurvesAndProfile
-from seam_inspector.plugin.seams.measure.window import measured_ahead
+from seam_inspector.plugin.seams.measure.window import measured_window
 
 from tests.qgis.scenes import BLURRED
 from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, Desk, settle, wait_until
@@ -40,13 +40,13 @@ def test_curves_follow_the_mouse_and_end_with_it(desk: Desk) -> None:
 
 def test_a_click_where_the_mouse_rested_reads_nothing_again(desk: Desk, monkeypatch: pytest.MonkeyPatch) -> None:
     measured: list[PixelWindow] = []
-    measure = measured_ahead.measure_window
+    measure = measured_window.measure_window
 
     def counted(request: Any, *others: Any) -> Any:
         measured.append(request.window)
         return measure(request, *others)
 
-    monkeypatch.setattr(measured_ahead, "measure_window", counted)
+    monkeypatch.setattr(measured_window, "measure_window", counted)
     session = desk.session
     session.hover(BLURRED_WINDOW, is_live=False)
     wait_until(lambda: measured == [BLURRED_WINDOW])
