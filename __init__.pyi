@@ -40,7 +40,7 @@ from .plugin.seams.measure.scan.results.scan_tables import seam_rows as seam_row
 # The decision on a delivery
 from .plugin.acceptance.measure.delivered_rows import make_delivery as make_delivery
 from .plugin.acceptance.measure.acceptance_rules import limit_rules as limit_rules
-from .plugin.acceptance.measure.rules_file import load_acceptance_rules as load_acceptance_rules
+from .plugin.acceptance.measure.acceptance_rules import load_acceptance_rules as load_acceptance_rules
 from .plugin.acceptance.measure.deciding import decide as decide
 from .plugin.acceptance.measure.acceptance_rules import AcceptanceRules as AcceptanceRules
 from .plugin.acceptance.measure.delivery import Delivery as Delivery
@@ -64,9 +64,9 @@ from .plugin.noise.measure.band_noise import BandNoise as BandNoise
 from .plugin.noise.measure.band_noise import NoiseVerdict as NoiseVerdict
 
 # Ground resolved distance
-from .plugin.resolution.measure.bar_lines import measure_line as measure_line
+from .plugin.resolution.measure.bars import measure_line as measure_line
 from .plugin.resolution.measure.bar_groups import judge_lines as judge_lines
-from .plugin.resolution.measure.bar_lines import BarLine as BarLine
+from .plugin.resolution.measure.bars import BarLine as BarLine
 from .plugin.resolution.measure.profiles import Segment as Segment
 from .plugin.resolution.measure.target import Target as Target
 from .plugin.resolution.measure.bar_groups import TargetResolution as TargetResolution

@@ -10,8 +10,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure.assessment import judge
-from seam_inspector.plugin.radiometry.measure.image_ranges import known_range
-from seam_inspector.plugin.radiometry.measure.image_statistics import Wanted, stream_statistics
+from seam_inspector.plugin.radiometry.measure.image_statistics import Wanted, known_range, stream_statistics
 from seam_inspector.plugin.radiometry.measure.measured_image import measure
 from seam_inspector.plugin.radiometry.measure.rules import DEFAULT_RULES, load_rules, ready_rule_files
 

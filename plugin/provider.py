@@ -4,16 +4,16 @@ from __future__ import annotations
 from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
-from .acceptance.algorithms.acceptmosaic import AcceptMosaic
-from .acceptance.algorithms.planinspection import PlanInspection
+from .acceptance.acceptmosaic import AcceptMosaic
+from .acceptance.planinspection import PlanInspection
 from .noise.checknoise import CheckNoise
 from .photos.algorithms.comparemarks import CompareMarks
 from .photos.algorithms.enhancephoto import EnhancePhoto
 from .photos.algorithms.interiororientation import InteriorOrientation
 from .radiometry.checkradiometry import CheckRadiometry
-from .resolution.algorithms.measureresolution import MeasureResolution
-from .resolution.algorithms.minimumheight import MinimumHeight
-from .resolution.algorithms.simulatebayer import SimulateBayer
+from .resolution.measureresolution import MeasureResolution
+from .resolution.minimumheight import MinimumHeight
+from .resolution.simulatebayer import SimulateBayer
 from .seams.algorithms.calibratethreshold import CalibrateThreshold
 from .seams.algorithms.inspectwindows import InspectWindows
 from .seams.algorithms.placewindows import PlaceWindows

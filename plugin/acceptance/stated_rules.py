@@ -4,11 +4,16 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from qgis.core import QgsProcessingParameterNumber
+
 from ..imagery.errors import SettingsError
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.ready_rules import in_users_language
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
-from .measure import limits, messages
+from .measure import acceptance_rules as limits
+from .measure import messages
 from .measure.acceptance_rules import (
     FAILED_SHARE,
     LONGEST_FAILURE,
@@ -16,9 +21,10 @@ from .measure.acceptance_rules import (
     AcceptanceRule,
     AcceptanceRules,
     SamplingRule,
+    load_acceptance_rules,
+    ready_files,
 )
-from .measure.rules_file import load_acceptance_rules, ready_files
-from .measure.sampling.iso2859 import DEFAULT_LEVEL, INSPECTION_LEVELS, NORMAL, SEVERITIES, SHARE_AQLS, aql_word
+from .measure.sampling_plans import DEFAULT_LEVEL, INSPECTION_LEVELS, NORMAL, SEVERITIES, SHARE_AQLS, aql_word
 
 READY_RULES, RULES = "READY_RULES", "RULES"
 MIN_KEPT, MAX_SHARE, MAX_RUN, MIN_MEASURED = "MIN_KEPT", "MAX_SHARE", "MAX_RUN", "MIN_MEASURED"
@@ -140,3 +146,36 @@ def _as_parameters(rules: AcceptanceRules) -> dict[str, object]:
         said[AQL], said[INSPECTION_LEVEL] = rules.sampling.aql, rules.sampling.inspection_level
         said[SEVERITY] = rules.sampling.severity
     return said
+
+
+LOT_SIZE, SEED = "LOT_SIZE", "SEED"
+_WHOLE = QgsProcessingParameterNumber.Type.Integer
+_LARGEST_SEED = 2**31 - 1
+
+
+def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
+    """LOT_SIZE, AQL, INSPECTION_LEVEL, SEVERITY and SEED."""
+    algorithm.addDescribed(
+        QgsProcessingParameterNumber(LOT_SIZE, tr("Lot size"), _WHOLE, 0, minValue=0),
+        tr("How many pieces of seam the whole lot has; 0: as many as the layers hold."),
+    )
+    algorithm.addDescribed(
+        common.choice(AQL, tr("Acceptance quality limit (AQL)"), SHARE_AQLS, limits.STANDARD_AQL),
+        tr("The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it."),
+    )
+    algorithm.addDescribed(
+        common.choice(INSPECTION_LEVEL, tr("Inspection level"), INSPECTION_LEVELS, DEFAULT_LEVEL),
+        tr("How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest."),
+    )
+    algorithm.addDescribed(
+        common.choice(SEVERITY, tr("Inspection"), SEVERITIES, NORMAL),
+        tr("Normal; tightened after two of five lots were rejected; reduced after ten that were accepted."),
+        advanced=True,
+    )
+    algorithm.addDescribed(
+        QgsProcessingParameterNumber(
+            SEED, tr("Seed"), _WHOLE, limits.STANDARD_SEED, minValue=0, maxValue=_LARGEST_SEED
+        ),
+        tr("Of the drawing: the same seed draws the same sample again."),
+        advanced=True,
+    )

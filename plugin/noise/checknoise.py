@@ -112,10 +112,10 @@ class CheckNoise(RasterListAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit.executors import open_executor
-        from . import noise_summary, tables
-        from .measure import chosen_plan, group_noise, window_plan
+        from . import noise_summary
+        from .measure import group_noise, noise_plan
         from .measure.band_noise import NoiseVerdict
-        from .measure.noise_requests import describe_images
+        from .measure.noise_plan import describe_images
 
         super().check(run)
         wavelet, levels = self._settings(run)
@@ -131,23 +131,23 @@ class CheckNoise(RasterListAlgorithm):
         self.require_rasters(images)
         drawn = self.drawn_windows(run, (field,) if field else ())
         if drawn is None:
-            plan = chosen_plan.plan_chosen(images, levels, run.is_cancelled)
+            plan = noise_plan.plan_chosen(images, levels, run.is_cancelled)
         else:
             classes = self._classes(field) if field else None
-            plan = window_plan.plan_drawn(images, drawn, levels, classes)
+            plan = noise_plan.plan_drawn(images, drawn, levels, classes)
         notices = [*self.left_out, *plan.notices]
-        sizes = window_plan.pixel_size_notice(plan)
+        sizes = noise_plan.pixel_size_notice(plan)
         notices += [sizes] if sizes else []
         run.tell_once(notices)
         if not plan.requests and not run.is_cancelled():
             raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(notices[:1])))
-        sink, output_id = run.sink(OUTPUT, tables.noise_fields(levels))
+        sink, output_id = run.sink(OUTPUT, noise_summary.noise_fields(levels))
         results: list[group_noise.ClipNoise] = []
         with open_executor() as (executor, ahead):
             measured = group_noise.measure_requests(plan.requests, wavelet, levels, executor, ahead, run.is_cancelled)
             for done, clips in enumerate(measured, 1):
                 for clip in clips:
-                    run.write(sink, tables.noise_features(clip, levels))
+                    run.write(sink, noise_summary.noise_features(clip, levels))
                     if clip.reason is not None:
                         run.tell(imagery_messages.ABOUT(what=clip.window_id, why=clip.reason))
                 results += clips

@@ -14,7 +14,7 @@ from .charts import noise_figure
 from .measure.band_noise import noisiest_band
 from .measure.grain import Grain
 from .measure.group_noise import ClipNoise
-from .measure.noise_requests import GroupedImage
+from .measure.noise_plan import GroupedImage
 from .noise_summary import (
     VERDICT_WORDS,
     NoiseGroup,

@@ -33,8 +33,7 @@ from .measure.rules import DEFAULT_RULES, ready_rule_files
 if TYPE_CHECKING:
     from ..imagery.errors import Message
     from ..imagery.rasters import Raster, RasterRef, ValueRange
-    from .measure.assessment import Assessment
-    from .measure.decision import RadiometricDecision
+    from .measure.assessment import Assessment, RadiometricDecision
     from .measure.rules import RuleSet
 
 READY_RULES, RULES, VALUE_RANGE, GREY_AREAS = "READY_RULES", "RULES", "VALUE_RANGE", "GREY_AREAS"
@@ -129,7 +128,7 @@ class CheckRadiometry(RasterListAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from . import tables, words
         from .image_set import ImageSet, jobs_on
-        from .measure.decision import decide
+        from .measure.assessment import decide
 
         super().check(run)
         rules = self._rules(run)

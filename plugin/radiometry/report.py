@@ -15,8 +15,7 @@ from ..toolkit.translation import filled, sentence, shown_number, tr
 from .charts import balance_figure, histogram_figure, step_and_contrast
 from .measure import limits
 from .measure import rules as checks
-from .measure.assessment import Assessment, CheckedFigure
-from .measure.decision import ImageDecision, RadiometricDecision, RadiometricOutcome
+from .measure.assessment import Assessment, CheckedFigure, ImageDecision, RadiometricDecision, RadiometricOutcome
 from .measure.rules import RuleSet
 from .words import (
     CHECK_WORDS,

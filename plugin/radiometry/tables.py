@@ -19,10 +19,9 @@ from ..imagery.rasters import Raster
 from ..toolkit.layers import rectangle
 from ..toolkit.table_fields import Column, column_features, column_fields, column_values, feature
 from ..toolkit.translation import sentence
-from .drawn_layers import has_map
+from .image_set import has_map
 from .measure import limits
-from .measure.assessment import Assessment, CheckedFigure
-from .measure.decision import decide_image
+from .measure.assessment import Assessment, CheckedFigure, decide_image
 from .measure.rules import Rule
 from .words import spot_words
 

@@ -9,8 +9,7 @@ from ..imagery.errors import in_sentence
 from ..toolkit.band_titles import band_title
 from ..toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
 from .measure import rules as checks
-from .measure.assessment import Assessment, CheckedFigure
-from .measure.decision import ImageDecision, RadiometricDecision, RadiometricOutcome
+from .measure.assessment import Assessment, CheckedFigure, ImageDecision, RadiometricDecision, RadiometricOutcome
 from .measure.rules import ALL_BANDS, EACH_BAND, LUMINOSITY, Rule
 
 _MOST_NAMED = 5  # images in one sentence; the others are counted

@@ -2,11 +2,23 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
+from ...imagery.documents import RuleObject, read_rules, ready_rules
 from ...imagery.errors import SettingsError
 from . import messages
-from .limits import STANDARD_FAILED_SHARE, STANDARD_KEPT, STANDARD_LONGEST_M, STANDARD_MEASURED_SHARE
+from .sampling_plans import DEFAULT_LEVEL, INSPECTION_LEVELS, NORMAL, SEVERITIES, SHARE_AQLS, aql_word
+
+STANDARD_KEPT = 0.7  # of the finest detail's variance: seam_profile.md, where a piece is called significant
+STANDARD_FAILED_SHARE = 0.02  # Beeldmateriaal Nederland: 2 % may deviate if it is not contiguous
+STANDARD_LONGEST_M = 50.0  # what 'not contiguous' is taken to mean: half a standard window of 100 m (Pyka 2010)
+STANDARD_MEASURED_SHARE = 0.9  # of the metres: with less the rest could turn any share of 2 % round five times over
+STANDARD_AQL = "1.0"
+STANDARD_SEED = 2859  # the same delivery gives the same sample
+STANDARD_PIECE_M = 25.0  # as the scan cuts seams
+
 
 KEPT, FAILED_SHARE, LONGEST_FAILURE = "kept", "failed_share", "longest_failure"
 MEASURED_SHARE, SAMPLING = "measured_share", "sampling"
@@ -107,3 +119,62 @@ def limit_rules(
             AcceptanceRule(MEASURED_SHARE, min_measured, source(min_measured, STANDARD_MEASURED_SHARE)),
         ),
     )
+
+
+SUBJECT = "acceptance"
+"""Of the ready files."""
+
+_OF_SHARE = (KEPT, MEASURED_SHARE, FAILED_SHARE)
+
+
+def ready_files() -> dict[str, Path]:
+    """The ready files by their names."""
+    return ready_rules(SUBJECT)
+
+
+def load_acceptance_rules(path: Path) -> AcceptanceRules:
+    """The rules of a JSON file. Raises SettingsError that says what is wrong with it and where."""
+    return read_rules(path, _acceptance_rules)
+
+
+def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> AcceptanceRules:
+    whole.allow(("name", "rules"))
+    by_check: dict[str, RuleObject] = {}
+    for one in objects:
+        check = one.word("check", CHECKS)
+        if check in by_check:
+            raise SettingsError(messages.TWO_RULES_FOR_CHECK(place=one.place, name=one.file, check=check))
+        by_check[check] = one
+    if KEPT not in by_check:
+        raise SettingsError(messages.RULES_WITHOUT_KEPT(name=whole.file))
+    if not by_check.keys() & {FAILED_SHARE, LONGEST_FAILURE, SAMPLING}:
+        raise SettingsError(messages.RULES_DECIDE_NOTHING(name=whole.file))
+    limits = {check: _limit(one, check) for check, one in by_check.items() if check != SAMPLING}
+    rules = [AcceptanceRule(check, limits[check], by_check[check].source()) for check in limits if check != KEPT]
+    if MEASURED_SHARE not in limits:
+        rules.append(standard_measured())
+    sampling = _sampling(by_check[SAMPLING]) if SAMPLING in by_check else None
+    name = str(whole.content.get("name") or whole.file)
+    return AcceptanceRules(name, limits[KEPT], by_check[KEPT].source(), tuple(rules), sampling)
+
+
+def _limit(one: RuleObject, check: str) -> float:
+    key = KEY_OF_LIMIT[check]
+    one.allow(("check", key, "source"))
+    limit = one.number(key)
+    if limit is None:
+        raise SettingsError(messages.RULES_LIMIT_MISSING(place=one.place, name=one.file, key=key, check=check))
+    if check in _OF_SHARE and limit > 1:
+        raise SettingsError(messages.RULES_NO_SHARE(place=one.place, name=one.file, key=key, limit=limit))
+    return limit
+
+
+def _sampling(one: RuleObject) -> SamplingRule:
+    one.allow(("check", "aql", "level", "severity", "source"))
+    aql = aql_word(one.content.get("aql"))
+    if aql is None or aql not in SHARE_AQLS:
+        given, known = one.content.get("aql"), ", ".join(SHARE_AQLS)
+        raise SettingsError(messages.RULES_AQL_UNKNOWN(place=one.place, name=one.file, aql=given, known=known))
+    level = one.word("level", INSPECTION_LEVELS) if "level" in one.content else DEFAULT_LEVEL
+    severity = one.word("severity", SEVERITIES) if "severity" in one.content else NORMAL
+    return SamplingRule(aql, level, severity, one.source())

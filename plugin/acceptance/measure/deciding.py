@@ -8,29 +8,25 @@ import numpy as np
 from ...imagery.errors import Exceeding, Message, SettingsError
 from ...imagery.statistics import Interval
 from . import messages
-from .acceptance_rules import (
-    FAILED_SHARE,
-    LONGEST_FAILURE,
-    MEASURED_SHARE,
-    AcceptanceRule,
-    AcceptanceRules,
-)
-from .decision import (
-    DecidedPiece,
-    Decision,
-    FailureRun,
-    MetreFigures,
-    Observers,
-    PieceState,
-    RuleOutcome,
-)
+from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
+from .decision import DecidedPiece, Decision, FailureRun, MetreFigures, Observers, PieceState, RuleOutcome
 from .delivery import Delivery, SeenWindow
 from .failure_runs import failure_runs
-from .given_sample import of_sample, sample_sentences, without_runs
-from .measured_pieces import failed_shares, is_unclear, metre_figures, piece_state, seen_state, sheet_figures
-from .observing import observers, windows_over
-from .sampled_lot import sampled_lot
-from .share_interval import failed_share_interval
+from .inspection_plan import sampled_lot
+from .measured_pieces import (
+    failed_share_interval,
+    failed_shares,
+    is_unclear,
+    metre_figures,
+    observers,
+    of_sample,
+    piece_state,
+    sample_sentences,
+    seen_state,
+    sheet_figures,
+    windows_over,
+    without_runs,
+)
 
 _WIDE = 2  # pieces: what is seen in a window that spans more is hardly about the piece in its middle
 

@@ -3,19 +3,127 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from osgeo import ogr
+from scipy.spatial import cKDTree
 
 from ...imagery.errors import Message, SeamInspectorWarning, SettingsError
 from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.lines import vertex_stations
+from ...imagery.lines import points_at, vertex_stations
 from ...imagery.reference_systems import is_geographic, metres_per_unit, transform_points, utm_wkt
 from . import messages
 from .delivery import DeliveredPiece, Delivery, in_order
-from .layer_doubts import LayerDoubts
-from .overlaps import overlap, without_copies
+from .failure_networks import TOUCHING
+from .measured_pieces import NO_VERDICT
+
+MOST_KEPT = 3.0  # a seam that was sharpened keeps more than 1; shares of three times that are none
+_OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
+
+
+@dataclass
+class LayerDoubts:
+    """Of one layer, piece by piece."""
+
+    sheet: str
+    kept: list[float] = field(default_factory=list)
+    claimed: list[float] = field(default_factory=list)
+    """Of pieces with a verdict: where the scan has none, its interval is too wide, any number may stand."""
+    words: list[str] = field(default_factory=list)
+    """That stand where numbers should."""
+    lengths: list[tuple[float, float]] = field(default_factory=list)
+    """In the field and along the line, metres, where they differ."""
+
+    def see_kept(self, written: str, kept: float | None, verdict: str = "") -> float | None:
+        """What counts of a piece's ``kept_1``, as it is ``written`` and as a number: nothing below 0."""
+        if kept is None:
+            if written and written.lower() not in ("nan", "inf", "-inf"):
+                self.words.append(written)
+            return None
+        self.kept.append(kept)
+        if verdict != NO_VERDICT:
+            self.claimed.append(kept)
+        return kept if kept >= 0 else None
+
+    def see_length(self, length: float, line: float) -> None:
+        """A length from the field, beside that of the line."""
+        if line > 0 and not 1 / _OTHER_LENGTH <= length / line <= _OTHER_LENGTH:
+            self.lengths.append((length, line))
+
+    def told(self) -> Iterator[Message]:
+        """Raises SettingsError where the layer's ``kept_1`` are no shares."""
+        if self.kept and (middle := float(np.median(self.kept))) > MOST_KEPT:
+            raise SettingsError(messages.KEPT_NO_SHARES(name=self.sheet, value=middle))
+        if self.words:
+            yield messages.KEPT_NO_NUMBERS(count=len(self.words), name=self.sheet, value=self.words[0])
+        if negative := sum(kept < 0 for kept in self.kept):
+            yield messages.KEPT_NEGATIVE(count=negative, name=self.sheet)
+        if large := sum(kept > MOST_KEPT for kept in self.claimed):
+            yield messages.KEPT_LARGE(count=large, name=self.sheet, value=max(self.claimed))
+        if self.lengths:
+            length, line = max(self.lengths, key=lambda pair: abs(np.log(pair[0] / pair[1])))
+            yield messages.LENGTHS_DIFFER(count=len(self.lengths), name=self.sheet, length=length, line=line)
+
+
+_DIGITS = 3  # of coordinates, to which lines are the same
+_PLACES = (0.1, 0.3, 0.5, 0.7, 0.9)  # of a piece: away from its ends, where others begin
+_NEAR = 1.2  # steps: two lines that lie a step apart, with points at every step
+_NEIGHBOURS = 12
+_MOST_POINTS = 2000  # of one piece
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """What counts more than once."""
+
+    metres: float
+    """That are too many."""
+    sheets: tuple[str, ...]
+    """Whose pieces lie on others."""
+
+
+def without_copies(pieces: Sequence[DeliveredPiece]) -> tuple[list[DeliveredPiece], int]:
+    """Pieces each once, and how many are left out: the same line, drawn either way, that kept the same.
+
+    One that was drawn for a sample stays so.
+    """
+    kept: dict[object, DeliveredPiece] = {}
+    for piece in pieces:
+        line = np.round(piece.vertices, _DIGITS) + 0.0
+        key = min(line.tobytes(), line[::-1].tobytes()), piece.kept_1
+        first = kept.setdefault(key, piece)
+        if first.sample_number is None and piece.sample_number is not None:
+            kept[key] = replace(first, sample_number=piece.sample_number)
+    return list(kept.values()), len(pieces) - len(kept)
+
+
+def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> Overlap | None:
+    """Of pieces that are not the same and yet lie on each other; None where it is less than a typical piece's half."""
+    typical = float(np.median([piece.length_m for piece in pieces]))
+    step = TOUCHING * typical
+    points, owners, asked, askers = [], [], [], []
+    for number, piece in enumerate(pieces):
+        along = vertex_stations(piece.vertices * unit_m)
+        count = int(min(np.ceil(along[-1] / step) + 1, _MOST_POINTS))
+        points.append(points_at(piece.vertices * unit_m, along, np.linspace(0, along[-1], count)))
+        owners.append(np.full(count, number))
+        asked.append(points_at(piece.vertices * unit_m, along, np.array(_PLACES) * along[-1]))
+        askers.append(np.full(len(_PLACES), number))
+    owner, asker = np.concatenate(owners), np.concatenate(askers)
+    _, near = cKDTree(np.concatenate(points)).query(
+        np.concatenate(asked), _NEIGHBOURS, distance_upper_bound=_NEAR * step
+    )
+    near_owner = np.append(owner, -1)[near]
+    others = np.array([len({*row} - {-1, own}) for row, own in zip(near_owner.tolist(), asker.tolist())])
+    lengths = np.array([piece.length_m for piece in pieces])
+    too_many = lengths[asker] / len(_PLACES) * others / (others + 1)
+    if too_many.sum() < typical / 2:
+        return None
+    sheets = dict.fromkeys(pieces[number].sheet for number in asker[others > 0].tolist())
+    return Overlap(float(too_many.sum()), tuple(sheets))
+
 
 SeamRow = Mapping[str, object]
 

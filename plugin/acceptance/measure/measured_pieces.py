@@ -1,11 +1,17 @@
 """Whether each piece passed, failed, or could not be measured; and the metres of each kind."""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Hashable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 
-from ...imagery.statistics import DECIDED, INVISIBLE, VISIBLE
-from .decision import FailureRun, MetreFigures, PieceState
+import numpy as np
+from scipy import stats
+
+from ...imagery.errors import Message
+from ...imagery.statistics import DECIDED, INVISIBLE, VISIBLE, Interval, agreement
+from . import messages
+from .acceptance_rules import LONGEST_FAILURE
+from .decision import FailureRun, MetreFigures, Observers, PieceState, RuleOutcome
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 
 NO_VERDICT = "not_comparable"  # the scan's word
@@ -118,3 +124,103 @@ def _in_sheets(run: FailureRun, delivery: Delivery) -> Iterator[tuple[str, float
 
 def _sum(lengths: Sequence[float], kind: Sequence[bool]) -> float:
     return sum((length for length, counts in zip(lengths, kind) if counts), 0.0)
+
+
+_TOOL_WORDS = {"significant": VISIBLE, "reduced": INVISIBLE, "preserved": INVISIBLE}  # docs/desk/judging.md
+
+
+def windows_over(piece: DeliveredPiece, windows: Sequence[SeenWindow], extents: np.ndarray) -> tuple[SeenWindow, ...]:
+    """Those that hold the middle of a piece, the one whose own middle is nearest first.
+
+    ``extents``: (n, 4) left, bottom, right and top of the windows.
+    """
+    if not len(windows):
+        return ()
+    x, y = piece.middle
+    left, bottom, right, top = extents.T
+    held = np.flatnonzero((left <= x) & (x <= right) & (bottom <= y) & (y <= top))
+    apart = np.hypot((left + right)[held] / 2 - x, (bottom + top)[held] / 2 - y)
+    return tuple(windows[int(place)] for place in held[np.argsort(apart, kind="stable")])
+
+
+def observers(windows: Sequence[SeenWindow]) -> Observers | None:
+    """None where nobody judged a window."""
+    both = agreement([(window.observer, window.observer_2) for window in windows])
+    tool = agreement([(window.observer, _TOOL_WORDS.get(window.verdict, "")) for window in windows])
+    if not any(word in DECIDED for window in windows for word in (window.observer, window.observer_2)):
+        return None
+    return Observers(both if both.count else None, tool if tool.count else None)
+
+
+def of_sample(outcome: RuleOutcome) -> RuleOutcome:
+    """Pieces of a sample may show that a failure is too long, but not that none is."""
+    if outcome.check != LONGEST_FAILURE or outcome.passed is False:
+        return outcome
+    return replace(outcome, value=None, passed=None, sentence=messages.RUN_NOT_IN_SAMPLE())
+
+
+def without_runs(figures: Iterable[MetreFigures]) -> tuple[MetreFigures, ...]:
+    """Of a sample: no longest failure."""
+    return tuple(replace(one, longest_failure_m=None) for one in figures)
+
+
+def sample_sentences(delivery: Delivery, by_plan: bool) -> Iterator[Message]:
+    """That the layers are a sample, and what that means for the decision."""
+    if not delivery.is_part:
+        return
+    yield messages.SAMPLE_GIVEN(given=len(delivery.sampled_numbers or ()))
+    if not by_plan:
+        yield messages.SAMPLE_ONLY()
+
+
+CONFIDENCE = 0.95
+
+
+def failed_share_interval(
+    lengths: Sequence[float], failed: Sequence[float], clusters: Sequence[Hashable]
+) -> Interval | None:
+    """Of a ratio of metres, pieces being drawn seam by seam (``clusters``); ``failed``: the share of each that did.
+
+    The interval of Korn and Graubard 1998 (Survey Methodology 24, 193-201), made for small shares of clustered data:
+    that of Clopper and Pearson for the effective number of pieces, which is what the linearised variance over clusters
+    says, smaller by the t-distribution for what that variance itself rests on: the fewer clusters make it up, and
+    failures on a few long seams are few, the fewer its degrees of freedom (Satterthwaite 1946, Biometrics Bulletin 2,
+    110-114). It is never smaller than the effective number of clusters, each of them as good as one piece, and that
+    where they do not vary at all.
+    With a single cluster nothing is known of others: the interval is 0 to 1. None where nothing was measured.
+    """
+    weights, values = np.asarray(lengths, float), np.asarray(failed, float)
+    total = float(weights.sum())
+    if total <= 0:
+        return None
+    share = min(float((weights * values).sum() / total), 1.0)  # rounding
+    numbers = {name: number for number, name in enumerate(dict.fromkeys(clusters))}
+    members = np.array([numbers[name] for name in clusters], np.int64)
+    count = len(numbers)
+    if count < 2:
+        return Interval(share, 0.0, 1.0)
+    effective = _effective_count(weights, values, share, members, count)
+    low, high = _clopper_pearson(share * effective, effective)
+    return Interval(share, min(low, share), max(high, share))
+
+
+def _effective_count(
+    weights: np.ndarray, values: np.ndarray, share: float, members: np.ndarray, count: int
+) -> float:
+    """Of independent pieces that would tell as much."""
+    sizes = np.bincount(members, weights)
+    clusters, pieces = float(sizes.sum() ** 2 / (sizes**2).sum()), float(weights.sum() ** 2 / (weights**2).sum())
+    squares = (np.bincount(members, weights * (values - share)) / weights.sum()) ** 2
+    variance = float(squares.sum()) * count / (count - 1)  # of the ratio, linearised
+    if share in (0.0, 1.0) or variance <= 0:
+        return clusters
+    freedom = float(np.clip(squares.sum() ** 2 / (squares**2).sum(), 1.0, count - 1))
+    fewer = (stats.norm.ppf((1 + CONFIDENCE) / 2) / stats.t.ppf((1 + CONFIDENCE) / 2, freedom)) ** 2
+    return float(np.clip(share * (1 - share) / variance * fewer, clusters, pieces))
+
+
+def _clopper_pearson(found: float, count: float) -> tuple[float, float]:
+    tail = (1 - CONFIDENCE) / 2
+    low = float(stats.beta.ppf(tail, found, count - found + 1)) if found > 0 else 0.0
+    high = float(stats.beta.ppf(1 - tail, found + 1, count - found)) if found < count else 1.0
+    return low, high

@@ -11,10 +11,9 @@ from ...toolkit.pages.how_measured import HowMeasured, each_raster, system_name
 from ...toolkit.pages.templates import save_page
 from ...toolkit.translation import filled, formatted, shown_number, tr
 from ..measure.acceptance_rules import KEPT
-from ..measure.decision import Decision, MetreFigures, Observers, PieceState, PlanOutcome
-from ..measure.defects import Defect
+from ..measure.decision import Decision, Defect, MetreFigures, Observers, PieceState, PlanOutcome
 from .charts import STATE_COLOURS, oc_figure, seams_figure
-from .defect_pictures import DefectPicture
+from .defect_files import DefectPicture
 from .inspection_record import InspectionRecord
 from .words import (
     NOTHING,

@@ -7,8 +7,7 @@ from datetime import datetime, timezone
 
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster, RasterRef
-from ..measure.decision import Decision
-from ..measure.defects import Defect, defects_of
+from ..measure.decision import Decision, Defect, defects_of
 
 _SETTINGS_DOMAIN = "SEAM_INSPECTOR"  # as the scan writes it
 

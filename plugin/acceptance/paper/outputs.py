@@ -25,13 +25,15 @@ from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import filled, tr
 from . import messages
-from .limits import MOST_PICTURES, TOLD_UNEXPLAINED
 
 if TYPE_CHECKING:
     from ...imagery.rasters import Raster, RasterRef
-    from ..measure.decision import Decision
-    from ..measure.defects import Defect
-    from .defect_pictures import DefectPicture, DefectPictures
+    from ..measure.decision import Decision, Defect
+    from .defect_files import DefectPicture, DefectPictures
+
+MOST_PICTURES = 100  # of a delivery, of the longest failures: some 12 MB of report
+TOLD_UNEXPLAINED = 0.03  # of a mosaic without an orthoimage behind it: where the scan tells it, too
+
 
 MOSAIC, LOSS = common.MOSAIC, "LOSS"
 DEFECTS, REPORT, QUALITY = "DEFECTS", common.REPORT, "QUALITY"
@@ -152,7 +154,7 @@ def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, 
 def _maker(run: Run, inputs: PaperInputs, decision: Decision) -> tuple[DefectPictures | None, tuple[Raster, ...]]:
     """What cuts the pictures, and the mosaics that it can cut them from."""
     from ...imagery.open_raster import describe_mosaic
-    from .defect_pictures import DefectPictures
+    from .defect_files import DefectPictures
     from .inspection_record import scan_settings
 
     mosaics = []
@@ -171,7 +173,7 @@ def _write_defects(
     run: Run, decision: Decision, defects: Sequence[Defect], maker: DefectPictures | None, pictures: _Pictures
 ) -> dict[str, Any]:
     """The layer; fills in the pictures, for the report too."""
-    from .defect_layer import defect_features, defect_fields
+    from .defect_files import defect_features, defect_fields
 
     if not run.parameters.get(DEFECTS):
         _make_pictures(run, defects, maker, pictures, None)
@@ -207,7 +209,7 @@ def _make_pictures(
     run: Run, defects: Sequence[Defect], maker: DefectPictures | None, pictures: _Pictures, place: Path | None
 ) -> None:
     """Cut them, and save them where there is a place. Raises CancelledError when they are not wanted any more."""
-    from .picture_folder import PictureFolder
+    from .defect_files import PictureFolder
 
     shown = defects[:MOST_PICTURES]
     if maker is None or not shown:

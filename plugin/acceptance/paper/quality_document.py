@@ -9,6 +9,7 @@ import re
 import uuid
 from collections.abc import Iterator
 from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -20,10 +21,226 @@ from ...imagery.reference_systems import extent_on
 from ...toolkit.pages.how_measured import HowMeasured, system_code, whole_path
 from ...toolkit.pages.templates import environment
 from ...toolkit.translation import filled, language, sentence, tr
-from ..measure.decision import Decision
+from ..measure import acceptance_rules as rules
+from ..measure.decision import Decision, PlanOutcome, RuleOutcome
 from .inspection_record import InspectionRecord
-from .quality_elements import quality_elements
-from .words import failing_sentence
+from .words import check_word, failing_sentence, severity_word
+
+_UCUM = "http://www.opengis.net/def/uom/UCUM/"
+METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
+"""Units of measure by their address; ``ONE`` for counts and fractions of 1."""
+
+ACCURACY, USABILITY = "DQ_QuantitativeAttributeAccuracy", "DQ_UsabilityElement"
+CONFIDENCE, REPRESENTATIVITY = "DQ_Confidence", "DQ_Representativity"
+"""Classes of the standard. Grey values are a coverage's attributes, and lost detail an error of theirs; whether a
+delivery keeps to its rules is usability; how sure the figures are, and how much was looked at, is metaquality."""
+
+FULL, SAMPLE, DERIVED = "DQ_FullInspection", "DQ_SampleBasedInspection", "DQ_AggregationDerivation"
+"""How a figure was found."""
+_PROCEDURE = (
+    "K. Pyka: The use of wavelets for evaluation of loss in radiometric quality in the orthophoto mosaicking process, "
+    "2010; Seam Inspector: The seam profile"
+)
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """How a figure was found."""
+
+    kind: str
+    description: str
+    reference: str = ""
+    """The document that it follows; empty for none."""
+    sample: tuple[str, str, str] | None = None
+    """Scheme, lot and ratio of sampling, in words."""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A result in numbers."""
+
+    values: tuple[float, ...]
+    unit: str
+    meaning: str = ""
+    """Of the values where they are several."""
+    sheet: str = ""
+    """That it is of; empty for all."""
+
+
+@dataclass(frozen=True)
+class Conformance:
+    """A figure, held against what was asked for."""
+
+    specification: str
+    explanation: str
+    passed: bool | None
+
+
+@dataclass(frozen=True)
+class QualityElement:
+    """One report of the document."""
+
+    kind: str
+    code: str
+    """Of the measure; the element is known by it within the document."""
+    name: str
+    description: str
+    evaluation: Evaluation
+    quantities: tuple[Quantity, ...] = ()
+    conformance: Conformance | None = None
+    has_coverage: bool = False
+    """Whether the picture of losses is a result of it."""
+    about: str = ""
+    """The code of the element that it tells the quality of; for metaquality."""
+
+
+def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
+    """The decision first, then the figures it rests on, then how sure they are."""
+    decision = record.decision
+    outcomes = {one.check: one for one in decision.outcomes}
+    yield _acceptance(decision)
+    yield from _figures(record, outcomes)
+    if decision.plan is not None:
+        yield from _sampling(decision, decision.plan, outcomes.get(rules.SAMPLING))
+    yield from _metaquality(decision, outcomes)
+
+
+def _acceptance(decision: Decision) -> QualityElement:
+    return QualityElement(
+        USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery keeps to the rules."),
+        Evaluation(DERIVED, tr("All rules together: the delivery is accepted where none of them fails.")),
+        conformance=Conformance(
+            decision.rules.name, " ".join(sentence(one) for one in decision.sentences), decision.accepted
+        ),
+    )
+
+
+def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iterator[QualityElement]:
+    decision = record.decision
+    kept_words = tr(
+        "Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it "
+        "(wavelet decomposition)."
+    )
+    by_eye = tr("Each piece of seam: what the operator saw in its window.")
+    measured = Evaluation(FULL, kept_words, _PROCEDURE)
+    failing = failing_sentence(decision)
+    full = Evaluation(FULL, f"{by_eye} {failing}") if decision.by_observer else (
+        Evaluation(FULL, f"{kept_words} {failing}", _PROCEDURE)
+    )
+    if decision.whole.failed_share is not None:
+        yield QualityElement(
+            ACCURACY, rules.FAILED_SHARE, check_word(rules.FAILED_SHARE),
+            tr("Length of the pieces of seam that failed, by the length that was measured."),
+            full,
+            (Quantity((100 * decision.whole.failed_share,), PER_CENT), *(
+                Quantity((100 * one.failed_share,), PER_CENT, sheet=one.name)
+                for one in decision.sheets if one.failed_share is not None
+            )),
+            _conformance(outcomes.get(rules.FAILED_SHARE)),
+        )
+    if decision.longest_failure_m is not None:
+        yield QualityElement(
+            ACCURACY, rules.LONGEST_FAILURE, check_word(rules.LONGEST_FAILURE),
+            tr("Length of the longest row of failed pieces that follow each other without a break, across sheets too."),
+            full,
+            (Quantity((decision.longest_failure_m,), METRES), *(
+                Quantity((one.longest_failure_m,), METRES, sheet=one.name)
+                for one in decision.sheets if one.piece_count and one.longest_failure_m is not None
+            )),
+            _conformance(outcomes.get(rules.LONGEST_FAILURE)),
+        )
+    kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
+    if kept:
+        yield QualityElement(
+            ACCURACY, rules.KEPT, check_word(rules.KEPT),
+            tr("Share of the finest detail of the orthoimages that is left in the piece of seam that kept least."),
+            measured, (Quantity((min(kept),), ONE),), _conformance(outcomes.get(rules.KEPT)),
+            has_coverage=record.loss is not None,
+        )
+
+
+def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | None) -> Iterator[QualityElement]:
+    plan, characteristic = found.plan, found.characteristic
+    scheme = filled(tr(
+        "ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql}, code letter {letter}; "
+        "accepted up to {most} failed pieces."
+    ),
+        level=plan.inspection_level, severity=severity_word(plan.severity), aql=plan.aql, letter=plan.code_letter,
+        most=plan.acceptance_number,
+    )
+    if found.seed is not None:
+        scheme += " " + filled(tr("Drawn at random with the seed {seed}."), seed=found.seed)
+    words = (
+        scheme,
+        filled(tr("{count} pieces of seam of {sheets} sheets"), count=plan.lot_size, sheets=len(decision.sheets)),
+        f"{plan.sample_size} / {plan.lot_size}",
+    )
+    reference = "ISO 2859-1:1999, Sampling procedures for inspection by attributes, Part 1"
+    inspected = Evaluation(SAMPLE, tr("Each piece of seam of the sample."), reference, words)
+    yield QualityElement(
+        USABILITY, rules.SAMPLING, check_word(rules.SAMPLING),
+        tr("Pieces of seam in the sample that failed."),
+        inspected, (Quantity((found.nonconforming,), ONE),), _conformance(outcome),
+    )
+    yield QualityElement(
+        CONFIDENCE, "sampling_risk", tr("risks of the plan of sampling"),
+        tr(
+            "Producer's risk: probability that a delivery as good as the AQL is rejected. Limiting quality: the share "
+            "of failed pieces at which a delivery is accepted with a probability of 10 % (consumer's risk)."
+        ),
+        inspected,
+        (Quantity((100 * characteristic.producers_risk, 100 * characteristic.limiting_quality), PER_CENT,
+                  tr("producer's risk; limiting quality")),),
+        about=rules.SAMPLING,
+    )
+
+
+def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterator[QualityElement]:
+    derived = Evaluation(DERIVED, tr("From the results of all pieces of seam."))
+    all_pieces = "acceptance" if decision.longest_failure_m is None else rules.LONGEST_FAILURE
+    yield QualityElement(
+        REPRESENTATIVITY, rules.MEASURED_SHARE, check_word(rules.MEASURED_SHARE),
+        tr("Length of seam that could be measured, by the length of all seams."), derived,
+        (Quantity((100 * decision.whole.measured_share,), PER_CENT),
+         *(Quantity((100 * one.measured_share,), PER_CENT, sheet=one.name)
+           for one in decision.sheets if one.piece_count)),
+        _conformance(outcomes.get(rules.MEASURED_SHARE)), about=all_pieces,
+    )
+    if (interval := decision.failed_share) is not None:
+        yield QualityElement(
+            CONFIDENCE, "failed_share_interval", tr("95 % interval of the share that failed"),
+            tr("Where the share of failed metres lies with a confidence of 95 %."), derived,
+            (Quantity((100 * interval.low, 100 * interval.high), PER_CENT, tr("lower end; upper end")),),
+            about=rules.FAILED_SHARE,
+        )
+    observers = decision.observers
+    for code, name, found in () if observers is None else (
+        ("observers_kappa", tr("agreement of two observers (kappa)"), observers.both),
+        ("tool_kappa", tr("agreement of the observer with the measurement (kappa)"), observers.with_tool),
+    ):
+        if found is not None and found.kappa is not None:
+            kappa = found.kappa
+            yield QualityElement(
+                CONFIDENCE, code, name,
+                filled(tr(
+                    "Cohen's kappa of {count} windows that both judged: 1 where both always agree, 0 where they do as "
+                    "often as by chance."
+                ), count=found.count),
+                Evaluation(SAMPLE, tr("Windows judged by eye at 2x magnification."), "", (
+                    tr("Windows as they were placed on the seams."), tr("Windows on the seams of the delivery."),
+                    str(found.count),
+                )),
+                (Quantity((kappa.value, kappa.low, kappa.high), ONE, tr("kappa; lower end; upper end (95 %)")),),
+                about=all_pieces,
+            )
+
+
+def _conformance(outcome: RuleOutcome | None) -> Conformance | None:
+    if outcome is None:
+        return None
+    clause = sentence(outcome.sentence)
+    return Conformance(outcome.source, f"{clause[:1].upper()}{clause[1:].rstrip('.')}.", outcome.passed)
+
 
 _NO_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 """What XML 1.0 has no place for, escaped or not."""

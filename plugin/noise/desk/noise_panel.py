@@ -1,18 +1,26 @@
 """The tab with the random noise of the selected window, on the mosaic or on one of the sources over it."""
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from qgis.PyQt.QtCore import Qt
+from qgis.core import QgsFeatureRequest, QgsFieldProxyModel, QgsVectorLayer
+from qgis.gui import QgsFieldComboBox
+from qgis.PyQt.QtCore import QSignalBlocker, Qt
 from qgis.PyQt.QtGui import QCloseEvent, QHideEvent
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
-from ...imagery.clips import DrawnWindow
-from ...imagery.errors import Message
+from ...imagery import messages as imagery_messages
+from ...imagery.clips import DrawnWindow, pixels_under
+from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.grids import PixelWindow
+from ...imagery.limits import DEFAULT_LEVELS
+from ...imagery.open_raster import describe
 from ...imagery.rasters import RasterRef
+from ...toolkit.attribute_values import text
+from ...toolkit.background_task import Cancelled, Job
 from ...toolkit.band_titles import band_title
 from ...toolkit.charts.chart_loader import chart_missing
 from ...toolkit.desk.background_tasks import BackgroundTasks
@@ -21,16 +29,73 @@ from ...toolkit.desk.clipped_label import ClippedLabel
 from ...toolkit.desk.tabs import InspectedWindows, WindowOnRasters
 from ...toolkit.desk.tooltips import plain_tip, rich_tip
 from ...toolkit.translation import filled, sentence, tr
-from ..jobs import noise_job
 from ..measure.band_noise import noisiest_band
-from ..measure.group_noise import ClipNoise
+from ..measure.group_noise import ClipNoise, measure_window
 from ..measure.window_choice import NOISE_WINDOWS
 from ..noise_summary import NO_GROUP, CurveGroup, band_curve, band_lines, noise_sentence
-from .window_classes import FieldBox, windows_alike
 
 if TYPE_CHECKING:
     from ...toolkit.background_task import Outcome
     from .noise_chart import NoiseChart
+
+def noise_job(ref: RasterRef, drawn: DrawnWindow) -> Job:
+    """Measures a window on the raster's own pixels, as the noise check does; yields the ClipNoise, or the Message why
+    there is none."""
+
+    def measured() -> ClipNoise | Message:
+        try:
+            window = pixels_under(drawn, describe(ref), DEFAULT_LEVELS)
+            return imagery_messages.NOT_COVERED(name=ref.name) if window is None else measure_window(ref, window)
+        except SeamInspectorError as error:
+            return error.message
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        if not cancelled():
+            yield 1.0, measured()
+
+    return job
+
+
+class FieldBox(QgsFieldComboBox):
+    """Which field of the windows they are grouped by; its first entry is none."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setFilters(
+            QgsFieldProxyModel.Filter.String | QgsFieldProxyModel.Filter.Int | QgsFieldProxyModel.Filter.LongLong
+        )
+        self.setAllowEmptyFieldName(True)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(8)
+        self.setToolTip(rich_tip(tr(
+            "Field that windows are grouped by, as land use or scale: the range of all windows with the selected "
+            "window's value stands behind its curves. Empty: no groups."
+        )))  # fmt: skip
+
+    def follow(self, layer: QgsVectorLayer | None) -> None:
+        """Offer the fields of this layer; the choice stays where it has such a field."""
+        if layer is self.layer():
+            return
+        chosen = self.currentField()
+        blocker = QSignalBlocker(self)
+        self.setLayer(layer)
+        self.setField(chosen)
+        blocker.unblock()
+
+
+def windows_alike(layer: QgsVectorLayer | None, field: str, fid: int) -> tuple[str, list[int]] | None:
+    """A window's value in a field, and the feature ids of all windows that have it, its own among them.
+
+    None where windows are not grouped, or this one has no value.
+    """
+    if layer is None or layer.fields().lookupField(field) < 0:
+        return None
+    request = QgsFeatureRequest().setFlags(QgsFeatureRequest.Flag.NoGeometry)
+    request.setSubsetOfAttributes([field], layer.fields())
+    values = {feature.id(): text(feature[field]) for feature in layer.getFeatures(request)}
+    value = values.get(fid, "")
+    return (value, [one for one, other in values.items() if other == value]) if value else None
+
 
 _Key = tuple[RasterRef, DrawnWindow]
 _LOADING_MS = 100  # between looks whether matplotlib is there

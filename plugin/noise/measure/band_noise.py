@@ -12,15 +12,30 @@ from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
+import pywt
 
 from ...imagery import limits as imagery_limits
 from ...imagery.errors import Message, SettingsError
 from ...imagery.limits import LUMINANCE, has_colours
 from ...imagery.wavelets import Curve, check_decomposition, clip_curves, detail_components
 from . import messages
-from .grain import Grain, curve_if_white, possible_grains, recognised_grain
-from .inner_coefficients import inner_ranges
-from .quiet_ground import QuietGround, clipped_pixels, quiet_ground
+from .grain import Grain, QuietGround, clipped_pixels, curve_if_white, possible_grains, quiet_ground, recognised_grain
+
+
+def inner_ranges(length: int, wavelet: str, levels: int) -> list[slice]:
+    """For level 1 (finest), 2, ..., R along an axis of ``length`` pixels: the coefficients free of the wrap-around.
+
+    An empty slice where there is none. Coefficient k of a level is made of the samples 2 k + 1 - L/2 to 2 k + L/2 of
+    the level before, L the filter's length.
+    """
+    half = pywt.Wavelet(wavelet).dec_len // 2
+    first, last = 0, length - 1
+    ranges = []
+    for _ in range(levels):
+        first, last = (first + half) // 2, (last - half) // 2  # the first rounded up: (first + half - 1) / 2
+        ranges.append(slice(first, max(last + 1, first)))
+    return ranges
+
 
 MIN_NOISE_LEVELS = 2  # the rule compares level 1 with level 2
 GAUSSIAN_QUARTILE = 0.6745  # median of the absolute value of a standard normal variable

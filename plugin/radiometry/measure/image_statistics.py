@@ -2,20 +2,56 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Callable
 
 import numpy as np
 
+from ...imagery import limits as imagery_limits
+from ...imagery.errors import Message
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster, PixelBlock
-from ...imagery.rasters import Raster, ValueRange
-from . import limits
-from .luminosity import figure_bands, luminosity
+from ...imagery.rasters import BIT_DEPTHS, Raster, ValueRange
+from . import limits, messages
+from .areas import Areas, joined, sample_areas
 from .rules import LUMINOSITY
-from .uniform_areas import Areas, joined, sample_areas
+
+
+def has_luminosity(image: Raster) -> bool:
+    """Whether there are red, green and blue to mix, or one band that is its own luminosity."""
+    return image.has_luminance or len(image.band_names) == 1
+
+
+def luminosity(bands: np.ndarray) -> np.ndarray:
+    """0.299 R + 0.587 G + 0.114 B of (bands, ...), whose first three are red, green and blue; a single band as it is.
+
+    Whole numbers are rounded to whole numbers of the same type: their histogram has the same bins.
+    """
+    if len(bands) == 1:
+        return np.asarray(bands[0])
+    is_whole, size = bands.dtype.kind in "iu", bands.dtype.itemsize
+    kind = np.float32 if size == 1 or bands.dtype == np.float32 else np.float64  # 24 bits tell 8 of them to 1e-5
+    red, green, blue = (kind(weight) for weight in imagery_limits.LUMINANCE_WEIGHTS)
+    mixed = bands[0] * red
+    mixed += bands[1] * green
+    mixed += bands[2] * blue
+    if not is_whole:
+        return np.asarray(mixed, bands.dtype)
+    if bands.dtype.kind == "i":
+        return np.rint(mixed).astype(bands.dtype)
+    mixed += kind(0.5)
+    return mixed.astype(bands.dtype)  # cuts off, so this rounds, in less time
+
+
+def figure_bands(image: Raster, bands: np.ndarray, names: tuple[str, ...]) -> np.ndarray:
+    """(names, ...): the bands of an image, or its luminosity, by their names."""
+    own = image.band_names
+    if names == own:
+        return bands
+    return np.stack([luminosity(bands) if name == LUMINOSITY else bands[own.index(name)] for name in names])
+
 
 MAX_BLOCK_PIXELS = 1024 * 1024  # read at a time: 3 MB of 8 bit RGB, so memory is flat
 MAX_AREAS = 8192  # looked at, spread over the raster: memory is flat and the time a small part of the read's
@@ -187,3 +223,84 @@ def _values(dtype: np.dtype, given: ValueRange | None) -> np.ndarray:
     assert given is not None
     low, high = given
     return low + (np.arange(_BINS) + 0.5) * ((high - low) / _BINS)
+
+
+PILE_PIXELS = 8  # at the largest value: fewer may be there by chance
+PILE_BELOW = 16  # values below the largest, none of which has as many pixels where the values end at it
+
+
+@dataclass(frozen=True)
+class ImageRange:
+    """The range of an image's values, or why it is not known."""
+
+    available: ValueRange | None
+    why: Message | None = None
+    """Why it is not known."""
+
+
+@dataclass(frozen=True)
+class LargestValue:
+    """The largest value of an image in 16 bit that says nothing of its range."""
+
+    value: int
+    is_piled_up: bool
+    """Whether so many pixels have it that values end there."""
+
+
+def own_range(image: Raster, given: ValueRange | None) -> ValueRange | None:
+    """The range that was given, or that the file says; None where only its pixels could tell, or nothing.
+
+    8 bit values have all of theirs, 16 bit ones as many bits as the file says (NBITS).
+    """
+    if given is not None:
+        return given
+    if image.data_type not in ("uint8", "int8", "uint16"):
+        return None
+    if image.data_type == "uint16":
+        return None if image.bits is None else (0.0, float(2**image.bits - 1))
+    information = np.iinfo(image.data_type)
+    return float(information.min), float(information.max)
+
+
+def largest_value(histograms: Iterable[Histogram]) -> LargestValue:
+    """The largest value of an image's bands."""
+    found = list(histograms)
+    largest = int(max(histogram.largest for histogram in found))
+    piled = False
+    for histogram in found:
+        if histogram.largest < largest:
+            continue  # this band may end below, and its histogram with it
+        place = int(np.searchsorted(histogram.values, largest))
+        here = int(histogram.counts[place])
+        below = histogram.counts[max(place - PILE_BELOW, 0) : place]
+        piled |= here >= PILE_PIXELS and here > int(below.max(initial=0))
+    return LargestValue(largest, piled)
+
+
+def range_of_set(images: Sequence[LargestValue]) -> ImageRange:
+    """The range of unsigned 16 bit images of one delivery that say nothing of it themselves.
+
+    Their values have b bits where they end at 2^b - 1: where the largest value of all images is that one and pixels
+    pile up at it. More than 14 bits are 16. Anything else may have any depth that holds it, so that it is not known.
+    """
+    largest = max(image.value for image in images)
+    if largest >= 2 ** BIT_DEPTHS[-2]:
+        return ImageRange((0.0, float(2 ** BIT_DEPTHS[-1] - 1)))
+    ends = [2**bits - 1 for bits in BIT_DEPTHS]
+    if largest in ends and any(image.is_piled_up for image in images if image.value == largest):
+        return ImageRange((0.0, float(largest)))
+    possible = ", ".join(str(bits) for bits in BIT_DEPTHS if 2**bits > largest)
+    return ImageRange(None, messages.RANGE_UNKNOWN(count=len(images), largest=largest, possible=possible))
+
+
+def known_range(image: Raster, largest: LargestValue | None, given: ValueRange | None) -> ImageRange | None:
+    """The range of an image that needs no other images for it; None where the whole set may tell it."""
+    available = own_range(image, given)
+    if available is not None:
+        if given is None and largest is not None and largest.value > available[1]:
+            said = messages.RANGE_CONTRADICTED(bits=image.bits, largest=largest.value)
+            return ImageRange(None, said)
+        return ImageRange(available)
+    if image.data_type != "uint16" or largest is None:
+        return ImageRange(None, messages.NO_VALUE_RANGE(data_type=image.data_type))
+    return None

@@ -10,13 +10,20 @@ from ...imagery.lines import Seam
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from . import rules as checks
-from .grey_areas import GreyArea, GreyTone, grey_tones
-from .image_ranges import LargestValue, largest_value, own_range
-from .image_statistics import Histogram, ImageStatistics, Wanted, can_count, stream_statistics
-from .luminosity import has_luminosity
+from .areas import Areas, GreyArea, GreyTone, grey_tones
+from .image_statistics import (
+    Histogram,
+    ImageStatistics,
+    LargestValue,
+    Wanted,
+    can_count,
+    has_luminosity,
+    largest_value,
+    own_range,
+    stream_statistics,
+)
 from .rules import LUMINOSITY, RuleSet
 from .seam_steps import SeamStep, seam_steps
-from .uniform_areas import Areas
 
 MIN_STATISTICS_PIXELS = 4096  # 64 x 64: a histogram of fewer is no picture of an image
 

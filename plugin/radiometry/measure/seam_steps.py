@@ -10,7 +10,7 @@ from ...imagery.grids import Grid, PixelWindow
 from ...imagery.lines import Seam, vertex_stations
 from ...imagery.open_raster import OpenRaster
 from . import limits
-from .luminosity import figure_bands
+from .image_statistics import figure_bands
 
 _RUN = 512  # px of seam read at a time
 

@@ -1,8 +1,10 @@
 """The dock of bar groups: draw a line across the bars of each group and watch its profile."""
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Optional
 
 from qgis.core import (
     QgsApplication,
@@ -26,8 +28,9 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ...imagery.errors import Message, SeamInspectorError
-from ...imagery.rasters import Raster
-from ...toolkit.background_task import End, Outcome
+from ...imagery.open_raster import describe_north_up
+from ...imagery.rasters import Raster, RasterRef
+from ...toolkit.background_task import Cancelled, End, Job, Outcome
 from ...toolkit.desk.background_tasks import BackgroundTasks
 from ...toolkit.desk.clipped_label import ClippedLabel
 from ...toolkit.desk.layer_box import LayerBox, vectors_without
@@ -36,21 +39,61 @@ from ...toolkit.layers import layer_ref, mosaic_crs
 from ...toolkit.map_places import transformed_point
 from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
-from .. import line_layer
-from ..jobs import MeasuredLines, bar_job, image_job
-from ..line_layer import drawn_lines
-from ..line_table import GROUP, pixel_segment
-from ..measure import limits, messages
-from ..measure.bar_groups import TargetResolution
-from ..measure.bar_lines import BarLine
-from ..measure.target import DIRECTIONS
+from .. import line_layers
+from ..distance_words import verdict_text
+from ..line_layers import GROUP, drawn_lines, pixel_segment
+from ..measure import messages
+from ..measure import target as limits
+from ..measure.bar_groups import TargetResolution, judge_lines
+from ..measure.bars import BarLine, MeasuredLine, measure_line
+from ..measure.profiles import Segment
+from ..measure.target import DIRECTIONS, Target
 from .bar_profile import BarProfile
 from .bar_tool import BarTool
 from .target_settings import TargetSettings, choice_box, row, whole_box
-from .verdict_text import verdict_text
 
 if TYPE_CHECKING:
     from ..measure.bar_groups import GroupResult
+
+MeasuredLines = dict[tuple[Optional["Segment"], int, float], MeasuredLine]
+"""By place, bars in a group and width."""
+
+
+def image_job(ref: RasterRef) -> Job:
+    """Opens an image; yields the Raster, or the Message why it can't be used."""
+
+    def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        try:
+            yield 1.0, describe_north_up(ref)
+        except SeamInspectorError as error:
+            yield 1.0, error.message
+
+    return job
+
+
+def bar_job(
+    raster: Raster, line: BarLine, others: Sequence[BarLine], known: MeasuredLines, target: Target, width: float
+) -> Job:
+    """Measures one line and judges it with the others of its target; yields the TargetResolution, the line's own last.
+
+    ``known``: what was measured before, to which the others are added.
+    """
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        measured = []
+        for other in others:
+            key = other.segment, target.bars, width
+            if key not in known:
+                known[key] = measure_line(raster, other, target.bars, width)
+            measured.append(replace(known[key], line=other))
+            if cancelled():
+                return
+        measured.append(measure_line(raster, line, target.bars, width))
+        if not cancelled():
+            yield 1.0, judge_lines(raster, measured, target)
+
+    return job
+
 
 _Filter = QgsMapLayerProxyModel.Filter
 
@@ -123,7 +166,7 @@ class BarDock(ToolDock):
             map_crs = self._canvas.mapSettings().destinationCrs()
             transform = QgsCoordinateTransform(map_crs, layer.crs(), QgsProject.instance().transformContext())
             shape = QgsGeometry.fromPolylineXY([start, end])
-            line_layer.add_bar_line(layer, shape, transform, self.group.value(), self.direction.currentData())
+            line_layers.add_bar_line(layer, shape, transform, self.group.value(), self.direction.currentData())
         except SeamInspectorError as error:
             self._warn(error.message)
             return
@@ -142,14 +185,14 @@ class BarDock(ToolDock):
 
     def _new_layer(self, raster: Raster) -> QgsVectorLayer:
         folder = Path(QgsProject.instance().homePath() or QgsApplication.qgisSettingsDirPath())
-        layer = line_layer.create_bar_layer(mosaic_crs(raster), folder)
+        layer = line_layers.create_bar_layer(mosaic_crs(raster), folder)
         QgsProject.instance().addMapLayer(layer)
         self.lines.show_layer(layer.id())
         return layer
 
     def _take_next(self) -> None:
         """The next number of the direction, where its lines have numbers."""
-        following = line_layer.next_group(self.line_layer(), self.direction.currentData())
+        following = line_layers.next_group(self.line_layer(), self.direction.currentData())
         if following is not None:
             self.group.setValue(following)
 
@@ -267,4 +310,3 @@ class BarDock(ToolDock):
 
 
 _KEY, _IMAGE_KEY = "bar group", "image"
-

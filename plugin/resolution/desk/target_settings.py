@@ -7,7 +7,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QHBoxLayout, QSpinBox, QWidget
 
 from ...toolkit.translation import tr
-from ..measure import limits
+from ..measure import target as limits
 from ..measure.target import BAR, COARSEST, CYCLE, GROUP, Target
 
 

@@ -9,12 +9,11 @@ import numpy as np
 
 from ...imagery.errors import Message
 from ...imagery.rasters import Raster
-from . import limits, messages
-from .bar_lines import MeasuredLine
-from .bars import BarReading
-from .full_amplitudes import MIN_ALIAS_FREE_PX, distance_error, with_full_amplitudes
+from . import messages
+from . import target as limits
+from .bars import BarReading, MeasuredLine
+from .full_amplitudes import MIN_ALIAS_FREE_PX, PlainPlace, distance_error, with_full_amplitudes
 from .target import DIRECTIONS, GROUP, Target
-from .target_levels import PlainPlace
 
 MIN_NYQUIST_PX = 2.0  # a bar and a gap narrower than two pixels are aliased: Shannon
 MIN_TARGET_CONTRAST = 5.0  # bars to gaps: Walczykowski et al. 2009, section 4

@@ -13,7 +13,8 @@ from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import raster_writer
 from ...imagery.rasters import Raster
-from . import limits, messages
+from . import messages
+from . import target as limits
 
 BILINEAR, MALVAR, EDGE_AWARE = limits.DEMOSAICS
 

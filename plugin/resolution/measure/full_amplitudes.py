@@ -3,12 +3,103 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from .bar_lines import MeasuredLine
-from .bars import MIN_CLEAR_SPACING_PX, BarReading, read_bars
+import numpy as np
+from scipy.special import ndtr
+
+from .bars import MIN_CLEAR_SPACING_PX, BarReading, MeasuredLine, PlainPlace, read_bars
 from .target import COARSEST, DIRECTIONS, Target
-from .target_levels import TargetLevels, kept_slope, target_levels
+
+MAX_CONTRAST_ERROR = 0.15  # relative: bars that say less of the target's contrast are not asked
+MIN_GROUP_ERROR = 0.02  # relative, of an amplitude: a blur is not quite a Gaussian one, and phases differ
+
+_COARSE = 3  # groups that say the middle: in finer ones saturation and a blur's far reach shift it
+_WIDTHS = np.geomspace(1.2, 40.0, 240)  # of the coarsest group's cycle, in standard deviations of the blur
+
+
+@dataclass(frozen=True)
+class TargetLevels:
+    """A target's plain brightness in one band, DN."""
+
+    gap: float
+    """Of its gaps, where nothing blurs them."""
+    error: float
+    """Its standard deviation."""
+    place: PlainPlace
+
+
+def kept_contrast(width: np.ndarray | float) -> np.ndarray:
+    """The share of its contrast that is left in a group of bars whose cycle is ``width`` sigmas of a Gaussian blur.
+
+    The middle of an inner bar less that of a gap beside it; the ground beside the bars has no part in it.
+    """
+    quarter = np.asarray(width) / 4
+    return np.asarray(1 - 4 * ndtr(-quarter) + 4 * ndtr(-3 * quarter) - 2 * ndtr(-5 * quarter))
+
+
+def kept_slope(kept: float) -> float:
+    """How much of the contrast's kept share goes with a relative change of the cycle, where so much is kept."""
+    widths = np.geomspace(0.5, 40, 2000)
+    shares = kept_contrast(widths)
+    return float(np.interp(kept, shares, np.gradient(shares, np.log(widths))))
+
+
+def target_levels(groups: Sequence[tuple[float, BarReading]]) -> TargetLevels | None:
+    """The plain brightness of a target in one band, by the widths of its groups in any unit and what they show.
+
+    None where no group shows bars.
+
+    A blur raises gaps by what it takes from the bars, so bars and gaps together say the middle of the target's
+    contrast, and the fall of their difference from group to group says how much of it even the coarsest one lost. The
+    ground beside the bars counts where the groups don't say otherwise, as it may be other ground.
+    """
+    usable = [(cycle, one) for cycle, one in groups if one.amplitude is not None and one.amplitude > 0]
+    if not usable:
+        return None
+    usable.sort(key=lambda pair: -pair[0])
+    bright = usable[0][1].bright
+    sign = 1.0 if bright else -1.0
+    cycles = np.array([cycle for cycle, one in usable if one.bright == bright])
+    used = [one for _, one in usable if one.bright == bright]
+    tops, bottoms = (
+        np.array([sign * float(np.mean([one.value for one in part])) for part in parts])
+        for parts in ([one.inner_bars for one in used], [one.gaps for one in used])
+    )
+    heights = tops - bottoms
+    errors = np.hypot([one.amplitude_error or 0.0 for one in used], MIN_GROUP_ERROR * heights)
+    middle = float(np.mean((tops + bottoms)[:_COARSE]) / 2)
+    contrast, error = _contrast(cycles, heights, errors)
+    beside = [2 * (middle - sign * value) for one in used for value in one.grounds]
+    ground = max(beside, default=0.0)  # the contrast, if the darkest ground beside the bars is the target's own
+    seen, close = float(heights.max()), float(errors[0])
+    tell = error <= MAX_CONTRAST_ERROR * contrast
+    if tell and (error < close or abs(ground - contrast) > 2 * error):
+        return TargetLevels(sign * (middle - contrast / 2), error / 2, PlainPlace.GROUPS)
+    if ground > seen:
+        return TargetLevels(sign * (middle - ground / 2), close / 2, PlainPlace.GROUND)
+    return TargetLevels(sign * (middle - seen / 2), close / 2, PlainPlace.NOWHERE)
+
+
+def _contrast(cycles: np.ndarray, heights: np.ndarray, errors: np.ndarray) -> tuple[float, float]:
+    """The contrast of a target and its standard deviation, from the amplitudes of its groups.
+
+    For each blur the contrast that fits best, all of them weighted by how well they fit. One width says nothing.
+    """
+    if np.ptp(cycles) < 1e-6 * cycles.max():
+        return float(heights.max()), math.inf
+    kept = kept_contrast(np.outer(_WIDTHS, cycles / cycles.max()))
+    weight = 1 / errors**2
+    information = np.sum(kept**2 * weight, axis=1)
+    contrasts = np.sum(kept * heights * weight, axis=1) / information
+    misfit = np.sum((heights - contrasts[:, np.newaxis] * kept) ** 2 * weight, axis=1)
+    scale = max(1.0, float(misfit.min()) / max(1, len(cycles) - 2))
+    likely = np.exp(-(misfit - misfit.min()) / (2 * scale))
+    likely /= likely.sum()
+    mean = float(np.sum(likely * contrasts))
+    spread = float(np.sum(likely * ((contrasts - mean) ** 2 + scale / information)))
+    return mean, math.sqrt(spread)
+
 
 MIN_ALIAS_FREE_PX = 2.5  # three bars that are finer than two pixels can't seem so far apart in the 5 px they cover
 

@@ -17,7 +17,8 @@ from ...imagery.errors import BarLineError
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
-from . import limits, messages
+from . import messages
+from . import target as limits
 
 MAX_BAR_TURN_DEG = 10.0  # how roughly a line may be drawn: a hand does better
 BAR_MARGIN = 0.2  # of a line's length: half a cycle of three bars, when the line ends with the outer ones

@@ -5,27 +5,44 @@ import math
 from dataclasses import dataclass
 
 from ...imagery.errors import SettingsError
-from . import limits, messages
+from . import messages
+
+# Ground resolved distance
+DEFAULT_BARS = 3  # Walczykowski et al. 2009, figures 4 to 10; USAF-1951
+MIN_BARS = 2  # one bar has no gap to its neighbour
+DEFAULT_REFERENCE_GROUP = 9  # Walczykowski et al. 2009, section 4: group 9 is 30 cm
+DEFAULT_REFERENCE_GRD_CM = 30.0  # the same, and the Open Skies limit
+DEFAULT_GROUP_STEP = 2 ** (1 / 6)  # tables 3A and 3B: 30.00, 33.67, 42.42, 60.00, 67.35, 75.60 cm
+MAX_GROUP_RATIO = 1e9  # of widths to the reference group's: no target has more; far beyond it numbers overflow
+DEFAULT_CRITERION = 0.5  # Walczykowski et al. 2009, section 4: at least half of the group's DN amplitude
+FULL_AMPLITUDES = ("group", "coarsest")  # the paper's; a reference that does not change from group to group
+DISTANCES = ("cycle", "bar")  # what a distance is the width of: the paper's definition; what its figures are of
+DEFAULT_BAR_WIDTH_PX = 3.0  # either side: seven pixels lower the noise 2.6 times
+MIN_NOISE_RATIO = 3.0  # amplitude over the noise of the ground: three standard deviations
+MAX_BAR_LINE_PX = 2000  # some 130 MB of pixels of three bands around it
+BAYER_PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")  # colours row by row: the filter of the paper and its three turns
+DEMOSAICS = ("bilinear", "malvar", "edge_aware")  # the paper's; Malvar, He, Cutler 2004; OpenCV's, if installed
+
 
 DIRECTIONS = ("along", "across")
 """To the flight: the direction in which a line crosses the bars."""
-GROUP, COARSEST = limits.FULL_AMPLITUDES
-CYCLE, BAR = limits.DISTANCES
+GROUP, COARSEST = FULL_AMPLITUDES
+CYCLE, BAR = DISTANCES
 
 
 @dataclass(frozen=True)
 class Target:
     """A calibration target and the criterion that its groups are judged by (Walczykowski et al. 2009, section 4)."""
 
-    bars: int = limits.DEFAULT_BARS
+    bars: int = DEFAULT_BARS
     """Bars in each group."""
-    reference_group: int = limits.DEFAULT_REFERENCE_GROUP
+    reference_group: int = DEFAULT_REFERENCE_GROUP
     """Number of the group whose width is known."""
-    reference_grd_cm: float = limits.DEFAULT_REFERENCE_GRD_CM
+    reference_grd_cm: float = DEFAULT_REFERENCE_GRD_CM
     """Its distance, cm on the ground: of what ``grd_of`` says."""
-    step: float = limits.DEFAULT_GROUP_STEP
+    step: float = DEFAULT_GROUP_STEP
     """How many times as wide the next coarser group is."""
-    criterion: float = limits.DEFAULT_CRITERION
+    criterion: float = DEFAULT_CRITERION
     """Share of the full amplitude that the bars of a resolved group keep."""
     reversed: bool = False
     """Whether higher numbers are coarser."""
@@ -36,19 +53,19 @@ class Target:
 
     def check(self) -> None:
         """Raise SettingsError for a target that can't be."""
-        if self.bars < limits.MIN_BARS:
-            raise SettingsError(messages.TOO_FEW_BARS(bars=self.bars, least=limits.MIN_BARS))
+        if self.bars < MIN_BARS:
+            raise SettingsError(messages.TOO_FEW_BARS(bars=self.bars, least=MIN_BARS))
         if not 0 < self.reference_grd_cm < math.inf:
             raise SettingsError(messages.GRD_NOT_POSITIVE(grd=self.reference_grd_cm))
         if not 1 < self.step < math.inf:
             raise SettingsError(messages.STEP_TOO_SMALL(step=self.step))
         if not 0 < self.criterion <= 1:
             raise SettingsError(messages.CRITERION_OUT_OF_RANGE(criterion=self.criterion))
-        if self.full_amplitude not in limits.FULL_AMPLITUDES:
-            known = ", ".join(limits.FULL_AMPLITUDES)
+        if self.full_amplitude not in FULL_AMPLITUDES:
+            known = ", ".join(FULL_AMPLITUDES)
             raise SettingsError(messages.FULL_AMPLITUDE_UNKNOWN(word=self.full_amplitude, known=known))
-        if self.grd_of not in limits.DISTANCES:
-            raise SettingsError(messages.GRD_OF_UNKNOWN(word=self.grd_of, known=", ".join(limits.DISTANCES)))
+        if self.grd_of not in DISTANCES:
+            raise SettingsError(messages.GRD_OF_UNKNOWN(word=self.grd_of, known=", ".join(DISTANCES)))
 
     def grd_cm(self, group: int) -> float:
         """Ground resolved distance of a group, cm: of a bar and a gap together, or of one bar (``grd_of``)."""
@@ -57,7 +74,7 @@ class Target:
 
     def has_group(self, group: int) -> bool:
         """Whether a target can have bars of that number: so near the reference group that they have a width."""
-        return abs(group - self.reference_group) * math.log(self.step) <= math.log(limits.MAX_GROUP_RATIO)
+        return abs(group - self.reference_group) * math.log(self.step) <= math.log(MAX_GROUP_RATIO)
 
     def cycle_cm(self, group: int) -> float:
         """Width of a bar and a gap of a group together, cm."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from seam_inspector.plugin.acceptance.measure.deciding import decide
-from seam_inspector.plugin.acceptance.measure.defects import defects_of
+from seam_inspector.plugin.acceptance.measure.decision import defects_of
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
 from tests.numbers.acceptance.made_decisions import IMAGES, PIECE_M, decided, window_on, with_windows

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import pytest
-from seam_inspector.plugin.acceptance.measure.sampling.iso2859 import (
+from seam_inspector.plugin.acceptance.measure.sampling_plans import (
     AQLS,
     INSPECTION_LEVELS,
     NORMAL,

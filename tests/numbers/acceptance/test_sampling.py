@@ -8,17 +8,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
-from seam_inspector.plugin.acceptance.measure.sampling.characteristic import (
+from seam_inspector.plugin.acceptance.measure.measured_pieces import failed_share_interval
+from seam_inspector.plugin.acceptance.measure.sampling_plans import REDUCED, single_sampling_plan
+from seam_inspector.plugin.acceptance.measure.sampling_risks import (
+    StatedRisk,
     acceptance_probability,
+    intraclass_correlation,
     limiting_quality,
     operating_characteristic,
+    plan_by_risk,
     producers_risk,
+    stratified_sample,
 )
-from seam_inspector.plugin.acceptance.measure.sampling.clustering import intraclass_correlation
-from seam_inspector.plugin.acceptance.measure.sampling.drawing import stratified_sample
-from seam_inspector.plugin.acceptance.measure.sampling.iso2859 import REDUCED, single_sampling_plan
-from seam_inspector.plugin.acceptance.measure.sampling.sample_size import StatedRisk, plan_by_risk
-from seam_inspector.plugin.acceptance.measure.share_interval import failed_share_interval
 from seam_inspector.plugin.imagery.errors import SettingsError
 
 RISK = StatedRisk(0.01, 0.05, 0.08, 0.10)

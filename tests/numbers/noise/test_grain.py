@@ -12,8 +12,13 @@ from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.imagery.limits import WAVELETS
 from seam_inspector.plugin.noise.measure.band_noise import BandNoise, NoiseVerdict, measure_noise
-from seam_inspector.plugin.noise.measure.grain import Grain, curve_if_white, grain_spectrum
-from seam_inspector.plugin.noise.measure.quiet_ground import clipped_pixels, quiet_ground
+from seam_inspector.plugin.noise.measure.grain import (
+    Grain,
+    clipped_pixels,
+    curve_if_white,
+    grain_spectrum,
+    quiet_ground,
+)
 from skimage.restoration import estimate_sigma
 
 from tests.examples import at_most

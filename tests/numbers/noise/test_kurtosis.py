@@ -7,8 +7,7 @@ import pywt
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.limits import WAVELETS
-from seam_inspector.plugin.noise.measure.band_noise import measure_noise
-from seam_inspector.plugin.noise.measure.inner_coefficients import inner_ranges
+from seam_inspector.plugin.noise.measure.band_noise import inner_ranges, measure_noise
 
 from tests.examples import at_most
 from tests.numbers.noise.inner_coefficients import inner_kurtoses

@@ -16,7 +16,7 @@ from seam_inspector.plugin.noise.measure.band_noise import (
     noise_verdict,
     noisiest_band,
 )
-from seam_inspector.plugin.noise.measure.hole_filling import filled
+from seam_inspector.plugin.noise.measure.group_noise import filled
 
 from tests.examples import at_most
 from tests.numbers.noise.inner_coefficients import inner_kurtoses

@@ -13,9 +13,9 @@ from seam_inspector.plugin.imagery.clips import DrawnWindow
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, PixelBlock
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.noise.measure import chosen_plan, group_noise, window_plan
+from seam_inspector.plugin.noise.measure import group_noise, noise_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
-from seam_inspector.plugin.noise.measure.noise_requests import GroupedImage, Plan, describe_images
+from seam_inspector.plugin.noise.measure.noise_plan import GroupedImage, Plan, describe_images
 from seam_inspector.plugin.noise.measure.window_choice import choose_windows
 
 from tests.numbers.synthetic import ORIGIN, decompose, orthoimage, patchy_texture, wkt, write_raster
@@ -116,7 +116,7 @@ def test_small_rasters_get_smaller_windows(make_raster: MakeRaster, side: int, e
 def test_a_raster_too_small_or_empty_gets_none_and_the_reason(make_raster: MakeRaster) -> None:
     tiny = make_raster("tiny.tif", grey((60, 200)))
     empty = make_raster("empty.tif", np.zeros((200, 200), np.uint8), nodata=0)
-    plan = chosen_plan.plan_chosen(images([tiny, empty]), 3)
+    plan = noise_plan.plan_chosen(images([tiny, empty]), 3)
     assert plan.requests == ()
     said = [str(notice) for notice in plan.notices]
     assert said[0].startswith("tiny.tif has no valid part of 64 x 64 px")
@@ -134,10 +134,10 @@ def test_a_photograph_without_a_place_on_the_map_is_measured(tmp_path: Path) -> 
     gdal.GetDriverByName("PNG").CreateCopy(path, memory)
     (image,) = images([path])
     assert image.ground_sample_distance is None
-    (whole,) = measure(chosen_plan.plan_chosen([image], 3))
+    (whole,) = measure(noise_plan.plan_chosen([image], 3))
     assert whole.bands["red"].curve.detail == pytest.approx(decompose(pixels[0]).shares[:3], abs=1e-6)
     drawn = DrawnWindow(7, (64.2, -191.9, 191.7, -64.1), "")  # as QGIS shows such a picture: rows run down from 0
-    (part,) = measure(window_plan.plan_drawn([image], [drawn], 3))
+    (part,) = measure(noise_plan.plan_drawn([image], [drawn], 3))
     assert (part.window_id, part.part.window) == (7, PixelWindow(64, 64, 128, 128))
     expected = decompose(pixels[1, 64:192, 64:192]).shares[:3]
     assert part.bands["green"].curve.detail == pytest.approx(expected, abs=1e-6)
@@ -150,7 +150,7 @@ def test_drawn_windows_come_over_from_another_system_and_those_outside_are_said(
 
     inside = DrawnWindow(1, extent_on(extent, wkt(32633), wkt(4326)), wkt(4326))
     outside = DrawnWindow(2, (0, 0, 1, 1), wkt(32633))
-    plan = window_plan.plan_drawn(images([path]), [inside, outside], 3)
+    plan = noise_plan.plan_drawn(images([path]), [inside, outside], 3)
     assert [request.window_id for request in plan.requests] == [1]
     assert abs(plan.requests[0].parts[0].window.column - 100) <= 8
     assert [str(notice) for notice in plan.notices] == [
@@ -164,7 +164,7 @@ def test_a_window_with_too_many_invalid_pixels_says_so_and_costs_nothing_else(ma
     path = make_raster("holes.tif", pixels, nodata=0)
     windows = [DrawnWindow(i, (ORIGIN[0] + x, ORIGIN[1] - 25.6, ORIGIN[0] + x + 25.6, ORIGIN[1]), wkt(32633))
                for i, x in ((1, 0.0), (2, 25.6))]
-    first, second = measure(window_plan.plan_drawn(images([path]), windows, 3))
+    first, second = measure(noise_plan.plan_drawn(images([path]), windows, 3))
     assert first.bands == {}
     assert "of the pixels of holes.tif are invalid" in str(first.reason)
     assert second.bands
@@ -180,13 +180,13 @@ def test_the_same_pixels_are_left_out_of_both(make_raster: MakeRaster) -> None:
     first = make_raster("first.tif", pixels)
     second = make_raster("second.tif", np.where(holes, pixels, 255).astype(np.uint8), valid=holes)
     window = DrawnWindow(1, (ORIGIN[0], ORIGIN[1] - 51.2, ORIGIN[0] + 51.2, ORIGIN[1]), wkt(32633))
-    plan = window_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3)
+    plan = noise_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3)
     assert plan.requests[0].paired
     a, b = measure(plan)
     assert [one.part.member.group for one in (a, b)] == [1, 2]
     assert a.paired
     assert a.bands == b.bands  # nothing of what differs is in them
-    (alone,) = measure(window_plan.plan_drawn(images([first]), [window], 3))
+    (alone,) = measure(noise_plan.plan_drawn(images([first]), [window], 3))
     assert a.bands["band_1"].curve.detail != alone.bands["band_1"].curve.detail
     assert a.bands["band_1"].curve.detail == pytest.approx(alone.bands["band_1"].curve.detail, rel=0.03)
 
@@ -202,7 +202,7 @@ def test_a_pair_is_cut_to_what_both_show_and_who_shows_less_than_half_takes_no_p
     origin = (ORIGIN[0] + 0.1 * right, ORIGIN[1] - 0.1 * down)
     first, second = make_raster("first.tif", grey()), make_raster("second.tif", grey(), origin=origin)
     window = DrawnWindow(1, (ORIGIN[0], ORIGIN[1] - 51.2, ORIGIN[0] + 51.2, ORIGIN[1]), wkt(32633))
-    (request,) = window_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3).requests
+    (request,) = noise_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3).requests
     found = [(part.member.group, part.window) for part in request.parts]
     if shared is None:
         assert found == [(1, PixelWindow(0, 0, 512, 512))]
@@ -218,8 +218,8 @@ def test_masks_go_over_to_other_pixel_sizes(make_raster: MakeRaster) -> None:
     holes[401, 601] = False
     first = make_raster("fine.tif", fine, gsd=0.1, valid=holes)
     second = make_raster("coarse.tif", coarse, gsd=0.2)
-    plan = chosen_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
-    notice = window_plan.pixel_size_notice(plan)
+    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
+    notice = noise_plan.pixel_size_notice(plan)
     assert notice is not None
     assert "0.1 m and 0.2 m" in str(notice)
     (request,) = plan.requests
@@ -245,7 +245,7 @@ def test_pixels_that_touch_an_invalid_one_with_an_edge_are_left_out(
     origin = (ORIGIN[0] + 0.1 * (beside[0] - 40), ORIGIN[1] + 0.1 * (beside[1] + 30))  # right and up, in pixels
     first, second = make_raster("first.tif", grey()), make_raster("second.tif", grey(), origin=origin)
     middle = DrawnWindow(1, (ORIGIN[0] + 6.4, ORIGIN[1] - 44.8, ORIGIN[0] + 44.8, ORIGIN[1] - 6.4), wkt(32633))
-    (request,) = window_plan.plan_drawn([*images([first]), *images([second], 2)], [middle], 3).requests
+    (request,) = noise_plan.plan_drawn([*images([first]), *images([second], 2)], [middle], 3).requests
     ours, theirs = (part.window for part in request.parts)
     invalid = np.zeros((theirs.height, theirs.width), bool)
     invalid[200 + 30 - theirs.row, 300 + 40 - theirs.column] = True
@@ -261,15 +261,15 @@ def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster:
     holes[:200, :200] = False
     first, second = make_raster("first.tif", pixels), make_raster("second.tif", pixels, valid=holes)
     window = DrawnWindow(1, (ORIGIN[0], ORIGIN[1] - 51.2, ORIGIN[0] + 51.2, ORIGIN[1]), wkt(32633))
-    a, b = measure(window_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3))
+    a, b = measure(noise_plan.plan_drawn([*images([first]), *images([second], 2)], [window], 3))
     assert a.bands
     assert not a.paired  # so it was measured with all its pixels
     assert "15.26% of the pixels of second.tif are invalid" in str(b.reason)
     some = np.ones((512, 512), bool)
     some[:40, :40] = False  # 0.6 %: as much as a pair may lack, and more than a raster alone
     third = make_raster("third.tif", pixels, valid=some)
-    assert measure(window_plan.plan_drawn([*images([first]), *images([third], 2)], [window], 3))[1].bands
-    alone, _ = measure(window_plan.plan_drawn([*images([third]), *images([second], 2)], [window], 3))
+    assert measure(noise_plan.plan_drawn([*images([first]), *images([third], 2)], [window], 3))[1].bands
+    alone, _ = measure(noise_plan.plan_drawn([*images([third]), *images([second], 2)], [window], 3))
     assert not alone.bands
     assert "0.6% of the window is invalid" in str(alone.reason)
 
@@ -277,7 +277,7 @@ def test_too_many_invalid_pixels_leave_the_raster_out_of_the_window(make_raster:
 def test_windows_are_chosen_where_both_groups_show_the_ground(make_raster: MakeRaster) -> None:
     first = make_raster("first.tif", grey((1100, 2300)))
     second = make_raster("second.tif", grey((1100, 1100), seed=3), origin=(ORIGIN[0] + 120, ORIGIN[1]))
-    plan = chosen_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
+    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
     assert [request.paired for request in plan.requests] == [True]
     ours, theirs = (part.window for part in plan.requests[0].parts)
     assert ours.column - theirs.column == 1200
@@ -287,7 +287,7 @@ def test_windows_are_chosen_where_both_groups_show_the_ground(make_raster: MakeR
 def test_groups_without_common_ground_are_measured_apart_and_that_is_said(make_raster: MakeRaster) -> None:
     first = make_raster("first.tif", grey())
     second = make_raster("second.tif", grey(seed=3), origin=(ORIGIN[0] + 900, ORIGIN[1]))
-    plan = chosen_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
+    plan = noise_plan.plan_chosen([*images([first]), *images([second], 2)], 3)
     assert [request.paired for request in plan.requests] == [False, False]
     assert [request.window_id for request in plan.requests] == [1, 2]
     assert "no common ground" in str(plan.notices[-1])
@@ -298,19 +298,19 @@ def test_noise_tells_two_cameras_of_the_same_ground_apart(make_raster: MakeRaste
     ground = 120 + 25 * patchy_texture((1100, 1100), 2.7, 8)
     clean = make_raster("digital.tif", np.rint(ground).clip(0, 255).astype(np.uint8))
     film = np.rint(ground + random.normal(0, 9, ground.shape)).clip(0, 255).astype(np.uint8)
-    a, b = measure(chosen_plan.plan_chosen([*images([clean]), *images([make_raster("film.tif", film)], 2)], 3))
+    a, b = measure(noise_plan.plan_chosen([*images([clean]), *images([make_raster("film.tif", film)], 2)], 3))
     assert [one.bands["band_1"].verdict.value for one in (a, b)] == ["low", "strong"]
     assert b.bands["band_1"].sigma == pytest.approx(9, rel=0.08)
 
 
 def test_the_work_stops_when_it_is_cancelled(make_raster: MakeRaster) -> None:
-    plan = chosen_plan.plan_chosen(images([make_raster("a.tif", grey((2100, 2100)))]), 3)
+    plan = noise_plan.plan_chosen(images([make_raster("a.tif", grey((2100, 2100)))]), 3)
     assert len(plan.requests) == 4
     taken: list[object] = []
     with ThreadPoolExecutor(1) as executor:
         for clips in group_noise.measure_requests(plan.requests, "coif3", 3, executor, 2, lambda: len(taken) >= 1):
             taken.append(clips)
     assert len(taken) == 1
-    assert chosen_plan.plan_chosen(images([plan.requests[0].parts[0].member.image.ref.path]), 3, lambda: True) == Plan(
+    assert noise_plan.plan_chosen(images([plan.requests[0].parts[0].member.image.ref.path]), 3, lambda: True) == Plan(
         (), ()
     )

@@ -8,9 +8,9 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.lines import Seam
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.radiometry.measure.areas import GreyArea
 from seam_inspector.plugin.radiometry.measure.assessment import Assessment, CheckedFigure, judge
-from seam_inspector.plugin.radiometry.measure.grey_areas import GreyArea
-from seam_inspector.plugin.radiometry.measure.image_ranges import known_range, range_of_set
+from seam_inspector.plugin.radiometry.measure.image_statistics import known_range, range_of_set
 from seam_inspector.plugin.radiometry.measure.measured_image import Drawn, MeasuredImage, measure
 from seam_inspector.plugin.radiometry.measure.rules import FROM_HISTOGRAM, LUMINOSITY, RuleSet
 

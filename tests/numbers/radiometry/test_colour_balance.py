@@ -6,9 +6,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from osgeo import ogr
-from seam_inspector.plugin.radiometry.measure.assessment import Assessment
-from seam_inspector.plugin.radiometry.measure.decision import RadiometricOutcome, decide_image
-from seam_inspector.plugin.radiometry.measure.grey_areas import GreyArea
+from seam_inspector.plugin.radiometry.measure.areas import GreyArea
+from seam_inspector.plugin.radiometry.measure.assessment import Assessment, RadiometricOutcome, decide_image
 from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet
 
 from tests.numbers.radiometry.judging import checked, checked_figure, figure

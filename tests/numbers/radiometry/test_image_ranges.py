@@ -5,9 +5,8 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.radiometry.measure.assessment import judge
-from seam_inspector.plugin.radiometry.measure.decision import RadiometricOutcome, decide_image
-from seam_inspector.plugin.radiometry.measure.image_ranges import ImageRange, LargestValue, range_of_set
+from seam_inspector.plugin.radiometry.measure.assessment import RadiometricOutcome, decide_image, judge
+from seam_inspector.plugin.radiometry.measure.image_statistics import ImageRange, LargestValue, range_of_set
 from seam_inspector.plugin.radiometry.measure.rules import RuleSet
 
 from tests.numbers.radiometry.jrc import default_rules

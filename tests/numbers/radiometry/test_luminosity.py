@@ -10,7 +10,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.radiometry.measure.luminosity import luminosity
+from seam_inspector.plugin.radiometry.measure.image_statistics import luminosity
 from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet, load_rules, ready_rule_files
 
 from tests.numbers.radiometry.judging import checked, checked_figure, figure, reasons

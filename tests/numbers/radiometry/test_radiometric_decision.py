@@ -6,8 +6,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.messages import SOURCE_LEFT_OUT
-from seam_inspector.plugin.radiometry.measure.assessment import Assessment
-from seam_inspector.plugin.radiometry.measure.decision import RadiometricOutcome, decide, decide_image
+from seam_inspector.plugin.radiometry.measure.assessment import Assessment, RadiometricOutcome, decide, decide_image
 from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet
 
 from tests.numbers.radiometry.judging import checked

@@ -14,7 +14,8 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.lines import Seam
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.radiometry.measure import image_statistics
+from seam_inspector.plugin.radiometry.measure import image_statistics as image_statistics
+from seam_inspector.plugin.radiometry.measure.areas import Areas, sample_areas, signal_to_noise
 from seam_inspector.plugin.radiometry.measure.image_statistics import (
     ImageStatistics,
     Wanted,
@@ -23,7 +24,6 @@ from seam_inspector.plugin.radiometry.measure.image_statistics import (
 )
 from seam_inspector.plugin.radiometry.measure.measured_image import measure
 from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet
-from seam_inspector.plugin.radiometry.measure.uniform_areas import Areas, sample_areas, signal_to_noise
 
 from tests.examples import at_most
 from tests.numbers.radiometry.jrc import default_rules

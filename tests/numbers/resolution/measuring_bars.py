@@ -4,7 +4,7 @@ from __future__ import annotations
 from seam_inspector.plugin.imagery.open_raster import describe_north_up
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.resolution.measure.bar_groups import TargetResolution, judge_lines
-from seam_inspector.plugin.resolution.measure.bar_lines import BarLine, MeasuredLine, measure_line
+from seam_inspector.plugin.resolution.measure.bars import BarLine, MeasuredLine, measure_line
 from seam_inspector.plugin.resolution.measure.profiles import Segment
 from seam_inspector.plugin.resolution.measure.target import Target
 

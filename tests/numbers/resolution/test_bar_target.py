@@ -13,7 +13,7 @@ from scipy import stats
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_north_up
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.resolution.measure.bar_lines import BarLine, measure_line
+from seam_inspector.plugin.resolution.measure.bars import BarLine, measure_line
 from seam_inspector.plugin.resolution.measure.profiles import Segment
 from seam_inspector.plugin.resolution.measure.target import Target
 

@@ -9,8 +9,7 @@ import pytest
 from seam_inspector.plugin.imagery.open_raster import describe_north_up
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.resolution.measure.bar_groups import TargetResolution, judge_lines
-from seam_inspector.plugin.resolution.measure.bar_lines import BarLine, MeasuredLine
-from seam_inspector.plugin.resolution.measure.bars import BarReading, Extreme
+from seam_inspector.plugin.resolution.measure.bars import BarLine, BarReading, Extreme, MeasuredLine
 from seam_inspector.plugin.resolution.measure.profiles import Profile, Segment
 from seam_inspector.plugin.resolution.measure.target import Target
 

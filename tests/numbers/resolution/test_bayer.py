@@ -13,7 +13,7 @@ from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
 from seam_inspector.plugin.imagery.open_raster import describe_north_up
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.resolution.measure import bayer
-from seam_inspector.plugin.resolution.measure.limits import BAYER_PATTERNS, DEMOSAICS
+from seam_inspector.plugin.resolution.measure.target import BAYER_PATTERNS, DEMOSAICS
 
 from tests.numbers.synthetic import orthoimage, read_pixels
 

@@ -7,9 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.acceptance.measure.decision import Decision
-from seam_inspector.plugin.acceptance.measure.defects import defects_of
-from seam_inspector.plugin.acceptance.paper.defect_pictures import PICTURE_PX, DefectPicture, DefectPictures
+from seam_inspector.plugin.acceptance.measure.decision import Decision, defects_of
+from seam_inspector.plugin.acceptance.paper.defect_files import PICTURE_PX, DefectPicture, DefectPictures
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 

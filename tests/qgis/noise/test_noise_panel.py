@@ -17,7 +17,7 @@ from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QComboBox
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.noise import jobs
+from seam_inspector.plugin.noise.desk import noise_panel
 from seam_inspector.plugin.noise.desk.noise_chart import NoiseDrawing, figure
 from seam_inspector.plugin.noise.desk.noise_panel import NoisePanel
 from seam_inspector.plugin.noise.measure.band_noise import noisiest_band
@@ -86,7 +86,7 @@ def asked(monkeypatch: pytest.MonkeyPatch) -> list[RasterRef]:
         seen.append(ref)
         return measure_window(ref, window)
 
-    monkeypatch.setattr(jobs, "measure_window", noted)
+    monkeypatch.setattr(noise_panel, "measure_window", noted)
     return seen
 
 
@@ -264,7 +264,7 @@ def slow(monkeypatch: pytest.MonkeyPatch) -> Iterator[dict[str, Any]]:
             time.sleep(0.002)
         return measure_window(ref, window)
 
-    monkeypatch.setattr(jobs, "measure_window", wait)
+    monkeypatch.setattr(noise_panel, "measure_window", wait)
     yield state
     state["may_end"] = True
     wait_for_tasks()

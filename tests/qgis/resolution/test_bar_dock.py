@@ -21,7 +21,7 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QPoint, Qt
 from qgis.PyQt.QtGui import QColor, QKeyEvent
 from qgis.PyQt.QtWidgets import QAction, QApplication
-from seam_inspector.plugin.resolution import jobs
+from seam_inspector.plugin.resolution.desk import bar_dock
 from seam_inspector.plugin.resolution.desk.bar_dock import BarDock
 from seam_inspector.plugin.toolkit.desk.chart_look import chart_style
 
@@ -89,14 +89,14 @@ def test_pixels_are_read_in_the_background_and_the_last_line_wins(
     operator: Operator, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     threads, measured = set(), []
-    genuine = jobs.measure_line
+    genuine = bar_dock.measure_line
 
     def measure(raster, line, bars, width):  # type: ignore[no-untyped-def]
         threads.add(threading.current_thread())
         measured.append(line.segment)
         return genuine(raster, line, bars, width)
 
-    monkeypatch.setattr(jobs, "measure_line", measure)
+    monkeypatch.setattr(bar_dock, "measure_line", measure)
     start, end = operator.ends(1)
     operator.press(start)
     for step in range(40):
@@ -114,13 +114,13 @@ def test_pixels_are_read_in_the_background_and_the_last_line_wins(
 @pytest.fixture
 def slow_header(operator: Operator, monkeypatch: pytest.MonkeyPatch) -> Iterator[threading.Event]:
     """Images open once it is set, at the latest at the test's end."""
-    may_end, genuine = threading.Event(), jobs.describe_north_up
+    may_end, genuine = threading.Event(), bar_dock.describe_north_up
 
     def describe(ref):  # type: ignore[no-untyped-def]
         may_end.wait()
         return genuine(ref)
 
-    monkeypatch.setattr(jobs, "describe_north_up", describe)
+    monkeypatch.setattr(bar_dock, "describe_north_up", describe)
     yield may_end
     may_end.set()
     wait_for_tasks()

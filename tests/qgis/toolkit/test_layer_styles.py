@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from qgis.core import QgsApplication, QgsExpression, QgsExpressionContext, QgsFeature, QgsVectorLayer
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
-from seam_inspector.plugin.acceptance.paper.defect_layer import DEFECT_COLUMNS
+from seam_inspector.plugin.acceptance.paper.defect_files import DEFECT_COLUMNS
 from seam_inspector.plugin.imagery.statistics import JUDGING_FIELDS
 from seam_inspector.plugin.seams.measure.scan.results.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS, PLACED_COLUMNS

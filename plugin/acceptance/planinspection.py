@@ -19,24 +19,25 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery import limits as imagery_limits
-from ...imagery.errors import SettingsError
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
-from .. import stated_rules as stated
-from ..measure import limits, messages
-from ..measure.sampling.iso2859 import INSPECTION_LEVELS, SEVERITIES
-from ..sheet_index import add_sheets, with_sheets
-from .plan_parameters import LOT_SIZE, SEED, add_plan_parameters
+from ..imagery import limits as imagery_limits
+from ..imagery.errors import SettingsError
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import tr
+from . import stated_rules as stated
+from .measure import acceptance_rules as limits
+from .measure import messages
+from .measure.sampling_plans import INSPECTION_LEVELS, SEVERITIES
+from .sheet_index import add_sheets, with_sheets
+from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
 if TYPE_CHECKING:
-    from ...imagery.rasters import Raster
-    from ..measure.delivery import DeliveredPiece, Delivery
-    from ..measure.inspection_plan import CountedPlan
-    from ..measure.sampling.sample_size import StatedRisk
-    from ..sample_tables import SampledItem
+    from ..imagery.rasters import Raster
+    from .measure.delivery import DeliveredPiece, Delivery
+    from .measure.inspection_plan import CountedPlan
+    from .measure.sampling_risks import StatedRisk
+    from .planned_sample import SampledItem
 
 SEAMS, UNIT, SIDE, PIECE, SHEET_FIELD, COUNT = "SEAMS", "UNIT", "SIDE", "PIECE", "SHEET_FIELD", "COUNT"
 GOOD_SHARE, PRODUCERS_RISK = "GOOD_SHARE", "PRODUCERS_RISK"
@@ -122,7 +123,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         return stated.with_standard_aql(super().for_check(parameters))
 
     def prepare(self, run: Run) -> None:
-        from ..seam_layers import seam_layers
+        from .delivery_layers import seam_layers
 
         self._check(run)
         self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context)
@@ -132,7 +133,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         self._mosaic = run.mosaic() if run.parameters.get(common.MOSAIC) else None
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ..measure.inspection_plan import drawn_sample
+        from .measure.inspection_plan import drawn_sample
 
         run.tell(*self._told)
         delivery = self._delivery(run)
@@ -200,7 +201,7 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     @staticmethod
     def _risk(run: Run) -> StatedRisk:
-        from ..measure.sampling.sample_size import StatedRisk
+        from .measure.sampling_risks import StatedRisk
 
         return StatedRisk(*(run.real(name) / 100 for name in (GOOD_SHARE, PRODUCERS_RISK, BAD_SHARE, CONSUMERS_RISK)))
 
@@ -214,7 +215,7 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     def _delivery(self, run: Run) -> Delivery:
         """The pieces of the scans, and those that plain seamlines are cut into."""
-        from ..seamline_pieces import with_cut_seamlines
+        from .planned_sample import with_cut_seamlines
 
         step = self._mosaic.grid.ground_sample_distance if self._mosaic is not None else None
         delivery, told = with_cut_seamlines(
@@ -225,7 +226,7 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     def _on_mosaic(self, run: Run, delivery: Delivery) -> Sequence[DeliveredPiece]:
         """The pieces that windows can be placed on; all where none are."""
-        from ..sampled_windows import middle_on
+        from .planned_sample import middle_on
 
         if self._mosaic is None:
             return delivery.pieces
@@ -238,7 +239,7 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     def _plan(self, run: Run, lot: Sequence[DeliveredPiece], size: int) -> CountedPlan | None:
         """None where as many are drawn as were asked for."""
-        from ..measure.inspection_plan import plan_of_risk, plan_of_standard
+        from .measure.inspection_plan import plan_of_risk, plan_of_standard
 
         plan = run.word(stated.PLAN)
         if plan == BY_COUNT:
@@ -251,8 +252,8 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     @staticmethod
     def _tell_plan(run: Run, counted: CountedPlan | None, drawn: int, size: int) -> None:
-        from ..measure.inspection_plan import risk_sentences
-        from ..measure.sampling.characteristic import allowed_at_aql, operating_characteristic
+        from .measure.inspection_plan import risk_sentences
+        from .measure.sampling_risks import allowed_at_aql, operating_characteristic
 
         if counted is None:
             run.tell(messages.PLANNED_BY_COUNT(size=drawn, lot=size))
@@ -274,10 +275,9 @@ class PlanInspection(SeamInspectorAlgorithm):
     def _write(
         self, run: Run, sample: Sequence[DeliveredPiece], lot_size: int, crs: QgsCoordinateReferenceSystem
     ) -> str | None:
-        from ...toolkit import layers
-        from ...toolkit.table_fields import column_fields, column_values, feature
-        from ..sample_tables import PIECE_COLUMNS, WINDOW_COLUMNS, SampledItem
-        from ..sampled_windows import sampled_window
+        from ..toolkit import layers
+        from ..toolkit.table_fields import column_fields, column_values, feature
+        from .planned_sample import PIECE_COLUMNS, WINDOW_COLUMNS, SampledItem, sampled_window
 
         items = [SampledItem(order, piece, lot_size) for order, piece in enumerate(sample, 1)]
         mosaic, columns, kind = self._mosaic, PIECE_COLUMNS, QgsWkbTypes.Type.LineString
@@ -296,7 +296,7 @@ class PlanInspection(SeamInspectorAlgorithm):
 
 
 def _outline(item: SampledItem, mosaic: Raster | None) -> QgsGeometry:
-    from ...toolkit import layers
+    from ..toolkit import layers
 
     if item.window is not None and mosaic is not None:
         return layers.rectangle(mosaic.grid.window_extent(item.window))

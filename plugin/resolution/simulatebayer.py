@@ -6,12 +6,12 @@ from typing import Any
 from qgis.core import QgsProcessingParameterRasterDestination, QgsProcessingParameterRasterLayer
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...toolkit.algorithms import groups
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
-from ..measure import limits
+from ..toolkit.algorithms import groups
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import tr
+from .measure import target as limits
 
 RASTER, PATTERN, DEMOSAIC, OUTPUT = "RASTER", "PATTERN", "DEMOSAIC", "OUTPUT"
 
@@ -52,7 +52,7 @@ class SimulateBayer(SeamInspectorAlgorithm):
         )
 
     def check(self, run: Run) -> None:
-        from ..measure.bayer import check_demosaic
+        from .measure.bayer import check_demosaic
 
         check_demosaic(*self._ways(run))
         run.north_up(RASTER)
@@ -61,7 +61,7 @@ class SimulateBayer(SeamInspectorAlgorithm):
         self._raster = run.north_up(RASTER)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ..measure.bayer import simulate_file
+        from .measure.bayer import simulate_file
 
         path = run.layer_path(OUTPUT)
         simulate_file(self._raster, path, *self._ways(run), run.goes_on)

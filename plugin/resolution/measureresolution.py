@@ -15,21 +15,22 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery import messages as imagery_messages
-from ...imagery.errors import RasterError, SettingsError
-from ...toolkit.algorithms import groups
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.run import Run
-from ...toolkit.band_titles import band_title
-from ...toolkit.translation import tr
-from ..measure import limits, messages
+from ..imagery import messages as imagery_messages
+from ..imagery.errors import RasterError, SettingsError
+from ..toolkit.algorithms import groups
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.band_titles import band_title
+from ..toolkit.translation import tr
+from .measure import messages
+from .measure import target as limits
 
 if TYPE_CHECKING:
-    from ...imagery.rasters import Raster
-    from ..measure.bar_groups import TargetResolution
-    from ..measure.bar_lines import MeasuredLine
-    from ..measure.target import Target
+    from ..imagery.rasters import Raster
+    from .measure.bar_groups import TargetResolution
+    from .measure.bars import MeasuredLine
+    from .measure.target import Target
 
 RASTER, GROUPS, WIDTH, BAND, BARS = "RASTER", "GROUPS", "WIDTH", "BAND", "BARS"
 REFERENCE_GROUP, REFERENCE_GRD, STEP = "REFERENCE_GROUP", "REFERENCE_GRD", "STEP"
@@ -154,11 +155,11 @@ class MeasureResolution(SeamInspectorAlgorithm):
         self._raster = run.north_up(RASTER)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import layers
-        from .. import line_table
-        from ..distance_words import distance_sentences
-        from ..measure.bar_groups import judge_lines
-        from ..measure.bar_lines import measure_line
+        from ..toolkit import layers
+        from . import line_layers
+        from .distance_words import distance_sentences
+        from .measure.bar_groups import judge_lines
+        from .measure.bars import measure_line
 
         raster, target = self._raster, self._target(run)
         target.check()
@@ -166,8 +167,8 @@ class MeasureResolution(SeamInspectorAlgorithm):
         run.check_chart()
         lines = run.source(GROUPS)
         names = lines.fields().names()
-        line_table.check_fields(names)
-        observers = line_table.observer_fields(names)
+        line_layers.check_fields(names)
+        observers = line_layers.observer_fields(names)
         count = lines.featureCount()
         if count == 0:
             raise SettingsError(messages.NO_BAR_LINES())
@@ -177,7 +178,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         for row in layers.features(lines):
             if run.is_cancelled():
                 break
-            line = line_table.bar_line(row, raster.grid, transform, observers)
+            line = line_layers.bar_line(row, raster.grid, transform, observers)
             measured.append(measure_line(raster, line, target.bars, width, band))
             run.progress(0.9 * len(measured) / max(count, 1))
         resolution = judge_lines(raster, measured, target)
@@ -191,8 +192,8 @@ class MeasureResolution(SeamInspectorAlgorithm):
         run.tell(*resolution.notices)
         for sentence in distance_sentences(resolution):
             run.inform(sentence)
-        sink, destination = run.sink(OUTPUT, line_table.result_fields(), QgsWkbTypes.Type.LineString, crs)
-        run.write(sink, line_table.result_features(resolution.results, raster.grid))
+        sink, destination = run.sink(OUTPUT, line_layers.result_fields(), QgsWkbTypes.Type.LineString, crs)
+        run.write(sink, line_layers.result_features(resolution.results, raster.grid))
         return {
             OUTPUT: destination,
             GRD_ALONG: resolution.worst("along"),
@@ -209,7 +210,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         }
 
     def _target(self, run: Run) -> Target:
-        from ..measure.target import Target
+        from .measure.target import Target
 
         numbers = run.real(REFERENCE_GRD), run.real(STEP), run.real(CRITERION)
         words = run.word(FULL_AMPLITUDE), run.word(GRD_OF)
@@ -223,7 +224,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
 
     def _band(self, run: Run, raster: Raster) -> int | None:
         """Where the band stands among those that are measured; None for all."""
-        from ...imagery.open_raster import OpenRaster
+        from ..imagery.open_raster import OpenRaster
 
         number = run.whole(BAND)
         if number < 0:
@@ -233,13 +234,13 @@ class MeasureResolution(SeamInspectorAlgorithm):
 
 
 def _save_chart(path: Path, resolution: TargetResolution, target: Target) -> None:
-    from ...toolkit.charts.figure_files import save_figure
-    from ..charts import group_chart
+    from ..toolkit.charts.figure_files import save_figure
+    from .charts import group_chart
 
     save_figure(group_chart(resolution.results, target.criterion), path)
 
 
 def _save_report(path: Path, raster: Raster, resolution: TargetResolution, target: Target) -> None:
-    from ..report import save_resolution_report
+    from .report import save_resolution_report
 
     save_resolution_report(path, raster, resolution, target)

@@ -1,23 +1,57 @@
-"""Pictures of failures for paper: the mosaic around each, the seam drawn in it. Reads pixels, knows no Qt."""
+"""DEFECTS: one feature per failure, for the producer, with a picture of the mosaic around it in a folder beside."""
 from __future__ import annotations
 
+import errno
 import math
-from collections.abc import Sequence
+import os
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
+from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsLineString
 
-from ...imagery.errors import RasterError
+from ...imagery.atomic_files import whole_file
+from ...imagery.errors import RasterError, SettingsError
 from ...imagery.grids import PixelWindow
 from ...imagery.lines import points_at, vertex_stations
+from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import transform_points
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
-from ..measure.defects import Defect
+from ...toolkit.table_fields import Column, column_features, column_fields
+from ..measure.decision import Defect
+from . import messages
+
+_NAME = "defect_{}.jpg"
+
+
+class PictureFolder:
+    """Holds the pictures of one layer; those of an earlier one go."""
+
+    def __init__(self, folder: Path) -> None:
+        """Raises SettingsError where it can't be written."""
+        self._folder = folder
+        try:
+            if folder.is_symlink():  # what it leads to is none of ours
+                raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
+            folder.mkdir(parents=True, exist_ok=True)
+            for old in folder.glob(_NAME.format("*")):
+                old.unlink()
+        except OSError as error:
+            raise SettingsError(messages.PICTURES_NOT_WRITTEN(folder=folder, error=system_reason(error))) from None
+
+    def save(self, number: int, jpeg: bytes) -> Path:
+        """Write one; where it is. Raises SettingsError where it can't be."""
+        path = self._folder / _NAME.format(f"{number:03d}")
+        with whole_file(path) as unfinished:
+            unfinished.write_bytes(jpeg)
+        return path
+
 
 PICTURE_PX = 400
 """Side of a panel."""
@@ -140,3 +174,57 @@ def _draw_dashes(pixels: np.ndarray, path: np.ndarray) -> None:
         rows, columns = (one.ravel() for one in np.broadcast_arrays(rows, columns))
         seen = (rows >= 0) & (columns >= 0) & (rows < pixels.shape[0]) & (columns < pixels.shape[1])
         pixels[rows[seen], columns[seen]] = colour
+
+
+@dataclass(frozen=True)
+class DefectRow:
+    """A failure and the file that shows it."""
+
+    defect: Defect
+    picture: str
+    """Its path from the layer's folder; empty for none."""
+
+
+def _rounded(value: float | None) -> float | None:
+    """People read this layer: no digits that mean nothing."""
+    return None if value is None else round(value, 3)
+
+
+def _coordinate(value: float) -> float:
+    """To a millimetre or so, in metres as in degrees."""
+    return float(f"{value:.10g}")
+
+
+DEFECT_COLUMNS: tuple[Column[DefectRow], ...] = (
+    Column("defect", "integer", lambda one: one.defect.number),
+    Column("sheet", "text", lambda one: ", ".join(one.defect.sheets)),
+    Column("length", "real", lambda one: _rounded(one.defect.length_m)),
+    Column("kept_1", "real", lambda one: _rounded(one.defect.worst.piece.kept_1)),
+    Column("kept_low", "real", lambda one: _rounded(one.defect.worst.piece.kept_low)),
+    Column("kept_high", "real", lambda one: _rounded(one.defect.worst.piece.kept_high)),
+    Column("band_width", "real", lambda one: _rounded(one.defect.band_width_m)),
+    Column("cause", "text", lambda one: one.defect.cause or None),
+    Column("left_source", "text", lambda one: one.defect.worst.piece.left_source or None),
+    Column("right_source", "text", lambda one: one.defect.worst.piece.right_source or None),
+    Column("left_date", "text", lambda one: one.defect.worst.piece.left_date or None),
+    Column("right_date", "text", lambda one: one.defect.worst.piece.right_date or None),
+    Column("x", "real", lambda one: _coordinate(one.defect.place[0])),
+    Column("y", "real", lambda one: _coordinate(one.defect.place[1])),
+    Column("remark", "text", lambda one: "; ".join(one.defect.remarks) or None),
+    Column("picture", "text", lambda one: one.picture or None),
+)
+
+
+def defect_fields() -> QgsFields:
+    return column_fields(DEFECT_COLUMNS)
+
+
+def defect_features(defects: Sequence[Defect], pictures: Mapping[int, str]) -> Iterator[QgsFeature]:
+    """``pictures``: paths from the layer's folder, by the failures' numbers."""
+    rows = [DefectRow(one, pictures.get(one.number, "")) for one in defects]
+    for row, feature in zip(rows, column_features(DEFECT_COLUMNS, rows)):
+        lines = (QgsGeometry(QgsLineString(*line.T.tolist())) for line in row.defect.lines)
+        whole = QgsGeometry.collectGeometry(list(lines)).mergeLines()
+        whole.convertToMultiType()
+        feature.setGeometry(whole)
+        yield feature

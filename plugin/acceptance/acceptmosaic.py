@@ -14,20 +14,20 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery.errors import SettingsError
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
-from .. import stated_rules as stated
-from ..measure import messages
-from ..measure.rules_file import ready_files
-from ..paper import outputs as paper
-from ..sheet_index import add_sheets, with_sheets
-from .plan_parameters import LOT_SIZE, SEED, add_plan_parameters
+from ..imagery.errors import SettingsError
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import tr
+from . import stated_rules as stated
+from .measure import messages
+from .measure.acceptance_rules import ready_files
+from .paper import outputs as paper
+from .sheet_index import add_sheets, with_sheets
+from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
 if TYPE_CHECKING:
-    from ..measure.decision import Decision
+    from .measure.decision import Decision
 
 SEAMS, WINDOWS, JUDGE = "SEAMS", "WINDOWS", "JUDGE"
 TOOL, OBSERVER = "tool", "observer"
@@ -125,8 +125,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         return stated.with_standard_aql(super().for_check(parameters))
 
     def prepare(self, run: Run) -> None:
-        from ...toolkit.layers import layer_address
-        from ..seam_layers import seam_layers
+        from ..toolkit.layers import layer_address
+        from .delivery_layers import seam_layers
 
         needed = "" if self._by_observer(run) else "kept_1"
         self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context, needed)
@@ -152,9 +152,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         }
 
     def _decision(self, run: Run) -> Decision:
-        from ..judged_windows import judged_windows
-        from ..measure.deciding import decide
-        from ..seam_layers import read_delivery
+        from .delivery_layers import judged_windows, read_delivery
+        from .measure.deciding import decide
 
         rules = stated.stated_rules(run)
         run.check_chart()
@@ -195,8 +194,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
 
 
 def _save_chart(path: Path, decision: Decision) -> None:
-    from ...toolkit.charts.figure_files import save_figure
-    from ..kept_chart import kept_figure
-    from ..paper.charts import oc_figure
+    from ..toolkit.charts.figure_files import save_figure
+    from .paper.charts import kept_figure, oc_figure
 
     save_figure(kept_figure(decision) if decision.plan is None else oc_figure(decision.plan), path)

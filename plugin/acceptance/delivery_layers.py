@@ -1,4 +1,4 @@
-"""Layers of seams, as scans and ``planinspection`` write them -> the pieces of a delivery.
+"""Layers of seams, as scans and ``planinspection`` write them, and of judged windows -> a delivery.
 
 Layers are looked up in their own thread (``seam_layers``) and read in another (``read_delivery``).
 """
@@ -20,6 +20,7 @@ from qgis.core import (
     QgsFeatureRequest,
     QgsGeometry,
     QgsProcessingContext,
+    QgsProcessingFeatureSource,
     QgsProcessingUtils,
     QgsUnitTypes,
     QgsVectorLayer,
@@ -27,14 +28,45 @@ from qgis.core import (
     QgsWkbTypes,
 )
 
-from ..imagery.errors import Message, SettingsError
+from ..imagery.errors import Message, SettingsError, WindowError
 from ..imagery.reference_systems import utm_wkt
 from ..toolkit import layers
+from ..toolkit.algorithms.run import Run
 from ..toolkit.attribute_values import Attributes, attributes, number, text, whole_number
 from .measure import messages
-from .measure.delivery import DeliveredPiece, Delivery, in_order
-from .measure.layer_doubts import LayerDoubts
-from .measure.overlaps import overlap, without_copies
+from .measure.delivered_rows import LayerDoubts, overlap, without_copies
+from .measure.delivery import DeliveredPiece, Delivery, SeenWindow, in_order
+
+
+def judged_windows(
+    source: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, run: Run
+) -> tuple[SeenWindow, ...]:
+    """Those that have an outline, in a reference system; what is wrong with others is told.
+
+    Raises SettingsError for a layer without polygons.
+    """
+    if QgsWkbTypes.geometryType(source.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
+        raise SettingsError(messages.WINDOWS_NO_POLYGONS(name=source.sourceName()))
+    transform = run.transform(source, crs) if crs.isValid() else None
+    found = []
+    for row in attributes(layers.features(source), source.fields().names()):
+        try:
+            extent = layers.outline_extent(row.feature, transform)
+        except WindowError as error:
+            run.tell(error.message.as_warning())
+            continue
+        if extent is not None:
+            found.append(
+                SeenWindow(
+                    text(row["window_id"]) or text(row.feature.id()), extent, text(row["cause"]), text(row["causes"]),
+                    text(row["verdict"]), number(row["kept_1"]), text(row["observer"]), text(row["observer_2"]),
+                    text(row["remark"]), text(row["remark_2"]),
+                )
+            )
+    if not any(one.cause or one.verdict or one.observer or one.observer_2 or one.remark for one in found):
+        run.tell(messages.WINDOWS_SAY_NOTHING(name=source.sourceName()))
+    return tuple(found)
+
 
 _OF_SCAN_FILE = "seams"  # the table of a scan's file with several
 _SHEET_FIELDS = ("sheet", "layer")  # planinspection's; that of QGIS's own Merge vector layers

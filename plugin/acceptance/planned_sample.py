@@ -1,0 +1,148 @@
+"""Layers of seams, scanned or plain -> the pieces that a sample is drawn of; a sample -> its table and windows."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsCoordinateTransform,
+    QgsCoordinateTransformContext,
+    QgsFeatureRequest,
+)
+
+from ..imagery import limits
+from ..imagery.errors import Message, RasterError, SeamlineError, SettingsError, WindowError
+from ..imagery.grids import PixelWindow, standard_side_px, standard_window
+from ..imagery.lines import find_seams
+from ..imagery.rasters import Raster
+from ..imagery.reference_systems import transform_points
+from ..toolkit import layers
+from ..toolkit.attribute_values import whole_number
+from ..toolkit.table_fields import Column
+from .delivery_layers import SeamLayer, common_system, metres_in_unit, read_delivery
+from .measure import messages
+from .measure.delivery import DeliveredPiece, Delivery, in_order
+from .measure.inspection_plan import cut_pieces
+
+_STEP = 0.01  # of a piece: raster steps up to that are straightened where no mosaic says how large they are
+_OF_SCAN = "kept_1"
+
+
+def with_cut_seamlines(
+    seams: Sequence[SeamLayer], transforms: QgsCoordinateTransformContext, sheet_field: str, piece_m: float,
+    step_m: float | None,
+) -> tuple[Delivery, list[Message]]:
+    """All pieces, and what is to be told; ``step_m``: pixel of the mosaic, where it is known.
+
+    Raises SettingsError where there are none.
+    """
+    crs = common_system(seams, transforms)
+    scanned = [layer for layer in seams if _OF_SCAN in layer.fields]
+    pieces: list[DeliveredPiece] = []
+    told: list[Message] = []
+    lot_size = None
+    if scanned:
+        read, told = read_delivery(scanned, transforms, sheet_field, crs)
+        pieces, lot_size = list(read.pieces), read.lot_size
+    for layer in seams:
+        if layer not in scanned:
+            cut = _cut(layer, crs, transforms, piece_m, step_m or _STEP * piece_m)
+            if not cut:
+                told.append(messages.LAYER_EMPTY(name=layer.sheet))
+            pieces += cut
+    if not pieces:
+        raise SettingsError(messages.LAYERS_EMPTY())
+    return Delivery(in_order(pieces), layers.system_wkt(crs), metres_in_unit(crs), lot_size=lot_size), told
+
+
+def _cut(
+    layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext, piece_m: float,
+    step_m: float,
+) -> list[DeliveredPiece]:
+    transform, unit = QgsCoordinateTransform(layer.crs, crs, transforms), metres_in_unit(crs)
+    try:
+        lines = [layers.line_wkb(row, transform) for row in layer.source.getFeatures(QgsFeatureRequest())]
+    except WindowError:
+        raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
+    try:
+        return cut_pieces(find_seams(lines, step_m / unit), layer.sheet, piece_m, unit) if any(lines) else []
+    except SeamlineError as error:
+        raise SettingsError(error.message) from None
+
+
+def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, float] | None:
+    """The point half-way along a piece, in the mosaic's reference system; None where the mosaic does not show it."""
+    try:
+        x, y = transform_points(np.array([piece.middle]), wkt, mosaic.wkt)[0].tolist() if wkt else piece.middle
+    except RasterError:
+        return None
+    xmin, ymin, xmax, ymax = mosaic.grid.extent
+    return (x, y) if xmin <= x <= xmax and ymin <= y <= ymax else None
+
+
+def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: float) -> PixelWindow | None:
+    """A standard window around the middle of a piece, moved inside the mosaic; None where that does not show it.
+
+    Raises SettingsError for a side that can't be, or is longer than the mosaic.
+    """
+    grid = mosaic.grid
+    side = standard_side_px(grid, side_m)
+    if side > min(grid.columns, grid.rows):
+        raise SettingsError(messages.MOSAIC_SMALLER_THAN_WINDOW(pixels=side, side=side_m))
+    if side < limits.MIN_SIDE_PX:
+        raise SettingsError(messages.WINDOW_SIDE_TOO_SHORT(side=side_m, pixels=side, least=limits.MIN_SIDE_PX))
+    place = middle_on(mosaic, piece, wkt)
+    if place is None:
+        return None
+    return standard_window(grid, *place, side).moved_into(grid.columns, grid.rows)
+
+
+@dataclass(frozen=True, eq=False)
+class SampledItem:
+    """A piece that was drawn."""
+
+    order: int
+    """As the how-manieth, from 1."""
+    piece: DeliveredPiece
+    lot_size: int
+    window: PixelWindow | None = None
+    """Around its middle, on the mosaic's grid."""
+
+
+_DRAWN: tuple[Column[SampledItem], ...] = (
+    Column("sample", "integer", lambda one: one.order),
+    Column("lot_size", "integer", lambda one: one.lot_size),
+)
+_SEAM: Column[SampledItem] = Column("seam_id", "integer", lambda one: whole_number(one.piece.seam_id))
+
+PIECE_COLUMNS: tuple[Column[SampledItem], ...] = (
+    Column("sheet", "text", lambda one: one.piece.sheet),
+    Column("seam_id", "text", lambda one: one.piece.seam_id),
+    Column("station", "real", lambda one: one.piece.station_m),
+    *_DRAWN,
+    Column("left_source", "text", lambda one: one.piece.left_source or None),
+    Column("right_source", "text", lambda one: one.piece.right_source or None),
+    Column("left_date", "text", lambda one: one.piece.left_date or None),
+    Column("right_date", "text", lambda one: one.piece.right_date or None),
+    Column("length", "real", lambda one: one.piece.length_m),
+    Column("kept_1", "real", lambda one: one.piece.kept_1),
+    Column("kept_low", "real", lambda one: one.piece.kept_low),
+    Column("kept_high", "real", lambda one: one.piece.kept_high),
+    Column("band_width", "real", lambda one: one.piece.band_width_m),
+    Column("verdict", "text", lambda one: one.piece.verdict or None),
+    Column("reason", "text", lambda one: one.piece.reason or None),
+)
+"""As the scan's SEAMS, so that acceptmosaic takes it."""
+
+WINDOW_COLUMNS: tuple[Column[SampledItem], ...] = (
+    Column("window_id", "integer", lambda one: one.order),
+    _SEAM,
+    Column("station", "real", lambda one: None if one.piece.station_m is None else (
+        one.piece.station_m + one.piece.length_m / 2
+    )),
+    Column("sheet", "text", lambda one: one.piece.sheet),
+    *_DRAWN,
+)
+"""As ``placewindows`` writes them, with the sheet."""

@@ -1,0 +1,211 @@
+"""``seaminspector:minimumheight``: the lowest flying height for a ground resolved distance."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsFeature,
+    QgsFields,
+    QgsProcessing,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+)
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+
+from ..imagery import messages as imagery_messages
+from ..imagery.errors import Message, SettingsError
+from ..toolkit.algorithms import groups
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.attribute_values import number, text
+from ..toolkit.translation import sentence, shown_number, tr
+from .measure import messages
+
+if TYPE_CHECKING:
+    from .measure.minimum_height import HeightResult, Observation
+
+HEIGHT, GRD = "height", "grd"
+_KEYS = ("sensor", "image_type", "direction")
+MEASURED = ("grd_error",)
+"""Fields of measured groups that begin as those of observers do."""
+
+
+def key_fields(names: Sequence[str], by_height: bool) -> tuple[str, ...]:
+    """What the rows are grouped by: the fields of the key that the table has, and the height if that is wanted."""
+    return tuple(name for name in _KEYS if name in names) + ((HEIGHT,) if by_height else ())
+
+
+def reading_fields(names: Sequence[str]) -> list[str]:
+    """The fields with the distances that observers read: ``grd``, ``grd_2`` and so on, or names after ``grd_``.
+
+    Raises SettingsError where there is none, or no height.
+    """
+    fields = [name for name in names if name == GRD or (name.startswith(f"{GRD}_") and name not in MEASURED)]
+    for name in (HEIGHT, GRD):
+        if name not in names and (name == HEIGHT or not fields):
+            raise SettingsError(messages.FIELD_MISSING(field=name))
+    return fields
+
+
+def observation(
+    row: QgsFeature, keys: Sequence[str], readings: Sequence[str]
+) -> tuple[Observation | None, Message | None]:
+    """A row as an observation, or why it is none. ``readings``: the fields of its observers, of whom some may lack."""
+    from .measure.minimum_height import Observation
+
+    words = [row[name] for name in readings if text(row[name])]
+    height, grds = number(row[HEIGHT]), [number(word) for word in words]
+    wrong = [text(word) for word, grd in zip([row[HEIGHT], *words], [height, *grds]) if grd is None and text(word)]
+    if wrong:
+        return None, messages.OBSERVATION_NO_NUMBER(word=wrong[0])
+    if height is None or not grds:
+        return None, messages.OBSERVATION_EMPTY()
+    read = tuple(grd for grd in grds if grd is not None)
+    found = Observation(height, read, tuple(text(row[name]) for name in keys))
+    return (found, None) if found.fault is None else (None, found.fault)
+
+
+def height_table(results: Sequence[HeightResult], keys: Sequence[str]) -> tuple[QgsFields, list[QgsFeature]]:
+    """OUTPUT: one row per group of observations."""
+    from ..toolkit.table_fields import feature, table_fields
+
+    fields = table_fields(
+        *((name, "text") for name in keys),
+        ("count", "integer"),
+        ("mean", "real"),
+        ("spread", "real"),
+        ("observers", "integer"),
+        ("observer_spread", "real"),
+        ("reference", "real"),
+        ("tolerance", "real"),
+        ("notice", "text"),
+    )
+    return fields, [
+        feature(fields, [
+            *one.key, len(one.heights_m), one.mean_m, one.spread_m, one.observers, one.observer_spread_m,
+            one.reference_m, one.tolerance_percent, None if one.notice is None else sentence(one.notice),
+        ])
+        for one in results
+    ]  # fmt: skip
+
+
+def pass_table(
+    observations: Sequence[Observation], keys: Sequence[str], required_cm: float
+) -> tuple[QgsFields, list[QgsFeature]]:
+    """HEIGHTS: one row per observation, with the distance that its height goes with: of several, a harmonic mean."""
+    from ..toolkit.table_fields import feature, table_fields
+
+    others = [(name, "text") for name in keys if name != HEIGHT]
+    fields = table_fields(*others, (HEIGHT, "real"), (GRD, "real"), ("h_min", "real"), ("observers", "integer"))
+    rows = []
+    for one in observations:
+        words = [word for name, word in zip(keys, one.key) if name != HEIGHT]
+        height = one.minimum_height(required_cm)
+        grd = one.height_m * required_cm / height
+        rows.append(feature(fields, [*words, one.height_m, grd, height, len(one.grds_cm)]))
+    return fields, rows
+
+
+DEFAULT_REQUIRED_GRD_CM = 30.0  # Open Skies: optical cameras
+
+OBSERVATIONS, REQUIRED_GRD, REFERENCE_HEIGHT = "OBSERVATIONS", "REQUIRED_GRD", "REFERENCE_HEIGHT"
+BY_HEIGHT, OUTPUT, HEIGHTS, GROUP_COUNT = "BY_HEIGHT", "OUTPUT", "HEIGHTS", "GROUP_COUNT"
+
+
+class MinimumHeight(SeamInspectorAlgorithm):
+    """Heights at which each pass over a target would just have kept to the required distance, and their mean."""
+
+    ID = "minimumheight"
+    NAME = QT_TRANSLATE_NOOP("@default", "Minimum flying height")
+    GROUP = groups.GROUND_RESOLUTION
+    HELP = QT_TRANSLATE_NOOP(
+        "@default",
+        "Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each "
+        "pass its height times the required distance over the one that was read, then the mean of each group of "
+        "passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2)."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        table = QgsProcessing.SourceType.TypeVector
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(OBSERVATIONS, tr("Observations"), [table]),
+            tr(
+                "One row per pass with the fields 'height' (metres above the target) and 'grd' (centimetres), several "
+                "observers' in 'grd', 'grd_2', 'grd_3' and so on: their heights are averaged within the pass. Rows "
+                "that agree in 'sensor', 'image_type' and 'direction', as far as there are such fields, make a group."
+            ),
+        )
+        self.addDescribed(
+            common.real(REQUIRED_GRD, tr("Required distance (cm)"), DEFAULT_REQUIRED_GRD_CM),
+            tr("The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies."),
+        )
+        self.addDescribed(
+            common.real(REFERENCE_HEIGHT, tr("Reference height (metres)"), None, optional=True),
+            tr("The minimum height that the results are compared with, if there is one."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterBoolean(BY_HEIGHT, tr("Keep flying heights apart"), False),
+            tr("Rows of different 'height' make groups of their own, as in tables 4A and 4B of the paper."),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Minimum heights"), table),
+            tr("One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                HEIGHTS, tr("Heights by pass"), table, optional=True, createByDefault=False
+            ),
+            tr("The observations that were used, each with its minimum height 'h_min'."),
+        )
+        self.addNumbers({GROUP_COUNT: tr("Groups")})
+
+    def check(self, run: Run) -> None:
+        from .measure.minimum_height import check_heights
+
+        check_heights(*self._limits(run))
+
+    def execute(self, run: Run) -> dict[str, Any]:
+        from ..toolkit import layers
+        from .measure.minimum_height import check_heights, doubts, minimum_heights
+
+        required, reference = self._limits(run)
+        check_heights(required, reference)
+        source = run.source(OBSERVATIONS)
+        names = source.fields().names()
+        readings = reading_fields(names)
+        keys = key_fields(names, run.flag(BY_HEIGHT))
+        observations = []
+        for place, row in enumerate(layers.features(source), 1):
+            if run.is_cancelled():
+                break
+            found, fault = observation(row, keys, readings)
+            if fault is not None or found is None:
+                run.tell(messages.OBSERVATIONS_LEFT_OUT(row=place, why=fault))
+            else:
+                observations.append(found)
+        if not observations:
+            raise SettingsError(messages.NO_OBSERVATIONS())
+        run.tell(*doubts(observations))
+        results = minimum_heights(observations, required, reference)
+        fields, rows = height_table(results, keys)
+        sink, destination = run.sink(OUTPUT, fields)
+        run.write(sink, rows)
+        fields, rows = pass_table(observations, keys, required)
+        passes, passes_id = run.optional_sink(HEIGHTS, fields)
+        run.write(passes, rows)
+        for result in results:
+            name = ", ".join(result.key) or tr("all passes")
+            run.inform(f"{name}: {shown_number(result.mean_m, 1)} m")
+            if result.notice is not None:
+                run.tell(imagery_messages.ABOUT(what=name, why=result.notice).as_warning())
+        return {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}
+
+    def _limits(self, run: Run) -> tuple[float, float | None]:
+        """The required distance in cm, and the reference height in m where one is given."""
+        given = run.parameters.get(REFERENCE_HEIGHT)
+        reference = run.real(REFERENCE_HEIGHT) if text(given) else None
+        return run.real(REQUIRED_GRD), reference
