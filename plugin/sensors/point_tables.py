@@ -22,7 +22,6 @@ from qgis.core import (
 
 from ..imagery.errors import Message, SensorModelError
 from ..imagery.gdal_calls import gdal_silenced
-from ..imagery.open_raster import OpenRaster
 from ..toolkit.attribute_values import Attributes, attributes, number, text
 from ..toolkit.layers import features, layer_path, system_wkt
 from ..toolkit.table_fields import feature, table_fields
@@ -30,7 +29,7 @@ from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.adjustment import Adjustment, Comparison
 from .measure.point_planning import ExpectedAccuracy
-from .measure.points import CHECK, CONTROL, Points, image_coordinates, read_point_file
+from .measure.points import CHECK, CONTROL, Points
 from .measure.rpc import PIXEL_CENTRE
 
 
@@ -108,26 +107,6 @@ def layer_points(
         heights,
     )
     return points, any(roles), notices
-
-
-def file_points(path: str, wkt: str, image: OpenRaster | None) -> tuple[Points, list[Message]]:
-    """The points of a georeferencer's file; ``wkt`` is the system of files that name none. Raises SensorModelError."""
-    file = read_point_file(Path(path))
-    if not file.source:
-        raise SensorModelError(messages.NO_POINTS())
-    if not file.wkt and not wkt:
-        raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=Path(path).name))
-    count = len(file.source)
-    places = image_coordinates(file.source, image.raster.geotransform if image is not None else None)
-    points = Points(
-        tuple(map(str, file.numbers)),
-        np.array(places, float),
-        np.column_stack([np.array(file.ground, float), np.full(count, np.nan)]),
-        file.wkt or wkt,
-        np.full(count, np.nan),
-        np.zeros(count, bool),
-    )
-    return points, [messages.POINTS_DISABLED(count=file.disabled)] if file.disabled else []
 
 
 def _check_layer(source: QgsProcessingFeatureSource, needed: Sequence[str], names: Sequence[str]) -> None:

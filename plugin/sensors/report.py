@@ -30,7 +30,7 @@ def residual_chart(done: Adjustment, coverage: ControlCoverage, box: ImageBox) -
     axes.set_aspect("equal")
     frame = [(0, 1), (2, 1), (2, 3), (0, 3), (0, 1)]
     axes.plot([box[x] for x, _ in frame], [box[y] for _, y in frame], color="#1b1f23", lw=0.8)
-    if len(coverage.outline) > 2:
+    if len(coverage.outline) > 3:
         axes.fill(*coverage.outline.T, facecolor=_CONTROL, alpha=0.07, edgecolor=_CONTROL, lw=0.7, ls=(0, (4, 3)))
     points, residuals = done.points, done.residuals_px
     shown = residuals[~done.blunder] if (~done.blunder).any() else residuals

@@ -175,13 +175,13 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         from ...imagery.rasters import RasterRef
         from ...toolkit.layers import system_wkt
         from .. import point_tables
-        from ..measure.points import image_points
+        from ..measure.points import file_points, image_points
         from ..measure.rpc import open_image
 
         given = run.parameters.get(GCPS)
         path, wkt = _file_path(given), system_wkt(run.crs(GCPS_CRS))
         if path.lower().endswith(POINTS_SUFFIX):
-            points, notices = point_tables.file_points(path, wkt, image)
+            points, notices = file_points(Path(path), wkt, image.raster.geotransform if image is not None else None)
             return points, False, notices
         if path:
             return image_points(open_image(RasterRef(path, wkt))), False, []

@@ -1,4 +1,4 @@
-"""A fit judged: residuals in the image and on the ground, on control and on check points, with or without blunders."""
+"""Sensor models fitted and judged: residuals on control and check points, blunders, and every model side by side."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -9,11 +9,12 @@ from typing import Callable
 import numpy as np
 
 from ...imagery.errors import Message, SeamInspectorError, SensorModelError
+from ...imagery.reference_systems import metres_per_unit
 from . import limits, messages, registry
 from .points import Points
 from .polynomials import Rational
 from .registry import ModelRequest
-from .sensor_model import WGS84, FittedModel, GroundSystem, Scaling, least_squares, locate
+from .sensor_model import FittedModel, Scaling, SensorModel, least_squares, locate, reprojected
 
 
 def fit_model(request: ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
@@ -27,8 +28,8 @@ def fit_model(request: ModelRequest, points: Points, weights: np.ndarray) -> Fit
     if len(points) < fewest:
         raise SensorModelError(messages.TOO_FEW_POINTS(model=request.name, count=len(points), fewest=fewest))
     _check_spread(request, points)
-    if request.kind.model_class().GEOGRAPHIC:
-        points = replace(points, ground=GroundSystem(points.wkt).to_geographic(points.ground), wkt=WGS84)
+    system = request.kind.model_class().ground_system(points.wkt)
+    points = replace(points, ground=reprojected(points.ground, points.wkt, system), wkt=system)
     return request.kind.fit(request, points, weights)
 
 
@@ -55,6 +56,11 @@ RAYLEIGH_MEDIAN = 1.1774  # of the length of a vector of two normal coordinates 
 MAX_BLUNDER_SIGMAS = 5.0  # of check points, which the fit has not seen
 TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
 ROBUST_STEPS = 15  # of each stage; the weights have settled before
+MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
+MAX_LEFT_OUT = 40  # fits of leave-one-out; with more points they are left out in groups
+MAX_WORSE = 1.25  # a model that the paper prefers may be this much worse than the best, relative
+
+CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
 
 @dataclass(frozen=True)
@@ -145,11 +151,11 @@ def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjus
 
 def project(fitted: FittedModel, points: Points) -> np.ndarray:
     """Where a model sees points: (n, 2) column, row."""
-    return _seen(fitted, GroundSystem(points.wkt), np.where(np.isfinite(points.ground), points.ground, 0.0))
+    return _seen(fitted.model, points.wkt, np.where(np.isfinite(points.ground), points.ground, 0.0))
 
 
-def _seen(fitted: FittedModel, frame: GroundSystem, ground: np.ndarray) -> np.ndarray:
-    return fitted.model.project(frame.to_geographic(ground) if fitted.model.GEOGRAPHIC else ground)
+def _seen(model: SensorModel, wkt: str, ground: np.ndarray) -> np.ndarray:
+    return model.project(reprojected(ground, wkt, model.ground_system(wkt)))
 
 
 def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
@@ -157,10 +163,9 @@ def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
 
     Where a model is too bent to be inverted, what its slope at the point makes of the residual in the image.
     """
-    frame = GroundSystem(points.wkt)
-    metres = frame.metres(float(np.mean(points.ground[:, 1])))
+    metres = metres_per_unit(points.wkt, float(np.mean(points.ground[:, 1])))
     heights = np.nan_to_num(points.ground[:, 2])
-    given, seen = points.ground[:, :2], partial(_seen, fitted, frame)
+    given, seen = points.ground[:, :2], partial(_seen, fitted.model, points.wkt)
     found = locate(seen, points.image, heights, given, metres, partly=True)
     bent = ~np.isfinite(found).all(axis=1)
     found[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
@@ -247,13 +252,6 @@ def _check_blunders(residuals: np.ndarray, sigma: float) -> np.ndarray:
     usual = SIGMA_OF_MEDIAN * float(np.median(np.abs(residuals)))
     limit = MAX_BLUNDER_SIGMAS * max(usual, np.nan_to_num(sigma), limits.MIN_SIGMA_PX)
     return np.abs(residuals).max(axis=1) > limit
-
-
-MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
-MAX_LEFT_OUT = 40  # fits of leave-one-out; with more points they are left out in groups
-MAX_WORSE = 1.25  # a model that the paper prefers may be this much worse than the best, relative
-
-CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
 
 @dataclass(frozen=True)
@@ -349,17 +347,13 @@ def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | No
 
     Of the models whose error is at most a quarter larger than the smallest one, the one that the paper prefers.
     """
-    judged = [row for row in rows if row.errors is not None and _is_number(row.errors.rmse) and row.reason is None]
-    sound = [row for row in judged if flat or row.request.needs_heights] or judged
+    errors = [row.errors.rmse if row.errors is not None and row.reason is None else None for row in rows]
+    judged = [(error, row) for error, row in zip(errors, rows) if error is not None and np.isfinite(error)]
+    sound = [(error, row) for error, row in judged if flat or row.request.needs_heights] or judged
     if not sound:
         return None, messages.NOTHING_TO_RECOMMEND()
-    error = {id(row): row.errors.rmse for row in sound if row.errors is not None and row.errors.rmse is not None}
-    smallest = min(error.values())
-    near = [row for row in sound if error[id(row)] <= MAX_WORSE * smallest]
-    chosen = min(near, key=lambda row: (row.request.variant.rank, row.request.variant.unknowns, error[id(row)]))
+    smallest = min(error for error, _ in sound)
+    near = [(row.request.variant, error, row) for error, row in sound if error <= MAX_WORSE * smallest]
+    _, error, chosen = min(near, key=lambda one: (one[0].rank, one[0].unknowns, one[1]))
     why = chosen.request.kind.recommendation
-    return chosen, why(model=chosen.request.name, rmse=error[id(chosen)], best=smallest)
-
-
-def _is_number(error: float | None) -> bool:
-    return error is not None and bool(np.isfinite(error))
+    return chosen, why(model=chosen.request.name, rmse=error, best=smallest)

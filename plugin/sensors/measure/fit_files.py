@@ -21,7 +21,7 @@ from ...imagery.reference_systems import metres_per_unit
 from . import messages, registry
 from .adjustment import Adjustment
 from .point_checks import ImageBox
-from .points import source_coordinates, write_point_file
+from .points import write_point_file
 from .rpc import Domain, RpcOfModel, located, rpc_heights, rpc_of, write_image_with_rpc, write_rpc
 from .sensor_model import WGS84, SensorModel
 
@@ -223,10 +223,9 @@ class FitFiles:
 
     def save_points(self, path: Path) -> None:
         """The points with their residuals; check points and blunders are switched off."""
-        points, transform = self.done.points, self.image.raster.geotransform if self.image is not None else None
-        source = source_coordinates(points.image, transform)
-        used = ~points.check & ~self.done.blunder
-        write_point_file(path, points.wkt, points.ground, source, used, self.done.residuals_px)
+        used = ~self.done.points.check & ~self.done.blunder
+        transform = self.image.raster.geotransform if self.image is not None else None
+        write_point_file(path, self.done.points, used, self.done.residuals_px, transform)
 
     def _followed(self) -> Message:
         """How closely the RPC follows the model."""

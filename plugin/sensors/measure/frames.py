@@ -14,6 +14,7 @@ from typing import Any, ClassVar
 from xml.etree.ElementTree import Element, ParseError
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from ...imagery import messages as imagery_messages
 from ...imagery.documents import document_bytes, json_document, looks_like_xml, xml_root
@@ -23,7 +24,7 @@ from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit, transform_points
 from . import messages
-from .heights import ELLIPSOID, HIGHEST_M, LOWEST_M, VERTICAL, Datum, Geoid, above_ellipsoid
+from .heights import ELLIPSOID, HIGHEST_M, LOWEST_M, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
 from .limits import EXTERIOR_DATUMS
 from .rpc import Domain
 from .sensor_model import WGS84, SensorModel
@@ -90,12 +91,8 @@ def camera_axes(omega: float, phi: float, kappa: float) -> np.ndarray:
     With all angles 0 it looks down, columns to the east. Source: Kraus, Photogrammetry: Rx(omega) Ry(phi) Rz(kappa),
     its second and third axis turned round, since rows run downwards and the view away from the camera.
     """
-    (so, co), (sp, cp), (sk, ck) = ((np.sin(angle), np.cos(angle)) for angle in np.radians([omega, phi, kappa]))
-    about_x = np.array([[1, 0, 0], [0, co, -so], [0, so, co]])
-    about_y = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
-    about_z = np.array([[ck, -sk, 0], [sk, ck, 0], [0, 0, 1]])
-    turned: np.ndarray = about_x @ about_y @ about_z @ np.diag([1.0, -1.0, -1.0])
-    return turned
+    turned = Rotation.from_euler("XYZ", [omega, phi, kappa], degrees=True).as_matrix()
+    return np.asarray(turned @ np.diag([1.0, -1.0, -1.0]))
 
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
@@ -391,9 +388,7 @@ def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
     whole = PixelWindow(0, 0, source.columns, source.rows)
     share = max(source.columns, source.rows) / HEIGHTS_PX
     size = (max(round(source.rows / share), 1), max(round(source.columns / share), 1)) if share > 1 else None
-    block = source.read(whole, size)
-    band = source.dataset.GetRasterBand(1)
-    heights = block.bands[0][block.valid] * float(band.GetScale() or 1) + (band.GetOffset() or 0)
+    heights = first_band(source, whole, size)
     heights = heights[(heights >= LOWEST_M) & (heights <= HIGHEST_M)]  # others stand for none, and no nodata says so
     if not heights.size:
         raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))

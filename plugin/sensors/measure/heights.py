@@ -4,6 +4,7 @@ Heights above sea level are converted by PROJ's grids, or by a grid file of one'
 """
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Union
 
@@ -27,7 +28,7 @@ from ...imagery.reference_systems import (
 )
 from . import limits, messages
 from .points import Points
-from .sensor_model import WGS84, GroundSystem, Scaling, least_squares
+from .sensor_model import WGS84, Scaling, least_squares, reprojected
 
 AUTO, ELLIPSOID, EGM96, EGM2008, GEOID = limits.HEIGHT_DATUMS
 VERTICAL = {EGM96: "EPSG:5773", EGM2008: "EPSG:3855"}
@@ -56,50 +57,62 @@ class Geoid:
         if transform is None or not source.raster.is_north_up:
             raise RasterError(messages.NO_GEOID(name=self.name))
         places = transform_points(geographic, WGS84, wkt)
-        middle = transform[0] + transform[1] * source.columns / 2
+        round_earth = False
         if is_geographic(wkt):  # from 0 to 360 degrees, or from -180 to 180
+            middle = transform[0] + transform[1] * source.columns / 2
             places[:, 0] += TURN * np.round((middle - places[:, 0]) / TURN)
+            round_earth = abs(transform[1]) * source.columns >= TURN - 1e-6
         column = (places[:, 0] - transform[0]) / transform[1] - 0.5
         row = (places[:, 1] - transform[3]) / transform[5] - 0.5
-        round_earth = is_geographic(wkt) and abs(transform[1]) * source.columns >= TURN - 1e-6
         edge = 0.5 + 1e-6
         outside = (row < -edge) | (row > source.rows - 1 + edge)
         if not round_earth:
             outside |= (column < -edge) | (column > source.columns - 1 + edge)
-            column = np.clip(column, 0, source.columns - 1)
         if outside.any():
             raise RasterError(messages.GEOID_NOT_COVERING(name=self.name))
         row = np.clip(row, 0, source.rows - 1)
-        left, top = np.floor(column).astype(int), np.floor(row).astype(int)
-        x, y = column - left, row - top
-        right, bottom = left + 1, np.minimum(top + 1, source.rows - 1)
+        top, bottom = int(row.min()), min(int(row.max()) + 2, source.rows)
         if round_earth:
-            period = round(TURN / abs(transform[1]))
-            left, right = left % period, right % period
+            column %= round(TURN / abs(transform[1]))
+            grid = first_band(source, PixelWindow(0, top, source.columns, bottom - top))
+            grid = np.pad(grid, ((0, 0), (0, 1)), mode="wrap")
         else:
-            right = np.minimum(right, source.columns - 1)
-        first = int(min(left.min(), right.min())), int(top.min())
-        grid = self._read(source, PixelWindow(
-            *first, int(max(left.max(), right.max())) - first[0] + 1, int(bottom.max()) - first[1] + 1
-        ))
-        left, right, top, bottom = left - first[0], right - first[0], top - first[1], bottom - first[1]
-        upper = grid[top, left] * (1 - x) + grid[top, right] * x
-        lower = grid[bottom, left] * (1 - x) + grid[bottom, right] * x
-        found: np.ndarray = upper * (1 - y) + lower * y
+            column = np.clip(column, 0, source.columns - 1)
+            left, right = int(column.min()), min(int(column.max()) + 2, source.columns)
+            grid = first_band(source, PixelWindow(left, top, right - left, bottom - top))
+            column -= left
+        found = bilinear(grid, column, row - top)
         if not np.isfinite(found).all():
             raise RasterError(messages.GEOID_NOT_COVERING(name=self.name))
         if np.abs(found).max(initial=0) > MAX_UNDULATION_M:
             raise RasterError(messages.NO_GEOID(name=self.name))
         return found
 
-    def _read(self, source: OpenRaster, window: PixelWindow) -> np.ndarray:
-        """(rows, columns) m; NaN where there are none."""
-        with gdal_silenced():
-            alone = gdal.Translate("", source.dataset, format="VRT", bandList=[1])
-        block = OpenRaster(self.ref, alone).read(window)
-        grid: np.ndarray = block.bands[0].astype(np.float64)
-        grid[~block.valid] = np.nan
-        return grid
+
+def first_band(source: OpenRaster, window: PixelWindow, size: tuple[int, int] | None = None) -> np.ndarray:
+    """(rows, columns) float32 of a window or ``size`` (columns, rows) of it, scaled as the file says; NaN without."""
+    with gdal_silenced():
+        alone = gdal.Translate("", source.dataset, format="VRT", bandList=[1])  # whatever the other bands are
+    block, band = OpenRaster(source.ref, alone).read(window, size), source.dataset.GetRasterBand(1)
+    heights = block.bands[0].astype(np.float32)
+    heights *= np.float32(band.GetScale() or 1)
+    heights += np.float32(band.GetOffset() or 0)
+    heights[~block.valid] = np.nan
+    return heights
+
+
+def bilinear(grid: np.ndarray, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """(n,) float64 at places in a grid, (0, 0) its first value; what has no share plays no part, NaN or not."""
+    left, top = columns.astype(int), rows.astype(int)
+    right, bottom = np.minimum(left + 1, grid.shape[1] - 1), np.minimum(top + 1, grid.shape[0] - 1)
+
+    def between(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndarray:
+        first = first.astype(np.float64)
+        return np.where(share > 0, first + (second - first) * share, first)
+
+    upper = between(grid[top, left], grid[top, right], columns - left)
+    lower = between(grid[bottom, left], grid[bottom, right], columns - left)
+    return between(upper, lower, rows - top)
 
 
 Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class when QGIS unloads it
@@ -134,19 +147,17 @@ def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
     try:
         return heights_above_ellipsoid(geographic, vertical)
     except RasterError as error:
-        there = [name for name, code in VERTICAL.items() if code != vertical and _has_grid(geographic[:1], code)]
+        there = []
+        for name, code in VERTICAL.items():
+            with suppress(RasterError):
+                if code == vertical:
+                    continue
+                heights_above_ellipsoid(geographic[:1], code)
+                there.append(name)
         if not there:
             raise
         named = error.message.values.get("vertical", vertical)
         raise RasterError(messages.ANOTHER_GRID_IS_THERE(vertical=named, there=" or ".join(there))) from None
-
-
-def _has_grid(geographic: np.ndarray, vertical: str) -> bool:
-    try:
-        heights_above_ellipsoid(geographic, vertical)
-    except RasterError:
-        return False
-    return True
 
 
 def heights_converted(added: np.ndarray, wkt: str, datum: Datum, name: str) -> Message:
@@ -187,21 +198,8 @@ class Terrain:
         rows = (places[:, 1] - self.origin[1]) / self.step[1] - 0.5
         last_row, last_column = self.heights.shape[0] - 1, self.heights.shape[1] - 1
         inside = (columns >= -0.5) & (rows >= -0.5) & (columns <= last_column + 0.5) & (rows <= last_row + 0.5)
-        columns, rows = np.clip(columns, 0, last_column), np.clip(rows, 0, last_row)
-        left, top = columns.astype(int), rows.astype(int)
-        right, bottom = np.minimum(left + 1, last_column), np.minimum(top + 1, last_row)
-        x, y = columns - left, rows - top
-        upper = _mixed(self._height(top, left), self._height(top, right), x)
-        lower = _mixed(self._height(bottom, left), self._height(bottom, right), x)
-        return np.where(inside, _mixed(upper, lower, y), np.nan)
-
-    def _height(self, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
-        return self.heights[rows, columns].astype(np.float64)  # of the places alone, which are few
-
-
-def _mixed(first: np.ndarray, second: np.ndarray, share: np.ndarray) -> np.ndarray:
-    """Between two values; the first alone where the second has no share, whatever it is."""
-    return np.where(share > 0, first + (second - first) * share, first)
+        heights = bilinear(self.heights, np.clip(columns, 0, last_column), np.clip(rows, 0, last_row))
+        return np.where(inside, heights, np.nan)
 
 
 def constant_terrain(height: float, extent: Extent) -> Terrain:
@@ -239,29 +237,19 @@ def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
     if count > MAX_DEM_PIXELS:
         most = MAX_DEM_PIXELS // 10**6
         raise RasterError(messages.DEM_TOO_LARGE(name=ref.name, count=count // 10**6, most=most))
-    heights_alone = gdal.Translate("", source.dataset, format="VRT", bandList=[1])  # whatever the other bands are
-    block = OpenRaster(ref, heights_alone).read(PixelWindow(left, top, right - left, bottom - top))
-    band = source.dataset.GetRasterBand(1)
-    heights = block.bands[0].astype(np.float32)
-    heights *= np.float32(band.GetScale() or 1)
-    heights += np.float32(band.GetOffset() or 0)
-    heights[~block.valid] = np.nan
-    if not block.valid.any():
+    heights = first_band(source, PixelWindow(left, top, right - left, bottom - top))
+    if np.isnan(heights).all():
         raise RasterError(elsewhere)
     low, high = float(np.nanmin(heights)), float(np.nanmax(heights))
     if low < LOWEST_M or high > HIGHEST_M:
         raise RasterError(messages.DEM_HEIGHTS_IMPLAUSIBLE(name=ref.name, low=low, high=high))
     origin = (transform[0] + left * transform[1], transform[3] + top * transform[5])
-    found = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, ())
-    return _above_ellipsoid(found, datum)
-
-
-def _above_ellipsoid(terrain: Terrain, datum: Datum) -> Terrain:
-    vertical, notices = vertical_system(terrain.wkt, datum, terrain.name)
+    vertical, notices = vertical_system(wkt, datum, ref.name)
+    terrain = Terrain(ref.name, wkt, origin, (transform[1], transform[5]), heights, notices)
     if not vertical:
-        return replace(terrain, notices=notices)
+        return terrain
     added = _add_undulation(terrain, vertical)
-    return replace(terrain, notices=(heights_converted(added, terrain.wkt, datum, terrain.name),))
+    return replace(terrain, notices=(heights_converted(added, wkt, datum, ref.name),))
 
 
 def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
@@ -299,7 +287,7 @@ def with_heights(
     notices: list[Message] = []
     heights = points.ground[:, 2].copy()
     given = np.isfinite(heights)
-    geographic = GroundSystem(points.wkt).to_geographic(np.nan_to_num(points.ground))
+    geographic = reprojected(np.nan_to_num(points.ground), points.wkt, WGS84)
     if given.any():
         system = points.heights_wkt or points.wkt
         vertical, assumed = vertical_system(system, datum, name)

@@ -18,14 +18,14 @@ from ...imagery.grids import Extent
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import whole_raster
 from ...imagery.rasters import Raster, RasterRef
-from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt
+from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_unit, transform_points, utm_wkt
 from . import limits, messages
 from .frames import FrameCamera
 from .heights import Datum, Terrain, constant_terrain, load_terrain
 from .point_checks import HIGHEST_M, LOWEST_M
 from .polynomials import Rational
 from .rpc import Domain, RpcOfModel, image_with_rpc, open_image, rpc_of
-from .sensor_model import GEOGRAPHIC, WGS84, GroundSystem, SensorModel, locate
+from .sensor_model import WGS84, SensorModel, locate, reprojected
 
 COVER_GRID = 256  # places a side that terrain heights are looked for at
 FINEST_MESH_M, COARSEST_MESH_M = 9.0, 32.0  # 10 to 30 m (Kurczynski and Wolniewicz, conclusion 7); SRTM has 31
@@ -198,7 +198,7 @@ def rpc_domain(rpc: Rational, image: Raster) -> Domain:
 def _plan(request: OrthoRequest) -> _Plan:
     image = open_image(request.image)
     domain = replace(request.domain, columns=(0.0, float(image.columns)), rows=(0.0, float(image.rows)))
-    middle = GroundSystem(request.wkt).to_geographic(np.array([[*domain.middle, np.mean(domain.heights)]]))[:, :2]
+    middle = transform_points(np.array([domain.middle]), request.wkt, WGS84)
     rpc = rpc_of(request.model, request.wkt, domain)
     side = np.linspace(0, 1, ORTHO_GRID)
     places = np.stack(np.meshgrid(side * image.columns, side * image.rows), axis=-1).reshape(-1, 2)
@@ -236,7 +236,7 @@ def _plan(request: OrthoRequest) -> _Plan:
 
 def _on_ground(rpc: Rational, image: np.ndarray, heights: np.ndarray, middle: np.ndarray) -> np.ndarray:
     """(n, 2) longitude, latitude of image places at heights."""
-    return locate(rpc.project, image, heights, middle, GEOGRAPHIC.metres(float(middle[0, 1])))
+    return locate(rpc.project, image, heights, middle, metres_per_unit(WGS84, float(middle[0, 1])))
 
 
 def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:
@@ -307,9 +307,7 @@ def _error(
     valid = np.array(sound, bool) & np.isfinite(ground[:, 2])
     if not valid.any():
         raise SensorModelError(messages.NOT_INVERTED())
-    exact = request.model.project(
-        ground[valid] if request.model.GEOGRAPHIC else GroundSystem(request.wkt).from_geographic(ground[valid])
-    )
+    exact = request.model.project(reprojected(ground[valid], WGS84, request.model.ground_system(request.wkt)))
     image = plan.image
     within = (exact >= 0).all(axis=1) & (exact[:, 0] <= image.columns) & (exact[:, 1] <= image.rows)
     misses = np.linalg.norm(by_gdal[valid] - exact, axis=1)

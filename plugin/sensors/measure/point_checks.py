@@ -4,19 +4,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from osgeo import ogr
 
 from ...imagery.errors import Message, SensorModelError
-from ...imagery.reference_systems import is_geographic
+from ...imagery.reference_systems import is_geographic, metres_per_unit
 from . import messages
 from .points import Points
 from .polynomials import Rational
-from .sensor_model import GroundSystem
+from .sensor_model import WGS84, reprojected
 
 LOWEST_M, HIGHEST_M = -12_000.0, 9000.0  # the Mariana Trench and Mount Everest, with what a geoid adds
 FINEST_M, COARSEST_M = 1e-4, 1e5  # of a pixel on the ground: a scanned sample, a weather satellite's whole disk
 MARGIN = 0.05  # of the image's sides: as far beyond its border a point may be measured
 FEWEST_INSIDE = 0.5  # of the points, for a turned reading of them to be believed
 _SHOWN = 5
+MIN_SPREAD = 0.05  # of control points' shorter extent to the longer one: narrower ones lie on a line
+MAX_EXTRAPOLATED = 0.5  # share of the image outside the control points' outline
 RPC_HEIGHTS = 2.0  # of the range of heights that an RPC is made for: as far from its middle a point may be
 UNDULATION_M = 100.0  # what heights above sea level may miss the ellipsoid by, and so an RPC's range
 RPC_FAR, RPC_FAR_PX = 3.0, 2000.0  # half images, and pixels, from the image's middle: no vendor's RPC is so far off
@@ -38,7 +41,7 @@ def check_plausible(points: Points, size: tuple[int, int] | None) -> None:
     if len(heights) and (heights.min() < LOWEST_M or heights.max() > HIGHEST_M):
         index = int(np.argmax(np.where(np.isfinite(z), np.abs(z), -1)))
         raise SensorModelError(messages.POINT_HEIGHT_IMPLAUSIBLE(name=points.ids[index], height=float(z[index])))
-    across, metres = np.ptp(points.image, axis=0).max(), GroundSystem(points.wkt).metres(float(y.mean()))
+    across, metres = np.ptp(points.image, axis=0).max(), metres_per_unit(points.wkt, float(y.mean()))
     if across > 0 and len(points) > 1:
         pixel = float((np.ptp(points.ground[:, :2], axis=0) * metres).max() / across)
         if not FINEST_M <= pixel <= COARSEST_M:
@@ -84,7 +87,7 @@ def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
     points = points.only(np.isfinite(points.ground).all(axis=1))
     if not len(points):
         return []
-    seen = rpc.project(GroundSystem(points.wkt).to_geographic(points.ground))
+    seen = rpc.project(reprojected(points.ground, points.wkt, WGS84))
     half = np.abs(rpc.image.scale)
     away = np.abs(seen - rpc.image.offset)
     far = ~(away <= np.maximum(RPC_FAR * half, RPC_FAR_PX)).all(axis=1)
@@ -127,9 +130,6 @@ def _scatter(misses: np.ndarray) -> float:
     return float(np.median(np.linalg.norm(misses - np.median(misses, axis=0), axis=1)))
 
 
-MIN_SPREAD = 0.05  # of their shorter extent to the longer one: narrower ones lie on a line
-MAX_EXTRAPOLATED = 0.5  # share of the image outside the control points' outline
-
 ImageBox = tuple[float, float, float, float]
 """First column, first row, last column, last row."""
 
@@ -143,14 +143,22 @@ class ControlCoverage:
     spread: float
     """Their shorter extent over the longer one: near 0 on a line."""
     outline: np.ndarray
-    """(k, 2) corners of the points' convex hull, px."""
+    """(k, 2) corners of the points' convex hull, px; the last is the first."""
 
 
 def control_coverage(control: np.ndarray, image: ImageBox) -> ControlCoverage:
     """What part of an image (n, 2) control points cover."""
-    outline = convex_hull(control)
-    area = (image[2] - image[0]) * (image[3] - image[1])
-    within = _area(_clipped(outline, image))  # points may be measured a little beyond the image
+    places = ogr.Geometry(ogr.wkbMultiPoint)
+    for x, y in control.tolist():
+        place = ogr.Geometry(ogr.wkbPoint)
+        place.AddPoint_2D(x, y)
+        places.AddGeometry(place)
+    hull = places.ConvexHull()
+    corners = hull.GetGeometryRef(0) if hull.GetGeometryType() == ogr.wkbPolygon else hull
+    outline = np.array(corners.GetPoints() or np.zeros((0, 2)))[:, :2]
+    box = ogr.CreateGeometryFromWkt("POLYGON (({0} {1}, {2} {1}, {2} {3}, {0} {3}, {0} {1}))".format(*image))
+    inside = hull.Intersection(box)  # points may be measured a little beyond the image
+    within, area = inside.GetArea() if inside.GetDimension() == 2 else 0.0, box.GetArea()
     singular = np.linalg.svd(control - control.mean(axis=0), compute_uv=False)
     spread = float(singular[1] / singular[0]) if len(singular) > 1 and singular[0] > 0 else 0.0
     return ControlCoverage(float(np.clip(1 - within / area, 0, 1)) if area > 0 else 1.0, spread, outline)
@@ -165,43 +173,3 @@ def coverage_warnings(coverage: ControlCoverage) -> list[Message]:
     return []
 
 
-def convex_hull(points: np.ndarray) -> np.ndarray:
-    """(k, 2) corners of the convex hull of (n, 2) points, in order (Andrew's monotone chain)."""
-    ordered = sorted(set(map(tuple, points.tolist())))
-    if len(ordered) < 3:
-        return np.array(ordered)
-    chains = []
-    for row in (ordered, ordered[::-1]):
-        chain: list[tuple[float, ...]] = []
-        for point in row:
-            while len(chain) > 1 and _turn(chain[-2], chain[-1], point) <= 0:
-                chain.pop()
-            chain.append(point)
-        chains += chain[:-1]
-    return np.array(chains)
-
-
-def _clipped(corners: np.ndarray, box: ImageBox) -> np.ndarray:
-    """(k, 2) corners of what of a convex outline lies in a box (Sutherland and Hodgman)."""
-    for axis, limit, sign in ((0, box[0], 1), (1, box[1], 1), (0, box[2], -1), (1, box[3], -1)):
-        kept: list[np.ndarray] = []
-        inner = sign * (corners[:, axis] - limit) if len(corners) else np.zeros(0)
-        for number in range(len(corners)):
-            here, there = inner[number - 1], inner[number]
-            if (here < 0) != (there < 0):
-                kept.append(corners[number - 1] + here / (here - there) * (corners[number] - corners[number - 1]))
-            if there >= 0:
-                kept.append(corners[number])
-        corners = np.array(kept).reshape(-1, 2)
-    return corners
-
-
-def _turn(a: tuple[float, ...], b: tuple[float, ...], c: tuple[float, ...]) -> float:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-
-def _area(corners: np.ndarray) -> float:
-    if len(corners) < 3:
-        return 0.0
-    x, y = corners.T
-    return float(abs(x @ np.roll(y, 1) - y @ np.roll(x, 1)) / 2)

@@ -8,13 +8,14 @@ from typing import Callable
 import numpy as np
 
 from ...imagery.errors import Message, SensorModelError, SettingsError
+from ...imagery.reference_systems import metres_per_unit
 from . import limits, messages
 from .adjustment import accuracy, adjust
 from .points import Points
 from .polynomials import Rational
 from .pushbroom import SIGMAS, Pushbroom, geocentric, nominal_orbit
 from .registry import ModelRequest
-from .sensor_model import GEOGRAPHIC, WGS84, SensorModel, locate
+from .sensor_model import WGS84, SensorModel, locate
 
 GRID, RANDOM, CORNER = limits.SPREADS
 DRAWS = 50
@@ -92,7 +93,7 @@ def nominal_scene(
     """A square image of a line scanner, tilted across its orbit by ``view_angle`` degrees from the vertical at the
     ground; ``pixel_m`` is what a pixel covers there."""
     count = side_m / pixel_m
-    metres = GEOGRAPHIC.metres(_NOMINAL_PLACE[1])
+    metres = metres_per_unit(WGS84, _NOMINAL_PLACE[1])
     x, y, up = np.meshgrid(*[np.linspace(-side_m / 2, side_m / 2, 3)] * 2, np.linspace(0, side_m / 10, 2))
     local = np.column_stack([x.ravel(), y.ravel(), up.ravel()])
     height = float(np.mean(heights))
@@ -166,7 +167,7 @@ def _errors(
     checks = _CHECK_CELLS**2
     image = np.concatenate([_spread(plan, count, random), _in_cells(checks, random)]) * size
     heights = random.uniform(*scene.heights, len(image))
-    metres = GEOGRAPHIC.metres(scene.middle[1])
+    metres = metres_per_unit(WGS84, scene.middle[1])
     ground = np.column_stack([locate(truth.project, image, heights, np.array([scene.middle]), metres), heights])
     measured = image + random.normal(0, plan.sigma_px, image.shape)
     surveyed = ground + random.normal(0, plan.sigma_m, ground.shape) / [*metres, 1]

@@ -1,4 +1,4 @@
-"""Control and check points."""
+"""Control and check points: of a georeferencer's ``.points`` file, of an image that holds them, parted, written."""
 from __future__ import annotations
 
 import csv
@@ -7,15 +7,18 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import save_text
 from ...imagery.documents import document_bytes
-from ...imagery.errors import SensorModelError
+from ...imagery.errors import Message, SensorModelError
 from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import ON_ITS_OWN_PIXELS
 from . import messages
 
 CONTROL, CHECK = "control", "check"
+_COLUMNS = (("sourceX", "pixelX"), ("sourceY", "pixelY"), ("mapX",), ("mapY",))  # of a georeferencer's file
 SIGMAS_PX = 1e-7, 1e7  # smaller and larger ones say nothing more, and squares of theirs are no numbers
 
 
@@ -60,6 +63,14 @@ class Points:
         return bool((self.sigma_px > 0).any())
 
 
+def control_points(ids: Sequence[str], image: np.ndarray, ground: np.ndarray, wkt: str) -> Points:
+    """Points of which nothing else is known: none for check, and no heights where ``ground`` is (n, 2)."""
+    count = len(ids)
+    if ground.shape[1] == 2:
+        ground = np.column_stack([ground, np.full(count, np.nan)])
+    return Points(tuple(ids), image, ground, wkt, np.full(count, np.nan), np.zeros(count, bool))
+
+
 def choose_check_points(points: Points, share: float) -> Points:
     """The points with a share of them made check points, evenly spread over the image and away from its outline.
 
@@ -96,47 +107,30 @@ def image_points(image: OpenRaster) -> Points:
         raise SensorModelError(messages.IMAGE_POINTS_BROKEN(name=image.ref.name))
     if not numbers[:, 4].any():
         numbers[:, 4] = np.nan
-    count = len(found)
-    names = tuple(one.Id or str(number) for number, one in enumerate(found, 1))
-    return Points(names, numbers[:, :2], numbers[:, 2:], wkt, np.full(count, np.nan), np.zeros(count, bool))
+    names = [one.Id or str(number) for number, one in enumerate(found, 1)]
+    return control_points(names, numbers[:, :2], numbers[:, 2:], wkt)
 
 
-_COLUMNS = (("sourceX", "pixelX"), ("sourceY", "pixelY"), ("mapX",), ("mapY",))
+def file_points(path: Path, wkt: str, geotransform: Sequence[float] | None) -> tuple[Points, list[Message]]:
+    """The enabled points of a georeferencer's file, all for control and without heights, and what was left out.
 
-
-@dataclass(frozen=True)
-class PointFile:
-    """The enabled points of a file."""
-
-    wkt: str
-    """The reference system it names (from QGIS 3.26 on); empty for older files."""
-    source: tuple[tuple[float, float], ...]
-    """As the georeferencer keeps them: column and minus row, or the map coordinates of an image that has some."""
-    ground: tuple[tuple[float, float], ...]
-    """x, y."""
-    numbers: tuple[int, ...]
-    """Of each in the file, the first 1."""
-    disabled: int
-    """How many are switched off in the georeferencer."""
-
-
-def read_point_file(path: Path) -> PointFile:
-    """Read ``mapX,mapY,pixelX,pixelY,enable`` (before 3.26) or ``mapX,mapY,sourceX,sourceY,enable``.
-
-    Raises SensorModelError for a file that is none, with the line that can't be read.
+    Its header is ``mapX,mapY,pixelX,pixelY,enable`` (before QGIS 3.26) or ``mapX,mapY,sourceX,sourceY,enable``, after a
+    line with the reference system; ``wkt`` is that of files that name none, ``geotransform`` the image's own. A point
+    is called by its number in the file, the first 1. Raises SensorModelError for a file that is none, with the line
+    that can't be read, without points, and without a reference system.
     """
     try:
         lines = document_bytes(path).decode("utf-8-sig", errors="replace").splitlines()
     except OSError:
         raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
-    wkt = next((line[len("#CRS:") :].strip() for line in lines if line.startswith("#CRS:")), "")
+    named = next((line[len("#CRS:") :].strip() for line in lines if line.startswith("#CRS:")), "")
     rows = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
     header = [name.strip() for name in rows[0][1].split(",")] if rows else []
     indices = [next((header.index(name) for name in names if name in header), -1) for names in _COLUMNS]
     if -1 in indices:
         raise SensorModelError(messages.NO_POINTS_FILE(name=path.name))
     enable = header.index("enable") if "enable" in header else -1
-    source, ground, numbers, disabled = [], [], [], 0
+    found, ids = [], []
     for count, (number, line) in enumerate(rows[1:], 1):
         try:
             parts = next(csv.reader([line]))
@@ -144,48 +138,44 @@ def read_point_file(path: Path) -> PointFile:
             on = enable < 0 or len(parts) <= enable or parts[enable].strip().lower() not in ("0", "false", "")
         except (ValueError, IndexError, csv.Error):
             raise SensorModelError(messages.POINTS_LINE_UNREADABLE(name=path.name, line=number)) from None
-        if not on:
-            disabled += 1
-            continue
-        source.append((values[0], values[1]))
-        ground.append((values[2], values[3]))
-        numbers.append(count)
-    return PointFile(wkt, tuple(source), tuple(ground), tuple(numbers), disabled)
-
-
-def image_coordinates(
-    source: Sequence[tuple[float, float]], geotransform: Sequence[float] | None
-) -> list[tuple[float, float]]:
-    """Column and row of source coordinates: minus y is the row, unless the image has a geotransform of its own."""
-    if geotransform is None or tuple(geotransform) == (0.0, 1.0, 0.0, 0.0, 0.0, 1.0):
-        return [(x, -y) for x, y in source]
-    left, across, skew_x, top, skew_y, down = geotransform
-    determinant = across * down - skew_x * skew_y
-    moved = [(x - left, y - top) for x, y in source]
-    return [((down * x - skew_x * y) / determinant, (across * y - skew_y * x) / determinant) for x, y in moved]
-
-
-def source_coordinates(image: np.ndarray, geotransform: Sequence[float] | None) -> np.ndarray:
-    """(n, 2) source coordinates of columns and rows (n, 2): what ``image_coordinates`` takes back."""
-    if geotransform is None:
-        return image * [1, -1]
-    left, across, skew_x, top, skew_y, down = geotransform
-    if tuple(geotransform) == (0.0, 1.0, 0.0, 0.0, 0.0, 1.0):
-        return image * [1, -1]
-    column, row = image.T
-    return np.column_stack([left + across * column + skew_x * row, top + skew_y * column + down * row])
+        if on:
+            found.append(values)
+            ids.append(str(count))
+    if not found:
+        raise SensorModelError(messages.NO_POINTS())
+    if not named and not wkt:
+        raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=path.name))
+    numbers = np.array(found)
+    image = _transformed(numbers[:, :2], gdal.InvGeoTransform(_source_transform(geotransform)))
+    disabled = len(rows) - 1 - len(found)
+    notices = [messages.POINTS_DISABLED(count=disabled)] if disabled else []
+    return control_points(ids, image, numbers[:, 2:], named or wkt), notices
 
 
 def write_point_file(
-    path: Path, wkt: str, ground: np.ndarray, source: np.ndarray, enabled: np.ndarray, residuals_px: np.ndarray
+    path: Path, points: Points, used: np.ndarray, residuals_px: np.ndarray, geotransform: Sequence[float] | None
 ) -> None:
     """Write a file that QGIS's georeferencer loads, the residuals (n, 2) in px as it writes them itself.
 
-    Raises SettingsError where no file can be.
+    Points that are not ``used`` (n,) are switched off. Raises SettingsError where no file can be.
     """
-    lines = [f"#CRS: {' '.join(wkt.split())}", "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual"]
+    lines = [f"#CRS: {' '.join(points.wkt.split())}", "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual"]
+    source = _transformed(points.image, _source_transform(geotransform))
     length = np.linalg.norm(residuals_px, axis=1)
-    for place, measured, on, residual, size in zip(ground[:, :2], source, enabled, residuals_px, length):
+    for place, measured, on, residual, size in zip(points.ground[:, :2], source, used, residuals_px, length):
         numbers = [repr(float(value)) for value in (*place, *measured)]
         lines.append(",".join([*numbers, str(int(on)), *(repr(float(value)) for value in (*residual, size))]))
     save_text("\n".join(lines) + "\n", path)
+
+
+def _source_transform(geotransform: Sequence[float] | None) -> Sequence[float]:
+    """From columns and rows to the georeferencer's: minus the row, or map coordinates of an image that has some."""
+    placed = geotransform is not None and tuple(geotransform) != (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+    return geotransform if placed and geotransform else ON_ITS_OWN_PIXELS
+
+
+def _transformed(places: np.ndarray, transform: Sequence[float]) -> np.ndarray:
+    """(n, 2) by a geotransform."""
+    left, across, skew_x, top, skew_y, down = transform
+    x, y = places.T
+    return np.column_stack([left + across * x + skew_x * y, top + skew_y * x + down * y])

@@ -4,11 +4,13 @@ Terms stand in the order of RPC00B. Quotients can be fitted with all terms or wi
 """
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Callable, ClassVar
 
 import numpy as np
 from numpy.linalg import norm
+from scipy import special
 
 from .sensor_model import FittedModel, Scaling, SensorModel, least_squares, newton
 
@@ -18,22 +20,18 @@ EXPONENTS_3D = (
     (1, 1, 1), (3, 0, 0), (1, 2, 0), (1, 0, 2), (2, 1, 0), (0, 3, 0), (0, 1, 2), (2, 0, 1), (0, 2, 1), (0, 0, 3),
 )  # fmt: skip
 """Powers of x (longitude), y (latitude), z (height): 4, 10 and 20 terms make orders 1, 2 and 3."""
-EXPONENTS_2D = tuple(powers for powers in EXPONENTS_3D if powers[2] == 0)
-COUNT_3D = {1: 4, 2: 10, 3: 20}
-COUNT_2D = {1: 3, 2: 6, 3: 10}
-
 
 def terms_3d(scaled: np.ndarray, order: int) -> np.ndarray:
     """(n, 3) -> (n, 4 | 10 | 20), the constant first."""
-    return _terms(scaled, EXPONENTS_3D[: COUNT_3D[order]])
+    return _terms(scaled, [powers for powers in EXPONENTS_3D if sum(powers) <= order])
 
 
 def terms_2d(scaled: np.ndarray, order: int) -> np.ndarray:
     """(n, 2 or more) -> (n, 3 | 6 | 10), the constant first; only x and y count."""
-    return _terms(scaled, EXPONENTS_2D[: COUNT_2D[order]])
+    return _terms(scaled, [powers for powers in EXPONENTS_3D if sum(powers) <= order and powers[2] == 0])
 
 
-def _terms(scaled: np.ndarray, exponents: tuple[tuple[int, int, int], ...]) -> np.ndarray:
+def _terms(scaled: np.ndarray, exponents: Sequence[tuple[int, int, int]]) -> np.ndarray:
     columns = []
     for powers in exponents:
         column = np.ones(len(scaled))
@@ -47,6 +45,13 @@ def _terms(scaled: np.ndarray, exponents: tuple[tuple[int, int, int], ...]) -> n
 MAX_RATIONAL_ITERATIONS = 100  # real scenes take three to ten, noise in few points more
 MAX_RATIONAL_STEP_PX = 1e-7  # below a tenth of the accuracy that exact points have to be recovered with
 MIN_DENOMINATOR = 1e-6  # a quotient is kept away from its poles while it is iterated
+FALSE_ALARM = 0.01  # that any of all terms offered comes in though it means nothing
+SPARE = 3  # points more than an axis has unknowns, so that what is left over says something
+LINEAR = 4  # the constant, x, y and z of the numerator are never left out
+CHOSEN_ORDER = 2  # of the terms offered: a higher one does not improve satellite images (Kurczynski and Wolniewicz)
+_EXACT = 1e-12  # of the coordinates: nothing is left over that a term could explain
+_TOO_ALIKE = 1e-6  # of a term's length that the chosen ones do not explain
+_Choice = Callable[[np.ndarray, np.ndarray], list[int]]
 
 
 @dataclass(frozen=True)
@@ -71,9 +76,8 @@ class Rational(SensorModel):
 
     def padded(self) -> Rational:
         """The same function with the 20 terms of order 3."""
-        numerators, denominators = np.zeros((20, 2)), np.zeros((20, 2))
-        numerators[: COUNT_3D[self.order]] = self.numerators
-        denominators[: COUNT_3D[self.order]] = self.denominators
+        missing = ((0, len(EXPONENTS_3D) - len(self.numerators)), (0, 0))
+        numerators, denominators = np.pad(self.numerators, missing), np.pad(self.denominators, missing)
         return Rational(3, self.ground, self.image, numerators, denominators)
 
 
@@ -106,38 +110,90 @@ def fit_rational(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, ord
     ``ground`` (n, 3), ``image`` (n, 2) px, ``weights`` (n,) 1 / standard deviation. Source: C. V. Tao and Y. Hu,
     A comprehensive study of the rational function model for photogrammetric processing, 2001 (without their ridge).
     """
+    return _fit_quotients(ground, image, weights, order)
+
+
+def fit_chosen_terms(ground: np.ndarray, image: np.ndarray, weights: np.ndarray) -> FittedModel:
+    """Fit quotients of order 2 with the terms that are significant, separately for column and row.
+
+    It begins with the numerator's linear terms. Of all others, of numerator and denominator, the one comes in that
+    takes most off the residuals, as long as an F-test over all that are offered says that it is no chance.
+    """
+    return _fit_quotients(ground, image, weights, CHOSEN_ORDER, _significant_terms)
+
+
+def _fit_quotients(
+    ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int, choose: _Choice | None = None
+) -> FittedModel:
+    """``choose`` tells which columns of a design matrix are taken; all without it."""
     scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
     terms, scaled = terms_3d(scale_g.to(ground), order), scale_i.to(image)
-    axes = [_fit_quotient(terms, scaled[:, axis], weights, float(scale_i.scale[axis])) for axis in (0, 1)]
     count = terms.shape[1]
-    numerators = np.column_stack([values[:count] for values, *_ in axes])
-    denominators = np.column_stack([np.concatenate([[1.0], values[count:]]) for values, *_ in axes])
-    return FittedModel(
-        Rational(order, scale_g, scale_i, numerators, denominators),
-        max(condition for _, condition, *_ in axes),
-        max(iterations for *_, iterations, _ in axes),
-        all(converged for *_, converged in axes),
-        2 * (2 * count - 1),
-    )
+    numerators, denominators = np.zeros((count, 2)), np.zeros((count, 2))
+    condition, iterations, converged, unknowns = 1.0, 1, True, 0
+    for axis in (0, 1):
+        wanted = scaled[:, axis]
+        design = np.hstack([terms, -wanted[:, None] * terms[:, 1:]])
+        chosen = choose(design * weights[:, None], wanted * weights) if choose else list(range(design.shape[1]))
+        values = np.zeros(design.shape[1])
+        denominator, last, settled, iteration = np.ones(len(terms)), np.full(len(terms), np.inf), False, 0
+        while not settled and iteration < MAX_RATIONAL_ITERATIONS:
+            iteration += 1
+            row_weights = weights / denominator
+            solution = least_squares(design[:, chosen] * row_weights[:, None], wanted * row_weights)
+            values[chosen] = solution.values
+            denominator = off_poles(1 + terms[:, 1:] @ values[count:])
+            seen = (terms @ values[:count]) / denominator
+            settled = float(np.abs(seen - last).max()) * float(scale_i.scale[axis]) < MAX_RATIONAL_STEP_PX
+            last = seen
+        numerators[:, axis], denominators[:, axis] = values[:count], [1.0, *values[count:]]
+        condition, iterations = max(condition, solution.condition), max(iterations, iteration)
+        converged, unknowns = converged and settled, unknowns + len(chosen)
+    model = Rational(order, scale_g, scale_i, numerators, denominators)
+    return FittedModel(model, condition, iterations, converged, unknowns)
 
 
-def _fit_quotient(
-    terms: np.ndarray, wanted: np.ndarray, weights: np.ndarray, scale_px: float
-) -> tuple[np.ndarray, float, int, bool]:
-    """The unknowns of one quotient, the condition, the iterations and whether they converged."""
-    count = terms.shape[1]
-    whole = np.hstack([terms, -wanted[:, None] * terms[:, 1:]])
-    denominator, last = np.ones(len(terms)), np.full(len(terms), np.inf)
-    for iteration in range(1, MAX_RATIONAL_ITERATIONS + 1):
-        row_weights = weights / denominator
-        solution = least_squares(whole * row_weights[:, None], wanted * row_weights)
-        denominator = off_poles(1 + terms[:, 1:] @ solution.values[count:])
-        seen = (terms @ solution.values[:count]) / denominator
-        change = float(np.abs(seen - last).max()) * scale_px
-        last = seen
-        if change < MAX_RATIONAL_STEP_PX:
-            return solution.values, solution.condition, iteration, True
-    return solution.values, solution.condition, MAX_RATIONAL_ITERATIONS, False
+def _significant_terms(design: np.ndarray, wanted: np.ndarray) -> list[int]:
+    """Which columns of a design matrix (n, k) are taken, the linear ones first, by orthogonal forward selection.
+
+    It goes on as far as the points allow, and back to the last term that was significant: the first of several may
+    look like chance while the others are missing.
+    """
+    chosen, kept = list(range(LINEAR)), LINEAR
+    basis = np.linalg.qr(design[:, chosen])[0]
+    rest, left = design - basis @ (basis.T @ design), wanted - basis @ (basis.T @ wanted)
+    lengths = norm(design, axis=0)
+    steps = max(min(len(wanted) - SPARE, design.shape[1]) - LINEAR, 0)
+    for _ in range(steps):
+        size = norm(rest, axis=0)
+        size[chosen] = 0
+        offered = size > _TOO_ALIKE * lengths
+        if not offered.any() or float(left @ left) <= (_EXACT * norm(wanted)) ** 2:
+            break
+        gain = np.where(offered, (left @ rest) ** 2 / np.where(offered, size, 1) ** 2, 0.0)
+        best = int(np.argmax(gain))
+        direction = rest[:, best] / size[best]
+        chosen.append(best)
+        left, rest = left - direction * (direction @ left), rest - np.outer(direction, direction @ rest)
+        spare = len(wanted) - len(chosen)
+        chance = FALSE_ALARM / (np.count_nonzero(offered) * steps)
+        # F with 1 and so many degrees of freedom is the square of Student's t.
+        if gain[best] > special.stdtrit(spare, chance / 2) ** 2 * (left @ left) / spare:
+            kept = len(chosen)
+    return chosen[:kept]
+
+
+def terms_told(model: Rational) -> str:
+    """Which terms a model of chosen terms has, such as ``column: 1 x y z xz / 1 x; row: 1 x y z / 1``."""
+    names = ["".join(letter * power for letter, power in zip("xyz", powers)) or "1" for powers in EXPONENTS_3D]
+    parts = []
+    for axis, side in enumerate(("column", "row")):
+        above, below = (
+            " ".join(name for name, value in zip(names, part[:, axis]) if value != 0)
+            for part in (model.numerators, model.denominators)
+        )
+        parts.append(f"{side}: {above} / {below}")
+    return "; ".join(parts)
 
 
 def off_poles(denominator: np.ndarray) -> np.ndarray:
@@ -248,92 +304,3 @@ def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray
     rounding = 1e-9 * float(np.max(scale_i.scale)) * float(weights.max())
     return to_ground_fit if backward + rounding < forward else to_image_fit
 
-
-FALSE_ALARM = 0.01  # that any of all terms offered comes in though it means nothing
-SPARE = 3  # points more than an axis has unknowns, so that what is left over says something
-LINEAR = 4  # the constant, x, y and z of the numerator are never left out
-ORDER = 2  # of the terms offered: a higher one does not improve satellite images (Kurczynski and Wolniewicz)
-_EXACT = 1e-12  # of the coordinates: nothing is left over that a term could explain
-_TOO_ALIKE = 1e-6  # of a term's length that the chosen ones do not explain
-
-
-def fit_chosen_terms(ground: np.ndarray, image: np.ndarray, weights: np.ndarray) -> FittedModel:
-    """Fit quotients of order 2 with the terms that are significant, separately for column and row.
-
-    It begins with the numerator's linear terms. Of all others, of numerator and denominator, the one comes in that
-    takes most off the residuals, as long as an F-test over all that are offered says that it is no chance.
-    """
-    scale_g, scale_i = Scaling.of(ground), Scaling.of(image)
-    terms, scaled = terms_3d(scale_g.to(ground), ORDER), scale_i.to(image)
-    count = terms.shape[1]
-    numerators, denominators = np.zeros((count, 2)), np.zeros((count, 2))
-    condition, iterations, converged, unknowns = 1.0, 1, True, 0
-    for axis in (0, 1):
-        whole = np.hstack([terms, -scaled[:, axis, None] * terms[:, 1:]])
-        chosen = _chosen(whole * weights[:, None], scaled[:, axis] * weights)
-        values = np.zeros(whole.shape[1])
-        denominator, last, settled = np.ones(len(terms)), np.full(len(terms), np.inf), False
-        iteration = 0
-        while not settled and iteration < MAX_RATIONAL_ITERATIONS:
-            iteration += 1
-            share = weights / denominator
-            solution = least_squares(whole[:, chosen] * share[:, None], scaled[:, axis] * share)
-            values[chosen] = solution.values
-            denominator = off_poles(1 + terms[:, 1:] @ values[count:])
-            seen = (terms @ values[:count]) / denominator
-            settled = float(np.abs(seen - last).max()) * float(scale_i.scale[axis]) < MAX_RATIONAL_STEP_PX
-            last = seen
-        numerators[:, axis], denominators[:, axis] = values[:count], [1.0, *values[count:]]
-        condition, iterations = max(condition, solution.condition), max(iterations, iteration)
-        converged, unknowns = converged and settled, unknowns + len(chosen)
-    model = Rational(ORDER, scale_g, scale_i, numerators, denominators)
-    return FittedModel(model, condition, iterations, converged, unknowns)
-
-
-def terms_told(model: Rational) -> str:
-    """Which terms a model of chosen terms has, such as ``column: 1 x y z xz / 1 x; row: 1 x y z / 1``."""
-    names = ["".join(letter * power for letter, power in zip("xyz", powers)) or "1" for powers in EXPONENTS_3D]
-    parts = []
-    for axis, side in enumerate(("column", "row")):
-        above, below = (
-            " ".join(name for name, value in zip(names, part[:, axis]) if value != 0)
-            for part in (model.numerators, model.denominators)
-        )
-        parts.append(f"{side}: {above} / {below}")
-    return "; ".join(parts)
-
-
-def _chosen(design: np.ndarray, wanted: np.ndarray) -> list[int]:
-    """Which columns of a design matrix (n, k) are taken, the linear ones first, by orthogonal forward selection.
-
-    It goes on as far as the points allow, and back to the last term that was significant: the first of several may
-    look like chance while the others are missing.
-    """
-    chosen, kept = list(range(LINEAR)), LINEAR
-    basis = np.linalg.qr(design[:, chosen])[0]
-    rest, left = design - basis @ (basis.T @ design), wanted - basis @ (basis.T @ wanted)
-    lengths = norm(design, axis=0)
-    steps = max(min(len(wanted) - SPARE, design.shape[1]) - LINEAR, 0)
-    for _ in range(steps):
-        size = norm(rest, axis=0)
-        size[chosen] = 0
-        offered = size > _TOO_ALIKE * lengths
-        if not offered.any() or float(left @ left) <= (_EXACT * norm(wanted)) ** 2:
-            break
-        gain = np.where(offered, (left @ rest) ** 2 / np.where(offered, size, 1) ** 2, 0.0)
-        best = int(np.argmax(gain))
-        direction = rest[:, best] / size[best]
-        chosen.append(best)
-        left, rest = left - direction * (direction @ left), rest - np.outer(direction, direction @ rest)
-        spare = len(wanted) - len(chosen)
-        if gain[best] > f_limit(FALSE_ALARM / (np.count_nonzero(offered) * steps), spare) * (left @ left) / spare:
-            kept = len(chosen)
-    return chosen[:kept]
-
-
-def f_limit(probability: float, freedom: int) -> float:
-    """The value that F with 1 and ``freedom`` degrees exceeds with a probability: the square of Student's t."""
-    angle = np.linspace(0, np.pi / 2, 200_001)[:-1]  # t = sqrt(freedom) tan(angle): the density is a power of cosine
-    density = np.cos(angle) ** (freedom - 1)
-    beyond = 1 - np.cumsum(density) / density.sum()
-    return float(freedom * np.tan(angle[int(np.argmax(beyond <= probability))]) ** 2)

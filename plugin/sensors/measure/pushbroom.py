@@ -8,14 +8,43 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from ...imagery.errors import SensorModelError
 from . import limits, messages
 from .sensor_model import FittedModel, SensorModel, least_squares
 
 WGS84_FLATTENING = 1 / 298.257223563
-
 _SQUARED_ECCENTRICITY = WGS84_FLATTENING * (2 - WGS84_FLATTENING)
+PUSHBROOM_POSITION_SIGMAS_M = (5e3, 5e3, 5e4)  # along, across, away: the affine camera's view, the orbit's height
+PUSHBROOM_MOTION_SIGMAS_M = (1e3, 1e3, 300.0)  # over half the lines: the orbit is near circular
+PUSHBROOM_ROTATION_SIGMAS = (  # rad about each axis: attitude, its rate, acceleration and jerk over half the lines
+    (1e-2, 1e-2, 1e-2),
+    (2e-3, 2e-3, 2e-3),  # agile satellites pitch while they scan
+    (1e-5, 1e-5, 1e-5),  # 2": what star trackers resolve (Fraser 2000, cited by Kurczynski and Wolniewicz)
+    (3e-6, 3e-6, 3e-6),
+)
+PUSHBROOM_SCALE_SIGMA = 5e-3
+MAX_LINE_ITERATIONS = 30  # the line that sees a point: Newton's method, three steps suffice on real scenes
+MAX_LINE_STEP_PX = 1e-7
+PRINCIPAL_SIGMA_PX = 50.0  # of the principal column around the image's middle
+PRINCIPAL_SHARE = 0.1  # of the points' width where the image's is not known
+PUSHBROOM_DIFFERENCE = 1e-2  # of a prior: derivatives good to 1e-7 px
+MAX_PUSHBROOM_ITERATIONS = 25
+MAX_PUSHBROOM_STEP_PX = 1e-6
+MIN_REDUNDANCY = 1e-9  # where the points determine as much as they can
+MAX_SIGMA_ROUNDS = 12
+MAX_SIGMA_CHANGE = 0.1  # relative: the standard deviation of the points has settled
+DEFAULT_SIGMA_PX = 0.5  # a point identified in an image
+
+SIGMAS = np.array([
+    *PUSHBROOM_POSITION_SIGMAS_M,
+    *PUSHBROOM_MOTION_SIGMAS_M,
+    *(sigma for sigmas in PUSHBROOM_ROTATION_SIGMAS for sigma in sigmas),
+    PUSHBROOM_SCALE_SIGMA,
+    1.0,  # the principal column's stands in the orbit: it depends on whether the image's width is known
+])
+"""Prior standard deviations of the unknowns, in the order of ``Pushbroom.unknowns``."""
 
 
 def geocentric(geographic: np.ndarray) -> np.ndarray:
@@ -31,40 +60,6 @@ def geocentric(geographic: np.ndarray) -> np.ndarray:
 def unit(vectors: np.ndarray) -> np.ndarray:
     """Vectors (..., 3) of length 1."""
     return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-
-
-def rotations(vectors: np.ndarray) -> np.ndarray:
-    """Rotation vectors (n, 3) in radians -> (n, 3, 3) matrices, by Rodrigues' formula."""
-    squared = np.sum(vectors**2, axis=1)
-    angle = np.sqrt(squared)
-    cross = np.zeros((len(vectors), 3, 3))
-    cross[:, 0, 1], cross[:, 0, 2], cross[:, 1, 2] = -vectors[:, 2], vectors[:, 1], -vectors[:, 0]
-    cross -= np.swapaxes(cross, 1, 2)
-    first = np.sinc(angle / np.pi)
-    second = 0.5 * np.sinc(angle / (2 * np.pi)) ** 2
-    return np.eye(3) + first[:, None, None] * cross + second[:, None, None] * (cross @ cross)
-
-
-PUSHBROOM_POSITION_SIGMAS_M = (5e3, 5e3, 5e4)  # along, across, away: the affine camera's view, the orbit's height
-PUSHBROOM_MOTION_SIGMAS_M = (1e3, 1e3, 300.0)  # over half the lines: the orbit is near circular
-PUSHBROOM_ROTATION_SIGMAS = (  # rad about each axis: attitude, its rate, acceleration and jerk over half the lines
-    (1e-2, 1e-2, 1e-2),
-    (2e-3, 2e-3, 2e-3),  # agile satellites pitch while they scan
-    (1e-5, 1e-5, 1e-5),  # 2": what star trackers resolve (Fraser 2000, cited by Kurczynski and Wolniewicz)
-    (3e-6, 3e-6, 3e-6),
-)
-PUSHBROOM_SCALE_SIGMA = 5e-3
-MAX_LINE_ITERATIONS = 30  # the line that sees a point: Newton's method, three steps suffice on real scenes
-MAX_LINE_STEP_PX = 1e-7
-
-SIGMAS = np.array([
-    *PUSHBROOM_POSITION_SIGMAS_M,
-    *PUSHBROOM_MOTION_SIGMAS_M,
-    *(sigma for sigmas in PUSHBROOM_ROTATION_SIGMAS for sigma in sigmas),
-    PUSHBROOM_SCALE_SIGMA,
-    1.0,  # the principal column's stands in the orbit: it depends on whether the image's width is known
-])
-"""Prior standard deviations of the unknowns, in the order of ``Pushbroom.unknowns``."""
 
 
 @dataclass(frozen=True)
@@ -132,23 +127,12 @@ class Pushbroom(SensorModel):
         motion = orbit.motion + moved[3:6] @ orbit.track / orbit.half_lines  # m per line
         fall = -(motion @ motion) / (start @ start) * start  # m per line squared, as on a circular orbit
         positions = start + lines[:, None] * motion + 0.5 * lines[:, None] ** 2 * fall
-        camera = rotations(moved[None, 6:9])[0].T @ orbit.camera
+        camera = Rotation.from_rotvec(moved[6:9]).as_matrix().T @ orbit.camera
         turns = (time[:, None] ** [1, 2, 3]) @ moved[9:18].reshape(3, 3)
-        seen = np.einsum("nji,nj->ni", rotations(turns), (places - positions) @ camera.T)
+        seen = np.einsum("nji,nj->ni", Rotation.from_rotvec(turns).as_matrix(), (places - positions) @ camera.T)
         focal = orbit.focal_px * (1 + moved[2] / orbit.distance) * (1 + moved[18])
         principal = orbit.centre[0] + moved[19] * orbit.principal_sigma_px
         return principal + focal * seen[:, 0] / seen[:, 2], focal * seen[:, 1] / seen[:, 2]
-
-
-PRINCIPAL_SIGMA_PX = 50.0  # of the principal column around the image's middle
-PRINCIPAL_SHARE = 0.1  # of the points' width where the image's is not known
-PUSHBROOM_DIFFERENCE = 1e-2  # of a prior: derivatives good to 1e-7 px
-MAX_PUSHBROOM_ITERATIONS = 25
-MAX_PUSHBROOM_STEP_PX = 1e-6
-MIN_REDUNDANCY = 1e-9  # where the points determine as much as they can
-MAX_SIGMA_ROUNDS = 12
-MAX_SIGMA_CHANGE = 0.1  # relative: the standard deviation of the points has settled
-DEFAULT_SIGMA_PX = 0.5  # a point identified in an image
 
 
 @np.errstate(all="ignore")  # points that mean nothing are told by the fit that does not converge

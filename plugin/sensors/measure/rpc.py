@@ -19,9 +19,10 @@ from ...imagery.gdal_calls import gdal_silenced, gdal_writing
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import whole_raster
 from ...imagery.rasters import Raster, RasterRef
+from ...imagery.reference_systems import metres_per_unit, same_system, transform_points
 from . import messages
 from .polynomials import Rational, fit_rational
-from .sensor_model import GEOGRAPHIC, FittedModel, GroundSystem, Scaling, SensorModel, least_squares, locate
+from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, least_squares, locate, reprojected
 
 
 def open_image(ref: RasterRef) -> OpenRaster:
@@ -78,10 +79,9 @@ def rpc_of(model: SensorModel, wkt: str, domain: Domain) -> RpcOfModel:
 
     ``wkt`` is the system of the points that the model was fitted to. Raises SensorModelError for a plane model.
     """
-    frame = GEOGRAPHIC if model.GEOGRAPHIC else GroundSystem(wkt)
     if not model.SPATIAL:
         raise SensorModelError(messages.PLANE_MODEL_HAS_NO_RPC())
-    exact = model.as_rational() if frame.is_wgs84 else None
+    exact = model.as_rational() if same_system(model.ground_system(wkt), WGS84) else None
     if exact is not None:
         assert isinstance(exact, Rational)
         return RpcOfModel(exact.padded(), 0.0, 0.0)
@@ -116,12 +116,10 @@ def located(model: SensorModel, wkt: str, grid: np.ndarray, domain: Domain) -> n
 
     Raises SensorModelError where the model can't be inverted.
     """
-    frame = GEOGRAPHIC if model.GEOGRAPHIC else GroundSystem(wkt)
-    middle = np.array([[*domain.middle, float(np.mean(domain.heights))]])
-    if model.GEOGRAPHIC:
-        middle = GroundSystem(wkt).to_geographic(middle)
-    found = locate(model.project, grid[:, :2], grid[:, 2], middle[:, :2], frame.metres(float(middle[0, 1])))
-    return frame.to_geographic(np.column_stack([found, grid[:, 2]]))
+    system = model.ground_system(wkt)
+    middle = transform_points(np.array([domain.middle]), wkt, system)
+    found = locate(model.project, grid[:, :2], grid[:, 2], middle, metres_per_unit(system, float(middle[0, 1])))
+    return reprojected(np.column_stack([found, grid[:, 2]]), system, WGS84)
 
 
 _Used = tuple[int, ...]

@@ -2,48 +2,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Callable, ClassVar
 
 import numpy as np
 
 from ...imagery.errors import SensorModelError
-from ...imagery.reference_systems import is_geographic, metres_per_unit, same_system, transform_points
+from ...imagery.reference_systems import transform_points
 from . import limits, messages
 
 WGS84 = "EPSG:4326"
 
 
-@dataclass(frozen=True)
-class GroundSystem:
-    """Ground coordinates: x and y of a reference system and heights above the ellipsoid in m."""
-
-    wkt: str
-    """Anything that PROJ understands; x or longitude comes first."""
-
-    @cached_property
-    def is_wgs84(self) -> bool:
-        """Whether x and y are longitude and latitude of WGS 84 already."""
-        return is_geographic(self.wkt) and same_system(self.wkt, WGS84)
-
-    def to_geographic(self, ground: np.ndarray) -> np.ndarray:
-        """(n, 3) of this system -> (n, 3) longitude, latitude (WGS 84), height."""
-        return ground if self.is_wgs84 else self._moved(ground, self.wkt, WGS84)
-
-    def from_geographic(self, geographic: np.ndarray) -> np.ndarray:
-        """(n, 3) longitude, latitude (WGS 84), height -> (n, 3) of this system."""
-        return geographic if self.is_wgs84 else self._moved(geographic, WGS84, self.wkt)
-
-    def metres(self, y: float) -> tuple[float, float]:
-        """Metres on the ground per unit of x and of y."""
-        return metres_per_unit(self.wkt, y)
-
-    @staticmethod
-    def _moved(ground: np.ndarray, wkt: str, target: str) -> np.ndarray:
-        return np.column_stack([transform_points(ground, wkt, target), ground[:, 2]])
-
-
-GEOGRAPHIC = GroundSystem(WGS84)
+def reprojected(ground: np.ndarray, wkt: str, target: str) -> np.ndarray:
+    """(n, 3) x, y (longitude first) and height above the ellipsoid, m, in another reference system; heights stay."""
+    return np.column_stack([transform_points(ground, wkt, target), ground[:, 2]])
 
 
 class SensorModel:
@@ -53,6 +25,11 @@ class SensorModel:
     """Whether the ground is longitude and latitude (WGS 84) instead of the points' own reference system."""
     SPATIAL: ClassVar[bool] = True
     """Whether heights play a part; without them there is no RPC."""
+
+    @classmethod
+    def ground_system(cls, wkt: str) -> str:
+        """The system that its ground is in, for points of the system ``wkt``."""
+        return WGS84 if cls.GEOGRAPHIC else wkt
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         """(n, 3) x, y, ellipsoidal height -> (n, 2) column, row in px."""

@@ -5,10 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.stats import f as f_distribution
 from seam_inspector.plugin.sensors.measure.polynomials import (
     Rational,
-    f_limit,
     fit_chosen_terms,
     fit_rational,
     terms_told,
@@ -25,11 +23,6 @@ def sparse() -> Rational:
     numerators[5, 0], numerators[8, 0] = 0.02, -0.01
     denominators[0], denominators[2, 0] = 1, 0.015
     return replace(made, numerators=numerators, denominators=denominators)
-
-
-@pytest.mark.parametrize(("probability", "freedom"), [(0.01, 3), (1e-3, 12), (5e-4, 40)])
-def test_the_limit_is_that_of_f(probability: float, freedom: int) -> None:
-    assert f_limit(probability, freedom) == pytest.approx(f_distribution.isf(probability, 1, freedom), rel=1e-2)
 
 
 def test_fifteen_points_see_a_scene_that_order_two_needs_nineteen_for() -> None:

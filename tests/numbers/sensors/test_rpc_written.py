@@ -11,10 +11,9 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.reference_systems import heights_above_ellipsoid
 from seam_inspector.plugin.sensors.measure.heights import EGM2008, VERTICAL, Geoid, above_ellipsoid
 from seam_inspector.plugin.sensors.measure.points import (
-    image_coordinates,
+    control_points,
+    file_points,
     image_points,
-    read_point_file,
-    source_coordinates,
     write_point_file,
 )
 from seam_inspector.plugin.sensors.measure.rpc import open_image, read_rpc, to_metadata, write_image_with_rpc, write_rpc
@@ -63,12 +62,12 @@ def test_points_come_back_from_the_georeferencers_file(
     tmp_path: Path, transform: tuple[float, ...] | None
 ) -> None:
     image, ground = np.array([[1.5, 2.25], [10.0, 7.0]]), np.array([[7.1, 43.6, 1.0], [7.2, 43.7, 2.0]])
-    source, path = source_coordinates(image, transform), tmp_path / "image.points"
-    write_point_file(path, "EPSG:4326", ground, source, np.array([True, True]), np.array([[3.0, -4.0], [0.0, 0.0]]))
-    file = read_point_file(path)
-    np.testing.assert_allclose(image_coordinates(file.source, transform), image, atol=1e-9)
-    np.testing.assert_array_equal(file.ground, ground[:, :2])
-    assert file.wkt == "EPSG:4326"
+    points, path = control_points(["1", "2"], image, ground, "EPSG:4326"), tmp_path / "image.points"
+    write_point_file(path, points, np.array([True, True]), np.array([[3.0, -4.0], [0.0, 0.0]]), transform)
+    found, notices = file_points(path, "", transform)
+    np.testing.assert_allclose(found.image, image, atol=1e-9)
+    np.testing.assert_array_equal(found.ground[:, :2], ground[:, :2])
+    assert (found.wkt, notices) == ("EPSG:4326", [])
     lines = path.read_text().splitlines()
     assert lines[1] == "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual"
     assert lines[2].split(",")[4:] == ["1", "3.0", "-4.0", "5.0"]

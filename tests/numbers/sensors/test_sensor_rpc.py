@@ -12,10 +12,10 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.sensors.measure import registry, rpc
 from seam_inspector.plugin.sensors.measure.adjustment import adjust
 from seam_inspector.plugin.sensors.measure.fit_files import FORMAT, ModelFile, load_model, save_model
-from seam_inspector.plugin.sensors.measure.points import image_coordinates, read_point_file
+from seam_inspector.plugin.sensors.measure.points import file_points
 from seam_inspector.plugin.sensors.measure.polynomials import Rational
 from seam_inspector.plugin.sensors.measure.rpc import BiasedRpc, Domain, open_image
-from seam_inspector.plugin.sensors.measure.sensor_model import GroundSystem, SensorModel
+from seam_inspector.plugin.sensors.measure.sensor_model import SensorModel, reprojected
 
 from tests.numbers.sensors.sensor_scenes import (
     COLUMNS,
@@ -57,7 +57,7 @@ def fitted(kind: str) -> tuple[SensorModel, str]:
         return made[kind], WGS84
     if kind == "rational in UTM":
         image = made_rational(1, 2, 0.002).project(ground)
-        given = points(image, GroundSystem(UTM).from_geographic(ground), None, UTM)
+        given = points(image, reprojected(ground, WGS84, UTM), None, UTM)
         return adjust(registry.RATIONAL.request(), given).fitted.model, UTM
     image = made_rational(1, 2, 0.0 if "polynomial" in kind else 0.002).project(ground)
     order = {"polynomial_3d": 2, "rational": 2}.get(kind, 1)
@@ -73,13 +73,13 @@ def test_gdal_sees_every_model_in_space_where_it_sees_itself(kind: str, tmp_path
     model, wkt = fitted(kind)
     domain = DOMAIN
     if wkt == UTM:
-        middle = GroundSystem(UTM).from_geographic(MIDDLE[None])[0]
+        middle = reprojected(MIDDLE[None], WGS84, UTM)[0]
         domain = Domain(DOMAIN.columns, DOMAIN.rows, DOMAIN.heights, (middle[0], middle[1]))
     made = rpc.rpc_of(model, wkt, domain)
     assert made.exact == (kind in ("polynomial_3d", "rational", "dlt"))
     assert made.max_px < 0.005
     ground = places(200, 8)
-    seen = model.project(GroundSystem(UTM).from_geographic(ground) if wkt == UTM else ground)
+    seen = model.project(reprojected(ground, WGS84, UTM) if wkt == UTM else ground)
     inside = (seen > 0).all(axis=1) & (seen[:, 0] < COLUMNS) & (seen[:, 1] < ROWS)
     assert inside.sum() > 50
     found = by_gdal(tmp_path, True, made.rpc, ground[inside])
@@ -225,14 +225,18 @@ ROWS_OF_FILE = "7.1,43.6,120.5,-30.25,1,0,0,0\n7.2,43.7,50,-60,0,0,0,0\n7.3,43.8
 def test_points_files_old_and_new(tmp_path: Path, layout: str, wkt: str) -> None:
     path = tmp_path / "image.points"
     path.write_text(layout.format(rows=ROWS_OF_FILE))
-    file = read_point_file(path)
-    assert file.wkt == wkt
-    assert file.ground == ((7.1, 43.6), (7.3, 43.8))
-    assert (file.numbers, file.disabled) == ((1, 3), 1)
     for plain in (None, (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)):
-        assert image_coordinates(file.source, plain) == [(120.5, 30.25), (0.0, 1.0)]
-    placed = image_coordinates([(5010.0, 4980.0)], (5000.0, 2.0, 0.0, 5000.0, 0.0, -2.0))
-    assert placed == [(5.0, 10.0)]
+        found, notices = file_points(path, "EPSG:32632", plain)
+        assert found.wkt == (wkt or "EPSG:32632")
+        assert found.ids == ("1", "3")
+        assert [str(one) for one in notices] == ["Points that are switched off in the georeferencer and left out: 1."]
+        np.testing.assert_array_equal(found.ground, [[7.1, 43.6, np.nan], [7.3, 43.8, np.nan]])
+        np.testing.assert_array_equal(found.image, [[120.5, 30.25], [0.0, 1.0]])
+    path.write_text(layout.format(rows="7.1,43.6,5010.0,4980.0,1\n"))
+    np.testing.assert_array_equal(file_points(path, UTM, (5e3, 2.0, 0.0, 5e3, 0.0, -2.0))[0].image, [[5.0, 10.0]])
+    if not wkt:
+        with pytest.raises(SensorModelError, match="names no coordinate reference system"):
+            file_points(path, "", None)
 
 
 @pytest.mark.parametrize(
@@ -248,4 +252,4 @@ def test_a_wrong_points_file_is_refused(tmp_path: Path, content: str, words: str
     path = tmp_path / "image.points"
     path.write_text(content)
     with pytest.raises(SensorModelError, match=words):
-        read_point_file(path)
+        file_points(path, UTM, None)
