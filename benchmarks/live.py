@@ -11,7 +11,7 @@ from seam_inspector.plugin.imagery.raster_pool import ReadingLanes
 from seam_inspector.plugin.seams.measure.inspection import WindowRequest
 from seam_inspector.plugin.seams.measure.live.live_window import LivePixels, live_profile, read_live
 from seam_inspector.plugin.seams.measure.window.measured_window import measure_window
-from seam_inspector.plugin.toolkit.interface_first import interface_first
+from seam_inspector.plugin.toolkit.background_tasks import interface_first
 
 from .ground import Ground
 from .timing import Goal, interleaved, print_table

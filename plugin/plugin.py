@@ -11,8 +11,7 @@ from qgis.PyQt.QtWidgets import QAction
 
 from .provider import SeamInspectorProvider
 from .toolkit.packages import broken_package_sentence, missing_packages_sentence
-from .toolkit.resources import icon_path
-from .toolkit.showing_help import show_first_page
+from .toolkit.resources import icon_path, show_first_page
 from .toolkit.translation import Translation, tr
 
 

@@ -24,7 +24,7 @@ from .sensors.algorithms.comparesensormodels import CompareSensorModels
 from .sensors.algorithms.fitsensormodel import FitSensorModel
 from .sensors.algorithms.orthorectify import Orthorectify
 from .sensors.algorithms.planpoints import PlanPoints
-from .toolkit.algorithms.output_files import RASTER_ENDINGS
+from .toolkit.algorithms.outputs import RASTER_ENDINGS
 from .toolkit.algorithms.ready_model import ReadyModel
 from .toolkit.resources import icon_path, model_paths
 

@@ -32,7 +32,7 @@ from ..imagery.errors import Message, SettingsError, WindowError
 from ..imagery.reference_systems import utm_wkt
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.attribute_values import Attributes, attributes, number, text, whole_number
+from ..toolkit.table_fields import Attributes, attributes, number, text, whole_number
 from .measure import messages
 from .measure.delivered_rows import LayerDoubts, overlap, without_copies
 from .measure.delivery import DeliveredPiece, Delivery, SeenWindow, in_order

@@ -19,8 +19,7 @@ from ..imagery.lines import find_seams
 from ..imagery.rasters import Raster
 from ..imagery.reference_systems import transform_points
 from ..toolkit import layers
-from ..toolkit.attribute_values import whole_number
-from ..toolkit.table_fields import Column
+from ..toolkit.table_fields import Column, whole_number
 from .delivery_layers import SeamLayer, common_system, metres_in_unit, read_delivery
 from .measure import messages
 from .measure.delivery import DeliveredPiece, Delivery, in_order

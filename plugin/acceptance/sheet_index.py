@@ -19,7 +19,7 @@ from qgis.core import (
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.attribute_values import attributes, text
+from ..toolkit.table_fields import attributes, text
 from ..toolkit.translation import tr
 from .measure import messages
 

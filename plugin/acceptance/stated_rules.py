@@ -9,7 +9,7 @@ from qgis.core import QgsProcessingParameterNumber
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
-from ..toolkit.algorithms.ready_rules import in_users_language
+from ..toolkit.algorithms.parameters import in_users_language
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
 from .measure import acceptance_rules as limits

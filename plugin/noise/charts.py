@@ -11,11 +11,10 @@ from matplotlib.figure import Figure
 
 from ..imagery.errors import printable
 from ..imagery.limits import LUMINANCE, judged_band
-from ..toolkit.band_titles import band_title
 from ..toolkit.charts.chart_style import BAND_COLOURS, PAPER, ChartStyle
 from ..toolkit.charts.figure_files import new_figure
 from ..toolkit.charts.variance_axes import draw_frame
-from ..toolkit.translation import filled, tr
+from ..toolkit.translation import band_title, filled, tr
 from .measure.band_noise import BandNoise, noisiest_band
 from .measure.group_noise import ClipNoise
 from .noise_summary import NoiseGroup, class_title, compared_curve, noise_groups

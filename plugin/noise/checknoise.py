@@ -15,8 +15,8 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import SettingsError
-from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import IMAGE_QUALITY
 from ..toolkit.algorithms.raster_lists import RASTERS, WINDOWS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
@@ -38,7 +38,7 @@ class CheckNoise(RasterListAlgorithm):
 
     ID = "checknoise"
     NAME = QT_TRANSLATE_NOOP("@default", "Check random noise")
-    GROUP = groups.IMAGE_QUALITY
+    GROUP = IMAGE_QUALITY
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the "

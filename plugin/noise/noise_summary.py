@@ -10,10 +10,8 @@ from qgis.core import QgsFeature, QgsFields
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery.limits import judged_band
-from ..toolkit.attribute_values import number
-from ..toolkit.band_titles import band_title
-from ..toolkit.table_fields import feature, table_fields
-from ..toolkit.translation import filled, sentence, shown_number, tr
+from ..toolkit.table_fields import feature, number, table_fields
+from ..toolkit.translation import band_title, filled, sentence, shown_number, tr
 from .measure.band_noise import SEVERITY, BandNoise, NoiseVerdict, noisiest_band
 from .measure.group_noise import ClipNoise
 

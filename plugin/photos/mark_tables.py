@@ -18,8 +18,7 @@ from qgis.core import (
 from ..imagery.errors import PhotoError
 from ..imagery.gdal_calls import is_endless
 from ..imagery.rasters import GeoTransform
-from ..toolkit.attribute_values import attributes, is_known, is_true, number, text
-from ..toolkit.table_fields import feature, table_fields
+from ..toolkit.table_fields import attributes, feature, is_known, is_true, number, table_fields, text
 from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.mark_comparison import ComparedMark, DifferenceStatistics

@@ -21,10 +21,10 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import RasterError, SettingsError
-from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import IMAGE_QUALITY
+from ..toolkit.algorithms.parameters import in_users_language
 from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
-from ..toolkit.algorithms.ready_rules import in_users_language
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import filled, tr
 from .measure import messages
@@ -47,7 +47,7 @@ class CheckRadiometry(RasterListAlgorithm):
 
     ID = "checkradiometry"
     NAME = QT_TRANSLATE_NOOP("@default", "Check radiometry")
-    GROUP = groups.IMAGE_QUALITY
+    GROUP = IMAGE_QUALITY
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Holds images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped "

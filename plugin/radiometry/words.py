@@ -6,8 +6,7 @@ from collections.abc import Iterable, Sequence
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery.errors import in_sentence
-from ..toolkit.band_titles import band_title
-from ..toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
+from ..toolkit.translation import band_title, decimals_beside, filled, formatted, sentence, shown_number, tr
 from .measure import rules as checks
 from .measure.assessment import Assessment, CheckedFigure, ImageDecision, RadiometricDecision, RadiometricOutcome
 from .measure.rules import ALL_BANDS, EACH_BAND, LUMINOSITY, Rule

@@ -6,10 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..toolkit.band_titles import band_title
 from ..toolkit.charts.chart_style import MOST_NAMED, PAPER, UNNAMED, ChartStyle
 from ..toolkit.charts.figure_files import new_figure, plain_figure
-from ..toolkit.translation import filled, tr
+from ..toolkit.translation import band_title, filled, tr
 from .distance_words import direction_title
 from .measure.bar_groups import GroupResult
 from .measure.bars import BarReading

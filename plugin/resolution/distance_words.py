@@ -3,8 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..toolkit.band_titles import band_title
-from ..toolkit.translation import filled, sentence, shown_number, tr
+from ..toolkit.translation import band_title, filled, sentence, shown_number, tr
 from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import DIRECTIONS
 

@@ -30,10 +30,9 @@ from ..imagery.errors import Message, SettingsError, WindowLayerError
 from ..imagery.grids import Grid
 from ..imagery.statistics import DECIDED, VISIBLE
 from ..toolkit import messages as toolkit_messages
-from ..toolkit.attribute_values import text, whole_number
 from ..toolkit.layer_editing import edit_step
 from ..toolkit.layer_styles import load_style
-from ..toolkit.table_fields import Column, column_fields, column_values, feature, table_fields
+from ..toolkit.table_fields import Column, column_fields, column_values, feature, table_fields, text, whole_number
 from ..toolkit.translation import sentence, tr
 from .measure import messages
 from .measure.bar_groups import GroupResult

@@ -17,12 +17,10 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import RasterError, SettingsError
-from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
-from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.base import GROUND_RESOLUTION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.band_titles import band_title
-from ..toolkit.translation import tr
+from ..toolkit.translation import band_title, tr
 from .measure import messages
 from .measure import target as limits
 
@@ -46,7 +44,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
 
     ID = "measureresolution"
     NAME = QT_TRANSLATE_NOOP("@default", "Measure ground resolved distance")
-    GROUP = groups.GROUND_RESOLUTION
+    GROUP = GROUND_RESOLUTION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line "

@@ -16,11 +16,10 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import Message, SettingsError
-from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
-from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.base import GROUND_RESOLUTION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.attribute_values import number, text
+from ..toolkit.table_fields import number, text
 from ..toolkit.translation import sentence, shown_number, tr
 from .measure import messages
 
@@ -120,7 +119,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
 
     ID = "minimumheight"
     NAME = QT_TRANSLATE_NOOP("@default", "Minimum flying height")
-    GROUP = groups.GROUND_RESOLUTION
+    GROUP = GROUND_RESOLUTION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each "

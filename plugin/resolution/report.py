@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..imagery.rasters import Raster
-from ..toolkit.band_titles import band_title
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.how_measured import HowMeasured, measured_raster
 from ..toolkit.pages.templates import save_page, sentences_once
-from ..toolkit.translation import filled, percent, sentence, shown_number, tr
+from ..toolkit.translation import band_title, filled, percent, sentence, shown_number, tr
 from .charts import (
     VERDICT_COLOURS,
     band_colour,

@@ -6,9 +6,8 @@ from typing import Any
 from qgis.core import QgsProcessingParameterRasterDestination, QgsProcessingParameterRasterLayer
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ..toolkit.algorithms import groups
 from ..toolkit.algorithms import parameters as common
-from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.base import GROUND_RESOLUTION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
 from .measure import target as limits
@@ -21,7 +20,7 @@ class SimulateBayer(SeamInspectorAlgorithm):
 
     ID = "simulatebayer"
     NAME = QT_TRANSLATE_NOOP("@default", "Simulate a Bayer filter")
-    GROUP = groups.GROUND_RESOLUTION
+    GROUP = GROUND_RESOLUTION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its "

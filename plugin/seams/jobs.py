@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from ..imagery.lines import find_seams
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster, RasterRef
-from ..toolkit.background_task import Ahead, Cancelled, Job
+from ..toolkit.background_tasks import Ahead, Cancelled, Job
 from .clip_pictures import PictureRequest, WindowPictureSet, composite_picture, make_pictures
 from .measure.inputs.candidate_look import SourceCandidate, look_at_candidates
 from .measure.inspection import InspectionSettings, WindowRequest

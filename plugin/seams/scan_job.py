@@ -12,7 +12,7 @@ from typing import Callable
 
 from ..imagery.errors import Message
 from ..imagery.rasters import Raster
-from ..toolkit.background_task import Cancelled, Job
+from ..toolkit.background_tasks import Cancelled, Job
 from .measure.scan.inputs.scan_request import ScanRequest, scan_request
 from .measure.scan.lines.given_seams import given_seams
 from .measure.scan.lines.seam_features import SeamFeature

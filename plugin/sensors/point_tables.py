@@ -22,9 +22,8 @@ from qgis.core import (
 
 from ..imagery.errors import Message, SensorModelError
 from ..imagery.gdal_calls import gdal_silenced
-from ..toolkit.attribute_values import Attributes, attributes, number, text
 from ..toolkit.layers import features, layer_path, system_wkt
-from ..toolkit.table_fields import feature, table_fields
+from ..toolkit.table_fields import Attributes, attributes, feature, number, table_fields, text
 from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.adjustment import Adjustment, Comparison

@@ -13,6 +13,7 @@ from qgis.core import (
     QgsFeatureRequest,
     QgsGeometry,
     QgsMapLayer,
+    QgsPointXY,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingUtils,
@@ -171,3 +172,23 @@ def _transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) -> Qg
 def box_extent(box: QgsRectangle) -> Extent:
     """A rectangle of QGIS as an extent."""
     return box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum()
+
+
+def transformed_point(
+    point: QgsPointXY, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
+) -> QgsPointXY | None:
+    """By the project's choice of transformations."""
+    try:
+        return QgsCoordinateTransform(crs, target, QgsProject.instance()).transform(point)
+    except QgsCsException:
+        return None
+
+
+def transformed_box(
+    box: QgsRectangle, crs: QgsCoordinateReferenceSystem, target: QgsCoordinateReferenceSystem
+) -> QgsRectangle | None:
+    """The rectangle around a transformed one."""
+    try:
+        return QgsCoordinateTransform(crs, target, QgsProject.instance()).transformBoundingBox(box)
+    except QgsCsException:
+        return None

@@ -1,9 +1,12 @@
-"""Where the plugin's own files are."""
+"""Where the plugin's own files are, and its help in the system's browser."""
 from __future__ import annotations
 
 from configparser import ConfigParser
 from functools import cache
 from pathlib import Path
+
+from qgis.PyQt.QtCore import QUrl
+from qgis.PyQt.QtGui import QDesktopServices
 
 _PLUGIN = Path(__file__).parents[2]
 _RESOURCES = _PLUGIN / "resources"
@@ -45,3 +48,12 @@ def help_url(page: str) -> str:
 def translations_path() -> str:
     """The folder of the compiled translations."""
     return str(_PLUGIN / "i18n")
+
+
+FIRST_PAGE = "first_inspection"
+"""Where somebody new begins."""
+
+
+def show_first_page() -> None:
+    """How a first inspection goes; the way to all other pages."""
+    QDesktopServices.openUrl(QUrl(help_url(FIRST_PAGE)))

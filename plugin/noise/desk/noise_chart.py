@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 from qgis.PyQt.QtWidgets import QWidget
 
-from ...toolkit.band_titles import band_title
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.charts.figure_painter import ROOMY_LINES, Room, draw_figure, fit_figure, set_font
 from ...toolkit.desk.painted_chart import PaintedChart
+from ...toolkit.translation import band_title
 from ..charts import draw_noise_clip
 from ..measure.band_noise import BandNoise
 from ..noise_summary import NO_GROUP, CurveGroup

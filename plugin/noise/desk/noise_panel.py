@@ -19,23 +19,20 @@ from ...imagery.grids import PixelWindow
 from ...imagery.limits import DEFAULT_LEVELS
 from ...imagery.open_raster import describe
 from ...imagery.rasters import RasterRef
-from ...toolkit.attribute_values import text
-from ...toolkit.background_task import Cancelled, Job
-from ...toolkit.band_titles import band_title
+from ...toolkit.background_tasks import BackgroundTasks, Cancelled, Job
 from ...toolkit.charts.chart_loader import chart_missing
-from ...toolkit.desk.background_tasks import BackgroundTasks
 from ...toolkit.desk.chart_panel import MatplotlibPanel
-from ...toolkit.desk.clipped_label import ClippedLabel
 from ...toolkit.desk.tabs import InspectedWindows, WindowOnRasters
-from ...toolkit.desk.tooltips import plain_tip, rich_tip
-from ...toolkit.translation import filled, sentence, tr
+from ...toolkit.desk.widgets import ClippedLabel, plain_tip, rich_tip
+from ...toolkit.table_fields import text
+from ...toolkit.translation import band_title, filled, sentence, tr
 from ..measure.band_noise import noisiest_band
 from ..measure.group_noise import ClipNoise, measure_window
 from ..measure.window_choice import NOISE_WINDOWS
 from ..noise_summary import NO_GROUP, CurveGroup, band_curve, band_lines, noise_sentence
 
 if TYPE_CHECKING:
-    from ...toolkit.background_task import Outcome
+    from ...toolkit.background_tasks import Outcome
     from .noise_chart import NoiseChart
 
 def noise_job(ref: RasterRef, drawn: DrawnWindow) -> Job:
@@ -310,7 +307,7 @@ class NoisePanel(MatplotlibPanel):
             self._timer.start(_LOADING_MS)
             return
         try:
-            from ...toolkit.desk.chart_look import chart_style
+            from ...toolkit.desk.theme import chart_style
             from .noise_chart import NoiseChart
         except ImportError:
             self._say(f"{words}\n\n{chart_missing()}")

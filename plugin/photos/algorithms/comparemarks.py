@@ -15,8 +15,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.errors import PhotoError
-from ...toolkit.algorithms import groups
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import filled, tr
 from ..measure import limits, messages
@@ -36,7 +35,7 @@ class CompareMarks(SeamInspectorAlgorithm):
 
     ID = "comparemarks"
     NAME = QT_TRANSLATE_NOOP("@default", "Compare marks")
-    GROUP = groups.PHOTOS
+    GROUP = INTERIOR_ORIENTATION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the "
@@ -113,7 +112,7 @@ class CompareMarks(SeamInspectorAlgorithm):
                 raise PhotoError(messages.COMPARED_EITHER())
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import table_fields
+        from ...toolkit import table_fields as table_fields
         from .. import mark_tables
         from ..measure import mark_comparison
 
@@ -175,7 +174,7 @@ class CompareMarks(SeamInspectorAlgorithm):
 
     @staticmethod
     def _marks(run: Run, name: str) -> list[ComparedMark]:
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from .. import mark_tables
 
         folder = run.text(FOLDERS[name])

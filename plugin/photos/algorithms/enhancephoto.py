@@ -10,9 +10,8 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 
@@ -27,7 +26,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
 
     ID = "enhancephoto"
     NAME = QT_TRANSLATE_NOOP("@default", "Enhance photo")
-    GROUP = groups.PHOTOS
+    GROUP = INTERIOR_ORIENTATION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian "

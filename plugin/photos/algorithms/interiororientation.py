@@ -21,9 +21,8 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import PhotoError
-from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
 from ...toolkit.algorithms.parameters import Described
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import filled, sentence, tr
@@ -186,7 +185,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
 
     ID = "interiororientation"
     NAME = QT_TRANSLATE_NOOP("@default", "Interior orientation")
-    GROUP = groups.PHOTOS
+    GROUP = INTERIOR_ORIENTATION
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to "
@@ -300,7 +299,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         return read_calibration(Path(path))
 
     def _positions(self, run: Run, photo: Photo) -> dict[str, GivenPosition]:
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from .. import mark_tables
 
         if not run.parameters.get(POSITIONS):

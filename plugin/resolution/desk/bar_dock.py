@@ -30,14 +30,12 @@ from qgis.PyQt.QtWidgets import (
 from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.open_raster import describe_north_up
 from ...imagery.rasters import Raster, RasterRef
-from ...toolkit.background_task import Cancelled, End, Job, Outcome
-from ...toolkit.desk.background_tasks import BackgroundTasks
-from ...toolkit.desk.clipped_label import ClippedLabel
+from ...toolkit.background_tasks import BackgroundTasks, Cancelled, End, Job, Outcome
 from ...toolkit.desk.layer_box import LayerBox, vectors_without
+from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.desk.tool_dock import ToolDock
-from ...toolkit.layers import layer_ref, mosaic_crs
-from ...toolkit.map_places import transformed_point
-from ...toolkit.message_bar import bar_level
+from ...toolkit.desk.widgets import ClippedLabel
+from ...toolkit.layers import layer_ref, mosaic_crs, transformed_point
 from ...toolkit.translation import sentence, tr
 from .. import line_layers
 from ..distance_words import verdict_text

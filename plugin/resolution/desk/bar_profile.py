@@ -9,8 +9,8 @@ from qgis.PyQt.QtWidgets import QWidget
 
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.charts.figure_painter import Room, draw_figure, fit_figure, set_font
-from ...toolkit.desk.chart_look import chart_style
 from ...toolkit.desk.painted_chart import PaintedChart
+from ...toolkit.desk.theme import chart_style
 from ...toolkit.translation import tr
 from ..charts import BAND_COLOURS, draw_profiles
 from ..measure.bar_groups import GroupResult

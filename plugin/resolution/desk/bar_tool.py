@@ -7,7 +7,7 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QPoint, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QKeyEvent
 
-from ...toolkit.desk.drawing_tool import DrawingTool, is_drag
+from ...toolkit.desk.tool_dock import DrawingTool, is_drag
 
 _LINE, _CASING = QColor("#ffd400"), QColor(0, 0, 0, 170)
 

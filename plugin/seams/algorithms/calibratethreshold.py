@@ -122,7 +122,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     @staticmethod
     def _judged(run: Run) -> tuple[list[str], list[WindowRecord]]:
         """The windows' fields, and those that an observer judged."""
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from ..tables.record_tables import read_windows
 
         windows = run.source(WINDOWS)
@@ -142,7 +142,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     @staticmethod
     def _measures(run: Run, names: list[str], judged: list[WindowRecord]) -> dict[str, _Values]:
         """What is there of each measure."""
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from ..tables.record_tables import check_inspected, read_pairs
 
         read = {

@@ -20,8 +20,8 @@ from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.raster_lists import WindowFeatures
 from ...toolkit.algorithms.run import Run
-from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.limits import MAX_SIGNIFICANT_KEPT
@@ -147,7 +147,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_fields
         from ..measure.verdicts import Verdict
@@ -209,7 +209,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         )
 
     def _cells(self, run: Run) -> list[Cell]:
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from ..tables import seam_cell_layer
 
         if not run.parameters.get(CELLS):

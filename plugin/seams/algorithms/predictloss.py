@@ -20,8 +20,8 @@ from ...imagery.errors import RasterError, SettingsError
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.raster_lists import WindowFeatures
 from ...toolkit.algorithms.run import Run
-from ...toolkit.algorithms.window_features import WindowFeatures
 from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.limits import COSINE, RAMPS
@@ -108,7 +108,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_fields, column_values, feature
         from ..measure.loss_forecast import forecast_window, not_foretold
@@ -151,7 +151,7 @@ class PredictLoss(SeamInspectorAlgorithm):
     def _system(self, windows: QgsProcessingFeatureSource, run: Run) -> tuple[QgsCoordinateReferenceSystem, str]:
         """The reference system of the first source that can be read, else the index layer's, else the windows'."""
         from ...imagery.open_raster import describe_placed
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
 
         for ref in self._given.refs:
             with suppress(RasterError):  # it is named when the sources are gathered
@@ -170,7 +170,7 @@ class PredictLoss(SeamInspectorAlgorithm):
 
     def _seamlines(self, run: Run, crs: QgsCoordinateReferenceSystem) -> Seamlines | None:
         """Those that are known, in the windows' reference system; None where the parameter is not given."""
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from ..measure.feathers.seam_places import Seamlines
 
         if not run.parameters.get(SEAMLINES):

@@ -156,7 +156,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from ..measure.scan.inputs.scan_request import scan_request
         from ..measure.scan.whole_scan import whole_scan
 
@@ -197,7 +197,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
 
     def _given_seams(self, run: Run, crs: QgsCoordinateReferenceSystem) -> GivenSeams | None:
         """What the seamlines say; None without them."""
-        from ...toolkit import layers
+        from ...toolkit import layers as layers
         from ..measure.scan.lines.given_seams import given_seams
         from ..tables.given_seam_layer import seam_features
 

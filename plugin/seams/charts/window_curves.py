@@ -6,8 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ...toolkit.band_titles import BAND_ORDER
-from ...toolkit.translation import filled, tr
+from ...toolkit.translation import BAND_ORDER, filled, tr
 from ..measure.window_records import COMPOSITE, REFERENCES
 from .chart_curves import ChartCurve, least_of_sources, share_text
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import QObject
 
-from ...toolkit.desk.background_tasks import BackgroundTasks
+from ...toolkit.background_tasks import BackgroundTasks
 from .images.window_pictures import WindowPictures
 from .inputs.block_cache import BlockCache
 from .keeping.keeping import Keeping

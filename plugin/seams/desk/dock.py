@@ -18,16 +18,12 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ...toolkit.desk.fitting_tool_bar import FittingToolBar
-from ...toolkit.desk.greyed import allow
-from ...toolkit.desk.scroll_body import ScrollBody
 from ...toolkit.desk.tabs import DeskTab
-from ...toolkit.desk.timers import single_shot
 from ...toolkit.desk.tool_dock import ToolDock
+from ...toolkit.desk.widgets import FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.layer_styles import load_style
-from ...toolkit.map_places import transformed_box
-from ...toolkit.resources import icon_path
-from ...toolkit.showing_help import show_first_page
+from ...toolkit.layers import transformed_box
+from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from ..scan_job import ScanDone

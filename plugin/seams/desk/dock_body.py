@@ -4,7 +4,7 @@ from __future__ import annotations
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QBoxLayout, QSplitter, QToolBar, QVBoxLayout, QWidget
 
-from ...toolkit.desk.scroll_body import ScrollBody
+from ...toolkit.desk.widgets import ScrollBody
 from .judging.judge_bar import JudgeBar
 from .windows.windows_panel import WindowsPanel
 

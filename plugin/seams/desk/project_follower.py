@@ -9,7 +9,7 @@ from typing import Any
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.errors import SeamInspectorError
-from ...toolkit.desk.timers import single_shot
+from ...toolkit.desk.widgets import single_shot
 from ..tables import window_layer
 from ..tables.window_looks import style_if_plain
 from .desk_parts import DeskParts

@@ -11,8 +11,8 @@ from qgis.PyQt.QtCore import QObject, QUrl, pyqtSignal
 from qgis.PyQt.QtWidgets import QFileDialog, QWidget
 
 from ...imagery.errors import Message, SeamInspectorError
-from ...toolkit.desk.background_tasks import BackgroundTasks
-from ...toolkit.message_bar import bar_level
+from ...toolkit.background_tasks import BackgroundTasks
+from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.translation import filled, sentence, tr
 
 if TYPE_CHECKING:

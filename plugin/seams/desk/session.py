@@ -11,8 +11,8 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.statistics import FIRST, Operator
+from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.layer_editing import edit_step
-from ...toolkit.message_bar import bar_level
 from ...toolkit.translation import sentence, tr
 from ..clip_pictures import ClipPicture
 from ..measure.inputs.source_use import SourceUse

@@ -8,8 +8,8 @@ from pathlib import Path
 from qgis.core import QgsCoordinateReferenceSystem, QgsProject
 
 from ...imagery.limits import judged_band
-from ...toolkit import layers
-from ...toolkit.background_task import Cancelled, Job
+from ...toolkit import layers as layers
+from ...toolkit.background_tasks import Cancelled, Job
 from ..measure.inspection import Block
 from ..measure.window.window_result import WindowResult
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord

@@ -7,8 +7,8 @@ from qgis.core import QgsCoordinateTransform, QgsFeature
 from qgis.PyQt.QtCore import QDate, QDateTime, Qt
 
 from ...imagery.errors import Message, WindowError
-from ...toolkit.attribute_values import is_known, text
 from ...toolkit.layers import line_wkb
+from ...toolkit.table_fields import is_known, text
 from ..measure.scan import messages
 from ..measure.scan.lines.seam_features import SeamFeature
 

@@ -12,8 +12,8 @@ from qgis.core import QgsCoordinateTransform, QgsFeature
 from ...imagery.errors import SettingsError, of_cell
 from ...imagery.limits import judged_band
 from ...imagery.statistics import OPERATORS
-from ...toolkit.attribute_values import attributes, number, text, whole_number
 from ...toolkit.layers import outline_extent
+from ...toolkit.table_fields import attributes, number, text, whole_number
 from ..measure import messages
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
 from .window_fields import MEASURED, WINDOW_FIELDS

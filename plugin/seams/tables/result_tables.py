@@ -11,8 +11,7 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
 from ...imagery.records import Column
 from ...imagery.statistics import JUDGING_FIELDS
-from ...toolkit.attribute_values import whole_number
-from ...toolkit.table_fields import column_features, column_fields, column_values, feature
+from ...toolkit.table_fields import column_features, column_fields, column_values, feature, whole_number
 from ...toolkit.version_differences import field
 from ..measure.loss_forecast import Forecast, ForecastPair
 from ..measure.placing.window_placing import PlacedWindow

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Callable
 
 from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsLineString, QgsRasterLayer, QgsWkbTypes
 
-from ...toolkit import layers
+from ...toolkit import layers as layers
 from ...toolkit.table_fields import column_features, column_fields, column_values, feature
 from ..measure.scan.results.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from .result_tables import PLACED_COLUMNS

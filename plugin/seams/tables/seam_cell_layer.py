@@ -5,8 +5,8 @@ from collections.abc import Iterable
 
 from qgis.core import QgsCoordinateTransform, QgsFeature, QgsGeometry
 
-from ...toolkit.attribute_values import text
 from ...toolkit.layers import _transformed, extent
+from ...toolkit.table_fields import text
 from ..measure.seam_cells import Cell
 
 CELL_FIELD = "source"

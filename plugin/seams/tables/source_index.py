@@ -8,8 +8,8 @@ from qgis.core import QgsCoordinateTransform, QgsFeature, QgsGeometry
 
 from ...imagery.errors import SettingsError
 from ...imagery.rasters import RasterRef
-from ...toolkit.attribute_values import text
 from ...toolkit.layers import _transformed, extent
+from ...toolkit.table_fields import text
 from ..measure import messages
 from ..measure.source_images import Source
 

@@ -13,7 +13,7 @@ from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery.records import Column
 from ...imagery.statistics import JUDGING_FIELDS
-from ...toolkit.field_titles import give_titles
+from ...toolkit.layer_styles import give_titles
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import WINDOW_COLUMNS
 

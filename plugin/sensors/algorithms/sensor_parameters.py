@@ -16,9 +16,8 @@ from qgis.core import (
 )
 
 from ...imagery.errors import SettingsError
-from ...toolkit.algorithms import groups
 from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.base import SATELLITE_IMAGES, SeamInspectorAlgorithm
 from ...toolkit.algorithms.parameters import Described
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
@@ -53,7 +52,7 @@ IMAGE_SUFFIXES = (".tif", ".tiff", ".vrt", ".ntf", ".nitf", ".jp2", ".img")
 class SensorAlgorithm(SeamInspectorAlgorithm):
     """An algorithm of sensor models."""
 
-    GROUP = groups.SATELLITE_IMAGES
+    GROUP = SATELLITE_IMAGES
     RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
 
     def addFittingParameters(self) -> None:

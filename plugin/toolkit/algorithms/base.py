@@ -1,4 +1,7 @@
-"""What all our algorithms share: names, help, and errors as one clear sentence."""
+"""What all our algorithms share: names, help, and errors as one clear sentence.
+
+Their groups in the toolbox are here too; each name, not translated, is its group's id.
+"""
 from __future__ import annotations
 
 from collections.abc import Mapping
@@ -12,6 +15,7 @@ from qgis.core import (
     QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
 )
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 from qgis.PyQt.QtGui import QIcon
 
 from ...imagery.errors import CancelledError, SeamInspectorError
@@ -19,12 +23,16 @@ from ...imagery.gdal_calls import gdal_silenced
 from ..packages import missing_packages_sentence
 from ..resources import help_url, icon_path
 from ..translation import sentence, tr
-from . import groups
 from . import parameters as common
-from .destinations import refuse_impossible
-from .overwriting import refuse_overwriting
+from .outputs import refuse_impossible, refuse_overwriting
+from .parameters import without_rasters
 from .run import Run
-from .unopened_rasters import without_rasters
+
+SEAM_INSPECTION = QT_TRANSLATE_NOOP("@default", "Seam inspection")
+IMAGE_QUALITY = QT_TRANSLATE_NOOP("@default", "Image quality")
+GROUND_RESOLUTION = QT_TRANSLATE_NOOP("@default", "Ground resolution")
+INTERIOR_ORIENTATION = QT_TRANSLATE_NOOP("@default", "Interior orientation of photos")
+SATELLITE_IMAGES = QT_TRANSLATE_NOOP("@default", "Satellite images")
 
 
 class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
@@ -32,7 +40,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     ID: str
     NAME: str
-    GROUP = groups.SEAM_INSPECTION
+    GROUP = SEAM_INSPECTION
     HELP: str
     RASTER_LISTS: tuple[str, ...] = (common.SOURCES,)
     """Parameters with many rasters, which are opened one by one and not by QGIS."""

@@ -19,7 +19,7 @@ from ...imagery.errors import Message, cell_text
 from ...imagery.gdal_calls import gdal_silenced
 from .. import messages
 from ..translation import sentence, tr
-from .output_files import DataPlace
+from .outputs import DataPlace
 
 Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 import math
 import os
 import re
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import fields, is_dataclass, replace
+from typing import Any, TypeVar
 
 from qgis.core import (
     QgsProcessing,
@@ -20,7 +21,9 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterLayer,
     QgsProcessingParameterString,
+    QgsRasterLayer,
 )
+from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
@@ -195,3 +198,42 @@ def _paths(value: Any) -> Iterator[str]:
         path = _LAYER_ADDRESS.sub("", one) if isinstance(one, str) else ""
         if path:
             yield path
+
+
+def without_rasters(
+    algorithm: QgsProcessingAlgorithm, values: dict[str, Any], lists: Collection[str] = ()
+) -> dict[str, Any]:
+    """The values with nothing to open in place of each raster, each list of rasters, and each of the other ``lists``.
+
+    QGIS would load them all, write statistics beside them (into them, where they are VRTs), and refuse one that it
+    can't open without a reason.
+    """
+    emptied = dict(values)
+    for one in algorithm.parameterDefinitions():
+        name, value = one.name(), values.get(one.name())
+        if isinstance(one, QgsProcessingParameterRasterLayer):
+            if isinstance(value, str) and value:
+                emptied[name] = QgsRasterLayer()
+        elif name in values and (name in lists or takes_rasters(one)):
+            emptied[name] = []
+    return emptied
+
+
+Rules = TypeVar("Rules")
+_OWN = QT_TRANSLATE_NOOP("@default", "Seam Inspector's own")
+"""The source of limits that no contract states."""
+_WORDS = ("name", "source", "kept_source")
+"""The fields that people read: what rules are called, and where their limits come from."""
+
+
+def in_users_language(rules: Rules) -> Rules:
+    """Names and sources of rules translated, those of the rules in them too; what is none of ours stays."""
+    known = {one.name: getattr(rules, one.name) for one in fields(rules)}  # type: ignore[arg-type]
+    changed = {name: tr(value) if name in _WORDS else _translated(value) for name, value in known.items()}
+    return replace(rules, **changed)  # type: ignore[type-var]
+
+
+def _translated(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return tuple(map(_translated, value))
+    return in_users_language(value) if is_dataclass(value) and any(hasattr(value, word) for word in _WORDS) else value

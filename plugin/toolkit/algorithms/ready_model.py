@@ -15,10 +15,8 @@ from ...imagery.errors import SeamInspectorError
 from ...imagery.gdal_calls import gdal_silenced
 from ..resources import help_url
 from ..translation import sentence, tr
-from .destinations import refuse_impossible
-from .overwriting import refuse_overwriting
-from .parameters import check_files, check_rasters
-from .unopened_rasters import without_rasters
+from .outputs import refuse_impossible, refuse_overwriting
+from .parameters import check_files, check_rasters, without_rasters
 
 _TITLES, _HELP = ("description", "component_description", "model_group"), "help"
 

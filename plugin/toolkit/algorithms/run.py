@@ -25,11 +25,11 @@ from qgis.core import (
 
 from ...imagery.errors import Level, RasterError, SettingsError
 from .. import messages
+from ..layer_styles import layer_styler
 from ..translation import sentence
 from . import parameters as common
 from .feature_sinks import FeatureSinks, Sink
-from .layer_stylers import layer_styler
-from .output_files import GEOTIFF_FILES, is_file, output_text, table_place
+from .outputs import GEOTIFF_FILES, is_file, output_text, table_place
 
 if TYPE_CHECKING:
     from ...imagery.errors import Message

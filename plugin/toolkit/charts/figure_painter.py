@@ -5,7 +5,7 @@ from typing import Any, Callable, NamedTuple
 
 import numpy as np
 
-from ..interface_first import interface_first
+from ..background_tasks import interface_first
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # isort: skip
 from matplotlib.figure import Figure  # isort: skip

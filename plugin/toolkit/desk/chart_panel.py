@@ -6,7 +6,7 @@ from qgis.PyQt.QtGui import QPalette, QShowEvent
 from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from ..charts.chart_loader import ChartLoader
-from .timers import single_shot
+from .widgets import single_shot
 
 _RESTYLING = (QEvent.Type.PaletteChange, QEvent.Type.StyleChange, QEvent.Type.FontChange)
 

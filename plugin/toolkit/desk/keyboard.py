@@ -1,7 +1,9 @@
-"""Whether the keyboard is free for single keys that mean something in the desk."""
+"""Single keys that mean something in the desk: whether the keyboard is free for them, and Space held over a view."""
 from __future__ import annotations
 
-from qgis.PyQt.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit, QPlainTextEdit, QTextEdit
+from qgis.PyQt import sip
+from qgis.PyQt.QtCore import QEvent, QObject, Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit, QPlainTextEdit, QTextEdit, QWidget
 
 _TEXT_FIELDS = (QLineEdit, QTextEdit, QPlainTextEdit, QAbstractSpinBox)
 
@@ -15,3 +17,113 @@ def is_keyboard_free() -> bool:
         return True
     typing = isinstance(focus, _TEXT_FIELDS) or focus.inherits("QsciScintilla")
     return not typing and not (isinstance(focus, QComboBox) and focus.isEditable())
+
+
+class FocusFilter:
+    """Keeps an event filter on the widget that has the focus and on the active window, which has the keys else."""
+
+    def __init__(self, listener: QObject) -> None:
+        self._listener = listener
+        self._watched: list[QWidget] = []
+        self._is_on = False
+
+    def listen(self, is_on: bool) -> None:
+        """From now on, or no more."""
+        if is_on == self._is_on:
+            return
+        self._is_on = is_on
+        if is_on:
+            QApplication.instance().focusChanged.connect(self._follow)
+        else:
+            QApplication.instance().focusChanged.disconnect(self._follow)
+        self._follow()
+
+    def _follow(self, *_: object) -> None:
+        for widget in self._watched:
+            if not sip.isdeleted(widget):
+                widget.removeEventFilter(self._listener)
+        wanted = (QApplication.focusWidget(), QApplication.activeWindow()) if self._is_on else ()
+        self._watched = [widget for widget in dict.fromkeys(wanted) if widget is not None]
+        for widget in self._watched:
+            widget.installEventFilter(self._listener)
+
+
+_KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
+
+
+class SpaceKey(QObject):
+    """Which view Space is held over.
+
+    Taking the focus instead would keep the arrow keys from the table of windows while the mouse rests on a view.
+    The keyboard is listened to only while the mouse is over a view, a view has the focus by Tab, or
+    Space is still held.
+    """
+
+    changed = pyqtSignal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._hovered: QWidget | None = None
+        self._focused: QWidget | None = None
+        self._is_held = False
+        self._is_watching = False
+        self._keyboard = FocusFilter(self)
+
+    @property
+    def view(self) -> QWidget | None:
+        """The view under the mouse, else the one with the focus, while Space is held."""
+        return (self._hovered or self._focused) if self._is_held else None
+
+    def set_hovered(self, view: QWidget, is_hovered: bool) -> None:
+        """The mouse came to a view or left it; coming to the next one may be told first."""
+        if is_hovered or self._hovered is view:
+            self._hovered = view if is_hovered else None
+            self._update()
+
+    def set_focused(self, view: QWidget, is_focused: bool) -> None:
+        """The keyboard's focus came to a view or left it."""
+        if is_focused or self._focused is view:
+            self._focused = view if is_focused else None
+            self._update()
+
+    def release(self) -> None:
+        """Forget the key and the views: they go out of sight."""
+        self._hovered = self._focused = None
+        self._is_held = False
+        self._update()
+
+    def _update(self) -> None:
+        watching = self._is_held or self._hovered is not None or self._focused is not None
+        if watching != self._is_watching:
+            self._is_watching = watching
+            self._keyboard.listen(watching)
+            if watching:
+                QApplication.instance().applicationStateChanged.connect(self._leave)
+            else:
+                QApplication.instance().applicationStateChanged.disconnect(self._leave)
+        self.changed.emit()
+
+    def _leave(self, state: Qt.ApplicationState) -> None:
+        if state != Qt.ApplicationState.ApplicationActive:  # the key's release goes to somebody else
+            self._hold(False)
+
+    def _hold(self, is_held: bool) -> None:
+        if is_held != self._is_held:
+            self._is_held = is_held
+            self._update()
+
+    def eventFilter(self, _receiver: QObject, event: QEvent) -> bool:
+        kind = event.type()
+        if kind not in _KEYS or event.key() != Qt.Key.Key_Space:
+            return False
+        if not self._is_held:
+            plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
+            if kind == QEvent.Type.KeyRelease or not plain or not is_keyboard_free():
+                return False
+        if kind == QEvent.Type.ShortcutOverride:
+            event.accept()  # so that it comes as a key press and not as somebody's shortcut
+        elif kind == QEvent.Type.KeyPress:
+            self._hold(True)
+        elif not event.isAutoRepeat():
+            self._hold(False)
+        return True

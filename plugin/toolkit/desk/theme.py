@@ -1,9 +1,11 @@
-"""Colours that can be read, for what draws itself, in whatever theme QGIS has."""
+"""Colours that can be read, for what draws itself and for charts, in whatever theme QGIS has. Without matplotlib."""
 from __future__ import annotations
 
 from qgis.PyQt.QtCore import QModelIndex
-from qgis.PyQt.QtGui import QColor, QIcon, QPalette, QPixmap
+from qgis.PyQt.QtGui import QColor, QFontInfo, QIcon, QPalette, QPixmap
 from qgis.PyQt.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+
+from ..charts.chart_style import DARK, PAPER, ChartStyle
 
 _LEAST_CONTRAST = 3.0  # WCAG 2.1, success criteria 1.4.3 and 1.4.11: large text, and graphics that mean something
 
@@ -68,3 +70,16 @@ def _luminance(colour: QColor) -> float:
         share / 12.92 if share <= 0.04045 else ((share + 0.055) / 1.055) ** 2.4 for share in colour.getRgbF()[:3]
     )
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+_FONT_PX = 12  # of the interface on an ordinary screen
+_DARKEST_LIGHT = 128  # of 255: a background darker than this is a dark theme
+
+
+def chart_style(widget: QWidget) -> ChartStyle:
+    """The colours of a chart in a widget, its lines as heavy as the widget's font is large."""
+    palette, scale = readable_palette(widget), QFontInfo(widget.font()).pixelSize() / _FONT_PX
+    back, text = palette.color(QPalette.ColorRole.Base), palette.color(QPalette.ColorRole.Text)
+    theme = DARK if back.lightness() < _DARKEST_LIGHT else PAPER
+    grid = blended(text, back, 0.18)
+    return ChartStyle(text.name(), back.name(), grid.name(), theme.limit, theme.quiet, theme.sources, scale)

@@ -53,7 +53,7 @@ def button() -> QAction:
 
 def quit_at_work(desk: Desk) -> None:
     """QGIS quits with a task under way."""
-    from seam_inspector.plugin.toolkit.desk.background_tasks import BackgroundTasks
+    from seam_inspector.plugin.toolkit.background_tasks import BackgroundTasks
 
     BackgroundTasks(desk.dock).start("Look at the sources", look, print)
     tasks = QgsApplication.taskManager()

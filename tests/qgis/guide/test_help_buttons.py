@@ -8,7 +8,7 @@ from qgis.core import QgsProject
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import QUrl
 from qgis.PyQt.QtWidgets import QMenu
-from seam_inspector.plugin.toolkit import showing_help
+from seam_inspector.plugin.toolkit import resources
 
 from tests.qgis.plugin_lives import action_of, started
 
@@ -25,7 +25,7 @@ def opened(monkeypatch: pytest.MonkeyPatch) -> list[str]:
                 headings.append(page.read().partition("<title>")[2].partition("</title>")[0])
             return True
 
-    monkeypatch.setattr(showing_help, "QDesktopServices", Browser)
+    monkeypatch.setattr(resources, "QDesktopServices", Browser)
     return headings
 
 

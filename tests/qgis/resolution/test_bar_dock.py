@@ -23,7 +23,7 @@ from qgis.PyQt.QtGui import QColor, QKeyEvent
 from qgis.PyQt.QtWidgets import QAction, QApplication
 from seam_inspector.plugin.resolution.desk import bar_dock
 from seam_inspector.plugin.resolution.desk.bar_dock import BarDock
-from seam_inspector.plugin.toolkit.desk.chart_look import chart_style
+from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
 from tests.qgis.resolution.bar_operator import RIGHT, Operator
 from tests.qgis.resolution.bar_scenes import COARSEST_CM, bar_layer, make_bar_scene

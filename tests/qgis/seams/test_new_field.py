@@ -24,7 +24,7 @@ window_fields.in_filter.__defaults__ = (window_fields.WINDOW_FIELDS,)
 from seam_inspector.plugin.seams.desk.windows.more_columns import CHOSEN_COLUMNS
 from seam_inspector.plugin.seams.desk.windows.number_filter import window_test
 from seam_inspector.plugin.seams.tables import window_layer
-from seam_inspector.plugin.toolkit.field_titles import field_title
+from seam_inspector.plugin.toolkit.layer_styles import field_title
 from tests.qgis.scenes import SHARP, layer, outline
 from tests.qgis.seams.test_window_summary import result
 

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 from qgis.core import NULL
 from qgis.PyQt.QtCore import QLocale
-from seam_inspector.plugin.toolkit.attribute_values import attributes, is_known, is_true, number, text, whole_number
+from seam_inspector.plugin.toolkit.table_fields import attributes, is_known, is_true, number, text, whole_number
 
 from tests.qgis.scenes import SHARP, layer, outline
 

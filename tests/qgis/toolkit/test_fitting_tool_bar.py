@@ -7,7 +7,7 @@ import pytest
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QAction, QApplication
-from seam_inspector.plugin.toolkit.desk.fitting_tool_bar import FittingToolBar
+from seam_inspector.plugin.toolkit.desk.widgets import FittingToolBar
 
 ICON, WORDS = Qt.ToolButtonStyle.ToolButtonIconOnly, Qt.ToolButtonStyle.ToolButtonTextBesideIcon
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QThread
-from seam_inspector.plugin.toolkit.desk.latest_only import LatestOnly
+from seam_inspector.plugin.toolkit.background_tasks import LatestOnly
 
 from tests.patience import PATIENCE_S
 

@@ -13,8 +13,7 @@ from seam_inspector.plugin.imagery.statistics import JUDGING_FIELDS
 from seam_inspector.plugin.seams.measure.scan.results.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from seam_inspector.plugin.seams.tables.result_tables import FORECAST_COLUMNS, PLACED_COLUMNS
 from seam_inspector.plugin.seams.tables.window_fields import WINDOW_FIELDS
-from seam_inspector.plugin.toolkit.field_titles import field_title
-from seam_inspector.plugin.toolkit.layer_styles import load_style
+from seam_inspector.plugin.toolkit.layer_styles import field_title, load_style
 from seam_inspector.plugin.toolkit.resources import style_path
 
 from tools.template_texts import texts

@@ -20,7 +20,7 @@ from seam_inspector.plugin.seams.measure.inspection import (
 )
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_runs import inspect_windows
-from seam_inspector.plugin.toolkit import watched_executor
+from seam_inspector.plugin.toolkit import executors
 from seam_inspector.plugin.toolkit.executors import open_executor
 
 from tests.numbers.synthetic import orthoimage, write_raster
@@ -69,8 +69,8 @@ def test_killed_workers_cost_nothing_but_time(cluster: str, requests: list[Windo
 
 @pytest.fixture
 def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(watched_executor, "LOOK_SECONDS", 0.1)
-    monkeypatch.setattr(watched_executor, "PATIENCE_SECONDS", 1.0)
+    monkeypatch.setattr(executors, "LOOK_SECONDS", 0.1)
+    monkeypatch.setattr(executors, "PATIENCE_SECONDS", 1.0)
 
 
 def lose(address: str, requests: list[WindowRequest], loss: Callable[[], object]) -> Iterator[WindowResult]:

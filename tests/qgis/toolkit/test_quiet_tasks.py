@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 import pytest
 from qgis.core import QgsApplication, QgsSettings
-from seam_inspector.plugin.toolkit.background_task import BackgroundTask, Cancelled
+from seam_inspector.plugin.toolkit.background_tasks import BackgroundTask, Cancelled
 
 from tests.qgis.seams.desk.session_desk import wait_until
 

@@ -8,7 +8,7 @@ from qgis.core import QgsApplication, QgsProcessingProvider
 from seam_inspector.plugin.acceptance.measure.acceptance_rules import load_acceptance_rules, ready_files
 from seam_inspector.plugin.provider import SeamInspectorProvider
 from seam_inspector.plugin.radiometry.measure.rules import load_rules, ready_rule_files
-from seam_inspector.plugin.toolkit.algorithms.ready_rules import in_users_language
+from seam_inspector.plugin.toolkit.algorithms.parameters import in_users_language
 from seam_inspector.plugin.toolkit.translation import Translation
 
 

@@ -9,7 +9,7 @@ from qgis.PyQt.QtCore import QPoint, QPointF, Qt
 from qgis.PyQt.QtGui import QWheelEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QComboBox, QLabel, QSpinBox, QVBoxLayout, QWidget
-from seam_inspector.plugin.toolkit.desk.scroll_body import ScrollBody
+from seam_inspector.plugin.toolkit.desk.widgets import ScrollBody
 
 
 @pytest.fixture

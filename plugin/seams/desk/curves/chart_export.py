@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from ....imagery.atomic_files import replacing
 from ....imagery.errors import cell_text, printable
-from ....toolkit.attribute_values import is_known
 from ....toolkit.charts.chart_style import PAPER
+from ....toolkit.table_fields import is_known
 from ...charts.curve_chart import draw_curves
 from ...tables.result_tables import curve_features
 

@@ -10,8 +10,8 @@ from qgis.PyQt.QtWidgets import QWidget
 from ....toolkit.charts.chart_style import ChartStyle
 from ....toolkit.charts.figure_painter import TICK_PX
 from ....toolkit.charts.variance_axes import level_labels
-from ....toolkit.desk.chart_look import chart_style
 from ....toolkit.desk.painted_chart import PaintedChart
+from ....toolkit.desk.theme import chart_style
 from .curves_painter import Chart, ChartPainter, Key, PaintRequest, Point
 
 __all__ = ["Chart", "CurvesChart", "chart_style"]

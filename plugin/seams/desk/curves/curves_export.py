@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 from qgis.PyQt.QtGui import QImage
 from qgis.PyQt.QtWidgets import QApplication, QWidget
 
-from ....toolkit.band_titles import band_title
-from ....toolkit.translation import tr
+from ....toolkit.translation import band_title, tr
 from ..export_button import ExportButton
 
 if TYPE_CHECKING:

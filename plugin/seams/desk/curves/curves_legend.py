@@ -19,7 +19,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ....toolkit.charts.chart_style import ChartStyle, LineStyle
 from ....toolkit.desk.theme import ReadableItems, blended, plain_icon
-from ....toolkit.desk.tooltips import plain_tip
+from ....toolkit.desk.widgets import plain_tip
 from ....toolkit.translation import tr
 from ...charts.chart_curves import ChartCurve
 from ...charts.curve_chart import curve_look, numbered

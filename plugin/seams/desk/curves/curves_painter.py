@@ -10,10 +10,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ....toolkit.background_tasks import interface_first
 from ....toolkit.charts.chart_style import ChartStyle
 from ....toolkit.charts.figure_painter import ROOMY_LINES, TICK_PX, Room, fit_figure, set_font
 from ....toolkit.charts.variance_axes import draw_frame, level_labels
-from ....toolkit.interface_first import interface_first
 from ...charts.chart_curves import ChartCurve
 from ...charts.curve_chart import draw_lines, share_range
 

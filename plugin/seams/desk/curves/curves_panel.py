@@ -8,13 +8,10 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QToolButton, QWidget
 
-from ....toolkit.band_titles import BAND_ORDER, band_title
 from ....toolkit.charts.chart_loader import chart_missing
 from ....toolkit.desk.chart_panel import MatplotlibPanel
-from ....toolkit.desk.clipped_label import ClippedLabel
-from ....toolkit.desk.timers import single_shot
-from ....toolkit.desk.tooltips import plain_tip
-from ....toolkit.translation import tr
+from ....toolkit.desk.widgets import ClippedLabel, plain_tip, single_shot
+from ....toolkit.translation import BAND_ORDER, band_title, tr
 from ...charts.chart_curves import ChartCurve, significance_limit
 from ...charts.window_curves import bands_of, mean_curves, point_words, window_curves
 from .curves_export import CurvesExport

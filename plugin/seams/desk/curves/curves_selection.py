@@ -4,8 +4,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from ....toolkit.band_titles import band_title
-from ....toolkit.translation import filled, sentence, tr
+from ....toolkit.translation import band_title, filled, sentence, tr
 
 if TYPE_CHECKING:
     from ...measure.live.live_window import LiveWindow

@@ -9,7 +9,7 @@ from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtGui import QIcon
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QLabel, QToolButton, QWidget
 
-from ....toolkit.desk.clipped_label import ClippedLabel
+from ....toolkit.desk.widgets import ClippedLabel
 from ....toolkit.picture_stretch import Stretch
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import formatted, tr

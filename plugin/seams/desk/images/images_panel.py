@@ -7,7 +7,7 @@ from qgis.PyQt.QtCore import QEvent, QSize, Qt
 from qgis.PyQt.QtGui import QHideEvent, QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QLabel, QScrollArea, QStackedWidget, QVBoxLayout, QWidget
 
-from ....toolkit.desk.space_key import SpaceKey
+from ....toolkit.desk.keyboard import SpaceKey
 from ....toolkit.translation import filled, tr
 from ...clip_pictures import ClipPicture
 from ...measure.window_records import COMPOSITE

@@ -9,7 +9,7 @@ from qgis.PyQt.QtCore import QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QIcon, QPixmap
 from qgis.PyQt.QtWidgets import QBoxLayout, QButtonGroup, QScrollArea, QToolButton, QWidget
 
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import filled, tr
 from ...clip_pictures import ClipPicture

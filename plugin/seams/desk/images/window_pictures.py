@@ -5,8 +5,7 @@ from functools import partial
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....toolkit.background_task import End, Outcome
-from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.background_tasks import BackgroundTasks, End, Outcome
 from ....toolkit.picture_stretch import GreyRanges, Stretch
 from ....toolkit.translation import tr
 from ... import jobs

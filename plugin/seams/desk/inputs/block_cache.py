@@ -20,10 +20,9 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import WARNING, Message, SeamInspectorError, SettingsError, WindowError
 from ....imagery.grids import PixelWindow
-from ....toolkit import layers
+from ....toolkit import layers as layers
 from ....toolkit import messages as toolkit_messages
-from ....toolkit.background_task import Outcome
-from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.background_tasks import BackgroundTasks, Outcome
 from ....toolkit.translation import tr
 from ...measure import messages
 from ...measure.inspection import Block, InspectionSettings, Source, WindowRequest, make_block, window_request

@@ -18,8 +18,8 @@ from qgis.core import (
 from ....imagery.errors import RasterError, SeamInspectorError, SettingsError
 from ....imagery.open_raster import check_readable, describe_mosaic
 from ....imagery.rasters import Raster, RasterRef
-from ....toolkit import layers
-from ....toolkit.background_task import Cancelled, Job
+from ....toolkit import layers as layers
+from ....toolkit.background_tasks import Cancelled, Job
 from ...measure import messages
 from ...measure.inspection import Source
 from ...measure.seam_cells import Cell

@@ -13,8 +13,7 @@ from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, 
 from ....imagery import limits as imagery_limits
 from ....imagery.errors import WARNING, SettingsError
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
-from ....toolkit.desk.summary_box import SummaryBox
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.desk.widgets import SummaryBox, single_shot
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
 from ...measure.inputs.source_use import source_doubts

@@ -7,7 +7,7 @@ from typing import Any
 from qgis.core import QgsMapLayer, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.desk.widgets import single_shot
 from .project_inputs import Inputs
 
 _TOGETHER_MS = 500  # edits that come within this time are one

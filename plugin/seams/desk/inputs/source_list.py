@@ -23,7 +23,7 @@ from qgis.PyQt.QtWidgets import (
 
 from ....toolkit.desk.layer_box import missing_text
 from ....toolkit.desk.theme import blended, readable_on, readable_palette
-from ....toolkit.desk.tooltips import plain_tip
+from ....toolkit.desk.widgets import plain_tip
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.raster_facts import Suitability
 from .raster_layers import file_rasters

@@ -9,9 +9,9 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError
 from ....imagery.rasters import RasterRef
-from ....toolkit import layers
-from ....toolkit.desk.background_tasks import BackgroundTasks
-from ....toolkit.desk.timers import single_shot
+from ....toolkit import layers as layers
+from ....toolkit.background_tasks import BackgroundTasks
+from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
 from ...measure.inputs.candidate_look import SourceCandidate

@@ -12,9 +12,7 @@ from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QBoxLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QToolButton, QWidget
 
 from ....imagery.statistics import INVISIBLE, UNSURE, VISIBLE
-from ....toolkit.desk.clipped_label import ClippedLabel
-from ....toolkit.desk.timers import single_shot
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.widgets import ClippedLabel, rich_tip, single_shot
 from ....toolkit.translation import filled, tr
 from ...window_summary import window_sentence
 from ..windows.verdict_chips import verdict_chip, window_tip, windows_sentence

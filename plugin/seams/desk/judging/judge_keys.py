@@ -7,8 +7,7 @@ from qgis.gui import QgsLayerTreeView, QgsMapCanvas
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
 from qgis.PyQt.QtWidgets import QApplication, QToolBar, QWidget
 
-from ....toolkit.desk.focus_filter import FocusFilter
-from ....toolkit.desk.keyboard import is_keyboard_free
+from ....toolkit.desk.keyboard import FocusFilter, is_keyboard_free
 
 _KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
 _OURS = (QgsMapCanvas, QgsLayerTreeView, QToolBar)  # beside the desk and the main window itself

@@ -10,7 +10,7 @@ from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QEvent, QObject, Qt
 from qgis.PyQt.QtWidgets import QWidget
 
-from ....toolkit.desk.confirmation import is_confirmed
+from ....toolkit.desk.widgets import is_confirmed
 from ..map.shown_seamlines import toggle_seamlines
 from ..windows.windows_panel import WindowsPanel
 from .agreement_box import agreement_of, ask_for_disagreements

@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeyEvent
 from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QSpinBox, QToolButton, QWidget
 
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.translation import filled, tr
 from .judging import Judging
 

@@ -7,7 +7,7 @@ from functools import partial
 from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtWidgets import QAction, QActionGroup, QMenu, QToolButton, QWidget
 
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.translation import filled, tr
 from .judging import Judging
 

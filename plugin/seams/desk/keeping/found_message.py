@@ -10,7 +10,7 @@ from qgis.gui import QgsMessageBar
 from qgis.PyQt.QtCore import QObject
 
 from ....imagery.errors import Message
-from ....toolkit.desk.bar_question import BarQuestion
+from ....toolkit.desk.message_bar import BarQuestion
 from ....toolkit.translation import sentence, tr
 
 

@@ -9,7 +9,7 @@ from qgis.core import QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError, WindowLayerError
-from ....toolkit import layers
+from ....toolkit import layers as layers
 from ...measure.window.window_result import WindowResult
 from ...measure.window_records import WindowRecord
 from ...tables import window_layer

@@ -9,7 +9,7 @@ from pathlib import Path
 from qgis.core import QgsApplication, QgsProject, QgsVectorLayer
 
 from ....imagery.errors import WindowLayerError
-from ....toolkit import layers
+from ....toolkit import layers as layers
 from ...tables import window_layer
 from . import messages
 from .window_files import RESULTS

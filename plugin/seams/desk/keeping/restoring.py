@@ -10,8 +10,8 @@ from qgis.core import QgsFeature, QgsGeometry, QgsVectorLayer, QgsVectorLayerUti
 from ....imagery.errors import WindowLayerError
 from ....imagery.statistics import JUDGING_FIELDS
 from ....toolkit import messages as toolkit_messages
-from ....toolkit.attribute_values import is_known
 from ....toolkit.layer_editing import edit_step
+from ....toolkit.table_fields import is_known
 from ....toolkit.translation import tr
 from ..windows.window_watch import WindowWatch
 

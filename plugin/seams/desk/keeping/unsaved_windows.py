@@ -18,8 +18,8 @@ from qgis.PyQt.QtCore import QObject, pyqtBoundSignal, pyqtSignal
 from ....imagery.errors import SettingsError
 from ....imagery.gdal_calls import gdal_silenced
 from ....imagery.record_store import RecordKeeper, RecordStore
-from ....toolkit.attribute_values import whole_number
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.desk.widgets import single_shot
+from ....toolkit.table_fields import whole_number
 from .restoring import UnsavedWindow, kept_values
 
 _KIND = "Seam Inspector: windows not saved yet, 3"

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from qgis.core import QgsProviderRegistry, QgsVectorLayer
 
-from ....toolkit import layers
+from ....toolkit import layers as layers
 
 UNSAVED, RESULTS = ".unsaved", ".results"
 """What comes after the name of a layer's file: for what is not saved in it yet, and for the results of its windows."""

@@ -9,8 +9,8 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import ReadingLanes
-from ....toolkit.desk.latest_only import LatestOnly
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.background_tasks import LatestOnly
+from ....toolkit.desk.widgets import single_shot
 from ...measure.inspection import WindowRequest, window_request
 from ...measure.live.live_window import LivePixels, LiveWindow, live_profile, read_live
 from ...measure.window.measured_window import MeasuredAhead

@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtGui import QImage
 
 from ....imagery.grids import Grid, PixelWindow
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.desk.widgets import single_shot
 from ...loss_colours import LOSS_OPACITY, loss_rgba
 from .loss_legend import LossLegend
 from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image

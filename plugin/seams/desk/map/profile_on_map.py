@@ -7,7 +7,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....toolkit.map_places import transformed_point
+from ....toolkit.layers import transformed_point
 from .loss_overlay import placed_picture
 from .picture_overlay import PictureOverlay, rgba_image
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.translation import tr
 from ... import jobs
 from ...measure.nearest_seam import SeamIndex

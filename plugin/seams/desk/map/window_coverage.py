@@ -14,9 +14,8 @@ from ....imagery.errors import RasterError
 from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
-from ....toolkit.background_task import Cancelled, Job
-from ....toolkit.desk.background_tasks import BackgroundTasks
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.background_tasks import BackgroundTasks, Cancelled, Job
+from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ...measure.inputs.valid_cells import (
     CellGrid,

@@ -13,8 +13,8 @@ from ....imagery import limits as imagery_limits
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import SeamInspectorError, WindowError
 from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_window
-from ....toolkit.desk.drawing_tool import DrawingTool, is_drag
-from ....toolkit.map_places import transformed_point
+from ....toolkit.desk.tool_dock import DrawingTool, is_drag
+from ....toolkit.layers import transformed_point
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
 from ...measure.placing.window_sides import window_side_px

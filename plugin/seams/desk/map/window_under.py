@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsVectorLayer
 
-from ....toolkit.map_places import transformed_point
+from ....toolkit.layers import transformed_point
 from ...measure.window_records import WindowRecord
 
 

@@ -7,7 +7,7 @@ from qgis.PyQt.QtCore import QEvent, QObject, Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QScrollArea, QSplitter, QVBoxLayout, QWidget
 
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.desk.widgets import single_shot
 from ..curves.curves_panel import CurvesPanel
 from .profile_panel import ProfilePanel
 

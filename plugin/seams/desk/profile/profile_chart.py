@@ -8,7 +8,7 @@ from qgis.PyQt.QtCore import QEvent, QRectF, QSize, pyqtSignal
 from qgis.PyQt.QtGui import QFontMetricsF, QMouseEvent, QPainter, QPaintEvent
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
-from ....toolkit.desk.chart_look import chart_style
+from ....toolkit.desk.theme import chart_style
 from ...charts.profile_scale import ShownProfile
 from .profile_painter import ProfilePainter
 

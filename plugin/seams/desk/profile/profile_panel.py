@@ -7,9 +7,9 @@ from qgis.PyQt.QtCore import Qt, pyqtSignal
 from qgis.PyQt.QtGui import QIcon, QPixmap, QResizeEvent
 from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
-from ....toolkit.desk.chart_look import chart_style
 from ....toolkit.desk.chart_panel import ChartPanel
-from ....toolkit.desk.clipped_label import ClippedLabel
+from ....toolkit.desk.theme import chart_style
+from ....toolkit.desk.widgets import ClippedLabel
 from ....toolkit.translation import filled, sentence, tr
 from .profile_chart import ProfileChart
 from .profile_export import ProfileExport

@@ -12,9 +12,8 @@ from qgis.core import QgsApplication, QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import INFO, Message, SeamInspectorError
-from ....toolkit.background_task import End, Outcome
-from ....toolkit.desk.background_tasks import BackgroundTasks
-from ....toolkit.message_bar import bar_level, write_log
+from ....toolkit.background_tasks import BackgroundTasks, End, Outcome
+from ....toolkit.desk.message_bar import bar_level, write_log
 from ....toolkit.translation import filled, sentence, shown_number, tr
 from ...measure.scan import messages
 from ...measure.scan.whole_scan import JOURNAL_ENDING

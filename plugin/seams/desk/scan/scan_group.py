@@ -18,9 +18,8 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QDateTime, QObject, Qt, pyqtSignal
 
-from ....toolkit.background_task import Cancelled, End, Job, Outcome
-from ....toolkit.desk.background_tasks import BackgroundTasks
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.background_tasks import BackgroundTasks, Cancelled, End, Job, Outcome
+from ....toolkit.desk.widgets import single_shot
 from ....toolkit.layer_styles import load_style
 from ....toolkit.translation import tr
 from ...scan_job import ScanDone, ScanFiles

@@ -7,7 +7,7 @@ from qgis.core import Qgis
 from qgis.gui import QgsMessageBar
 from qgis.PyQt.QtCore import QObject
 
-from ....toolkit.desk.bar_question import BarQuestion
+from ....toolkit.desk.message_bar import BarQuestion
 from ....toolkit.translation import filled, tr
 from ...scan_job import ScanDone
 from .mosaic_scans import scan_sentence

@@ -10,7 +10,7 @@ from ....imagery.gdal_calls import gdal_call
 from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import raster_writer
 from ....imagery.rasters import RasterRef
-from ....toolkit.background_task import Cancelled, Job
+from ....toolkit.background_tasks import Cancelled, Job
 from ...measure.inspection import WindowRequest
 from ...measure.window.explained_window import WindowComposite, window_composite
 from .swiped_layer import private_layer

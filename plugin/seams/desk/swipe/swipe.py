@@ -14,8 +14,7 @@ from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import QShortcut
 
 from ....imagery.gdal_calls import drop_from_memory
-from ....toolkit.background_task import Job
-from ....toolkit.desk.background_tasks import BackgroundTasks
+from ....toolkit.background_tasks import BackgroundTasks, Job
 from ....toolkit.translation import filled, tr
 from .composite_layer import composite_job
 from .map_picture import MapPicture, end_drawing

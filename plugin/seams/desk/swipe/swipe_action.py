@@ -11,11 +11,9 @@ from qgis.PyQt.QtWidgets import QAction, QActionGroup, QMenu, QWidget
 
 from ....imagery.errors import Message
 from ....imagery.grids import Extent, extents_meet
-from ....toolkit.desk.greyed import allow
-from ....toolkit.desk.tooltips import plain_tip
-from ....toolkit.layers import box_extent
-from ....toolkit.map_places import transformed_box
-from ....toolkit.message_bar import bar_level
+from ....toolkit.desk.message_bar import bar_level
+from ....toolkit.desk.widgets import allow, plain_tip
+from ....toolkit.layers import box_extent, transformed_box
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages

@@ -6,7 +6,7 @@ from qgis.PyQt.QtCore import QCoreApplication, QPointF, QRectF, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QWheelEvent
 from qgis.PyQt.QtWidgets import QWidget
 
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.translation import tr
 
 _CASING, _LINE, _ARROW = QColor(0, 0, 0, 170), QColor(255, 255, 255), QColor("#0072b2")

@@ -16,7 +16,7 @@ from qgis.PyQt.QtXml import QDomDocument
 
 from ....imagery import messages as imagery_messages
 from ....imagery.rasters import RasterRef
-from ....toolkit.background_task import Cancelled, Job
+from ....toolkit.background_tasks import Cancelled, Job
 from ...measure.inspection import WindowRequest
 
 

@@ -15,10 +15,11 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import Message, SeamInspectorError
 from ....imagery.grids import Extent, PixelWindow
-from ....toolkit import layer_editing, layers
-from ....toolkit.desk.background_tasks import BackgroundTasks
-from ....toolkit.desk.timers import single_shot
-from ....toolkit.message_bar import write_log
+from ....toolkit import layer_editing
+from ....toolkit import layers as layers
+from ....toolkit.background_tasks import BackgroundTasks
+from ....toolkit.desk.message_bar import write_log
+from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
 from ...measure import messages

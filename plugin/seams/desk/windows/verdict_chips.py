@@ -9,7 +9,7 @@ from qgis.PyQt.QtCore import QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
 from ....toolkit.desk.theme import plain_icon
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.translation import filled, tr
 from ...verdict_words import VERDICTS, verdict_colour, verdict_word
 from ...window_summary import cause_numbers, explanation_of, window_sentence

@@ -9,8 +9,8 @@ from typing import Any
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError
-from ....toolkit.desk.background_tasks import BackgroundTasks
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.background_tasks import BackgroundTasks
+from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ... import jobs
 from ...measure.inputs.source_use import SourceUse, source_use

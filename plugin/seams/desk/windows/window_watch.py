@@ -9,7 +9,7 @@ from qgis.core import QgsMapLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....toolkit import layer_editing
-from ....toolkit.desk.timers import single_shot
+from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ...measure.window_records import WindowRecord
 from ...tables import window_layer

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, Qt
 
-from ....toolkit.desk.tooltips import rich_tip
+from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.translation import filled, percent, shown_number, tr
 from ...cause_words import cause_sentence, cause_word
 from ...judged_value import judged_kept

@@ -20,9 +20,8 @@ from qgis.PyQt.QtWidgets import (
 
 from ....imagery.messages import system_reason
 from ....imagery.statistics import Operator
-from ....toolkit.desk.confirmation import is_confirmed
-from ....toolkit.desk.timers import single_shot
-from ....toolkit.message_bar import bar_level
+from ....toolkit.desk.message_bar import bar_level
+from ....toolkit.desk.widgets import is_confirmed, single_shot
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
 from ..judging.window_orders import TABLE, WindowOrder

@@ -23,7 +23,7 @@ from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.loss_view import LossView
 from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
-from seam_inspector.plugin.toolkit.desk.clipped_label import ClippedLabel
+from seam_inspector.plugin.toolkit.desk.widgets import ClippedLabel
 
 SIDE = 512
 

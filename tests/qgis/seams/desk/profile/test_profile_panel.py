@@ -20,7 +20,7 @@ from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.live.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowClips
-from seam_inspector.plugin.toolkit.desk.chart_look import chart_style
+from seam_inspector.plugin.toolkit.desk.theme import chart_style
 
 from tests.qgis.scenes import PIXEL
 from tests.qgis.seams.desk.profile.profile_desk import PROFILE, Explained, ProfileSession, result

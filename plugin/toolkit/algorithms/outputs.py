@@ -1,35 +1,201 @@
-"""No algorithm writes over one of its inputs: outputs are held against them, as files, before anything is written."""
+"""The outputs of a run: which files they are, and that they can be written, and over no input.
+
+They are held against what they name before anything is measured or written.
+"""
 from __future__ import annotations
 
+import errno
 import os
 import re
+import sqlite3
+import stat
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 from typing import Any, NamedTuple, Union
+from urllib.parse import quote
 from xml.etree.ElementTree import ParseError
 
 from osgeo import gdal
 from qgis.core import (
+    NULL,
+    QgsDataSourceUri,
     QgsMapLayer,
     QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingFeatureSourceDefinition,
+    QgsProcessingOutputLayerDefinition,
     QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterRasterDestination,
     QgsProcessingUtils,
+    QgsProperty,
     QgsProviderRegistry,
+    QgsVectorFileWriter,
     QgsVirtualLayerDefinition,
 )
 from qgis.PyQt.QtCore import QUrl
 
+from ...imagery import messages as imagery_messages
 from ...imagery.documents import document_bytes, xml_root
 from ...imagery.errors import RasterError, SettingsError
 from ...imagery.gdal_calls import check_raster_path, gdal_silenced
+from ...imagery.messages import system_reason
 from .. import messages
 from . import parameters as common
-from .output_files import DataPlace, files_beside, is_database, output_text, table_place, value_text
+
+RASTER_ENDINGS = ("tif", "tiff")
+GEOTIFF_FILES = f"GeoTIFF ({' '.join(f'*.{ending}' for ending in RASTER_ENDINGS)})"
+"""What every output raster is: other formats hold no five bands, no float, or can't be written strip by strip."""
+_DATABASES = {".gpkg", ".sqlite"}  # files that a table can be added to
+_WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the first
+    ".shp": (".shx", ".dbf", ".prj", ".cpg"),
+    ".tab": (".dat", ".map", ".id", ".ind"),
+    ".mif": (".mid",),
+    **dict.fromkeys((".bil", ".bip", ".bsq"), (".hdr",)),
+}
+
+_SERVER = re.compile(r"^(?!ogr:|spatialite:)[A-Za-z][\w+.-]+:")  # a drive has one letter
+
+
+class DataPlace(NamedTuple):
+    """Where data lie."""
+
+    path: str
+    table: str = ""
+    """In a database; empty for the whole file."""
+
+
+def value_text(value: object, context: QgsProcessingContext) -> str:
+    """A value that is a text or an expression for one; empty for none."""
+    if isinstance(value, QgsProperty):
+        value = value.valueAsString(context.expressionContext())[0]
+    return str(value) if value is not None and value != NULL else ""
+
+
+def output_text(value: object, context: QgsProcessingContext) -> str:
+    """What an output's value says; empty where it is not wanted, or goes to memory or to a temporary file."""
+    text = value_text(value.sink if isinstance(value, QgsProcessingOutputLayerDefinition) else value, context)
+    return "" if text == QgsProcessing.TEMPORARY_OUTPUT or text.startswith("memory:") else text
+
+
+def table_place(text: str) -> DataPlace:
+    """The file that a destination of features names, and the table when it is to be added to a database."""
+    provider, _, rest = text.partition(":")
+    is_uri = provider in ("ogr", "spatialite")
+    path = (QgsDataSourceUri(rest).database() or rest) if is_uri else text.partition("|")[0]
+    if is_uri and is_database(path):
+        return DataPlace(path, QgsDataSourceUri(rest).table())
+    is_known = QgsVectorFileWriter.driverForExtension(os.path.splitext(path)[1][1:])
+    return DataPlace(path if is_known else path + ".gpkg")  # as QGIS does
+
+
+def is_file(text: str) -> bool:
+    """Whether an output's text names a file, and no table of a server."""
+    return _SERVER.match(text) is None
+
+
+def files_beside(path: str) -> list[str]:
+    """What else is written where a format is several files."""
+    stem, ending = os.path.splitext(path)
+    return [stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ())]
+
+
+def is_database(path: str) -> bool:
+    """Whether other tables may lie in the same file."""
+    return os.path.splitext(path)[1].lower() in _DATABASES
+
+
+_IN_MEMORY = "/vsimem/"
+_NO_TABLE_BEGINS_WITH = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,/"  # as GDAL's GeoPackage has it
+_JOURNAL = "-journal"  # SQLite's, beside the database
+
+
+def refuse_impossible(
+    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
+) -> None:
+    """Raise SettingsError for an output of features or a raster that can't be written where it is to go.
+
+    Pages and charts are written last, and what keeps them from that is told then: it costs nothing that was measured.
+    """
+    for definition in algorithm.destinationParameterDefinitions():
+        text, title = output_text(parameters.get(definition.name()), context), definition.description()
+        if "\0" in text:
+            raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=text))
+        if text and isinstance(definition, QgsProcessingParameterRasterDestination):
+            _check_raster(text, title)
+        elif text and isinstance(definition, QgsProcessingParameterFeatureSink):
+            _check_table(text, title)
+
+
+def _check_raster(text: str, title: str) -> None:
+    if not is_file(text) or text.startswith("ogr:") or not text.strip():
+        raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=text))
+    _check_file(text, title)
+
+
+def _check_table(text: str, title: str) -> None:
+    if not is_file(text):
+        return  # a database server, of which QGIS asks and tells itself
+    if not text.strip():
+        raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=text))
+    place = table_place(text)
+    if os.path.exists(text) and not os.path.isfile(text):
+        _refuse(text, errno.EISDIR if os.path.isdir(text) else errno.EPERM)
+    _check_file(text if text.endswith(("/", os.sep)) else place.path, title)
+    name = os.path.basename(place.path)
+    if is_database(place.path) and not place.table and name[0] in _NO_TABLE_BEGINS_WITH:
+        raise SettingsError(messages.TABLE_BEGINS_WRONG(output=title, name=name, begins=name[0]))
+    if is_database(place.path) and os.path.isfile(place.path) and _is_locked(place.path):
+        raise SettingsError(messages.OUTPUT_IN_USE(path=place.path))
+
+
+def _check_file(path: str, title: str) -> None:
+    """Raise SettingsError where no file can be."""
+    if path.startswith(_IN_MEMORY):
+        return
+    if path.startswith("/vsi"):  # archives and servers: most of GDAL's can't be written, and are left half-made
+        raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=path))
+    if path.endswith(("/", os.sep)):
+        _refuse(path, errno.EISDIR)
+    try:
+        found = _state(path)
+        if is_database(path):
+            _state(path + _JOURNAL)
+        os.stat(os.path.join(os.path.dirname(os.path.realpath(path)), ""))
+    except OSError as error:
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=system_reason(error))) from None
+    if found is not None and not stat.S_ISREG(found.st_mode):
+        _refuse(path, errno.EISDIR if stat.S_ISDIR(found.st_mode) else errno.EPERM)
+    if not os.access(path if found is not None else os.path.dirname(os.path.realpath(path)), os.W_OK):
+        _refuse(path, errno.EACCES)
+
+
+def _state(path: str) -> os.stat_result | None:
+    """None where there is no such file. Raises OSError where there can be none."""
+    try:
+        return os.stat(path)
+    except FileNotFoundError:
+        return None
+
+
+def _is_locked(path: str) -> bool:
+    """Whether another program is writing a database. Nothing is written to it."""
+    try:
+        with closing(sqlite3.connect(f"file:{quote(os.path.abspath(path))}?mode=rw", timeout=0, uri=True)) as database:
+            database.execute("BEGIN IMMEDIATE")
+            database.rollback()
+    except sqlite3.DatabaseError as error:
+        return "locked" in str(error)
+    return False
+
+
+def _refuse(path: str, number: int) -> None:
+    reason = system_reason(OSError(number, os.strerror(number)))
+    raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=reason))
+
 
 _OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "range", "string"}  # parameters that name no file
 _VECTORS = (
@@ -254,4 +420,3 @@ def _identity(path: str) -> _Identity:
     except (OSError, ValueError):
         return path if path.startswith("/vsi") else os.path.normcase(os.path.realpath(path))
     return found.st_dev, found.st_ino
-

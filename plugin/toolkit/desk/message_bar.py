@@ -1,17 +1,36 @@
-"""A message in QGIS's message bar with a button that goes on from there."""
+"""What the desk tells: messages in QGIS's message bar, some with a button to go on with, and many in its log."""
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from html import escape
 
-from qgis.core import Qgis, QgsProject
+from qgis.core import Qgis, QgsMessageLog, QgsProject
 from qgis.gui import QgsMessageBar, QgsMessageBarItem
 from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtWidgets import QPushButton
 
-from ..translation import tr
-from .tooltips import plain_tip
+from ...imagery.errors import Level, Message
+from ..translation import sentence, tr
+from .widgets import plain_tip
+
+_LEVELS = {
+    Level.INFO: Qgis.MessageLevel.Success,  # the bar is told of what was done, never of a mere fact
+    Level.WARNING: Qgis.MessageLevel.Warning,
+    Level.ERROR: Qgis.MessageLevel.Critical,
+}
+
+
+def bar_level(message: Message) -> int:
+    """The Qgis.MessageLevel of a message in the message bar."""
+    return int(_LEVELS[message.level])
+
+
+def write_log(messages: Iterable[Message]) -> None:
+    """One line each, on the plugin's own page, without a notice in the message bar. The page is rich text."""
+    for message in messages:
+        text = escape(sentence(message), quote=False)
+        QgsMessageLog.logMessage(text, tr("Seam Inspector"), _LEVELS[message.level], False)
 
 
 class BarQuestion(QObject):

@@ -1,0 +1,316 @@
+"""Work in the background: QgsTasks, started, followed and stopped, whose results come in the interface's thread.
+
+Threads of ours let the interface go first. QGIS covers the map with a notice when a task ends that took more than 5 s;
+ours tell in the desk what they found.
+"""
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from enum import Enum
+from threading import Lock
+from typing import Any, Callable, NamedTuple
+
+from qgis.core import QgsApplication, QgsSettings, QgsTask
+from qgis.PyQt.QtCore import QObject, pyqtSignal
+
+from ..imagery.errors import Message, SeamInspectorError
+from . import messages
+from .version_differences import SILENT_TASK
+
+_INTERVAL_S = 0.0005
+_lock = Lock()
+_threads = 0
+_interval_before = 0.0
+
+
+@contextmanager
+def interface_first() -> Iterator[None]:
+    """While a thread runs Python it hands the interpreter over within half a millisecond, not Python's usual five.
+
+    The interface asks for the interpreter many times while it handles one event (each call of a method that we
+    override is one), and would wait as many times.
+    """
+    global _threads, _interval_before
+    with _lock:
+        if not _threads:
+            _interval_before = sys.getswitchinterval()
+            sys.setswitchinterval(_INTERVAL_S)
+        _threads += 1
+    try:
+        yield
+    finally:
+        with _lock:
+            _threads -= 1
+            if not _threads:
+                sys.setswitchinterval(_interval_before)
+
+
+_SETTING, _SECTION = "minTaskLengthForSystemNotification", QgsSettings.Section.App
+_NEVER_S = 10**9
+
+
+def hush_end() -> None:
+    """For a task's ``finished``: QGIS, which hears of its end right after, says nothing. Later ones have a flag for it.
+
+    No task is long enough for a notice until then; at once the user's setting holds again.
+    """
+    settings = QgsSettings()
+    before = settings.value(_SETTING, None, section=_SECTION)
+    if SILENT_TASK is not None or before == _NEVER_S:
+        return
+    heard = QgsApplication.taskManager().statusChanged
+
+    def restore(_task: int, _status: int) -> None:
+        heard.disconnect(restore)
+        if before is None:
+            settings.remove(_SETTING, _SECTION)
+        else:
+            settings.setValue(_SETTING, before, _SECTION)
+
+    settings.setValue(_SETTING, _NEVER_S, _SECTION)
+    heard.connect(restore)
+
+
+Cancelled = Callable[[], bool]
+Job = Callable[[Cancelled], Iterator[tuple[float, object]]]
+
+
+class Ahead(NamedTuple):
+    """What a job yields ahead of a result that counts as a step."""
+
+    result: object
+
+
+class End(Enum):
+    """How a task ended; a cancelled one did not fail."""
+
+    DONE = "done"
+    FAILED = "failed"
+    CANCELLED = "cancelled"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What the interface learns when a task has ended."""
+
+    end: End
+    message: Message | None = None
+    """Why it failed."""
+
+
+class BackgroundTask(QgsTask):
+    """Runs a job. Keep a reference until it has ended, or it is collected before it runs."""
+
+    arrived = pyqtSignal(object)
+    ended = pyqtSignal(object)
+
+    def __init__(self, description: str, job: Job, is_unseen: bool = False) -> None:
+        """``is_unseen``: nothing that the user would miss, so that QGIS need not ask before it closes."""
+        flags = QgsTask.Flag.CanCancel
+        if is_unseen:
+            flags |= QgsTask.Flag.CancelWithoutPrompt
+        super().__init__(description, flags if SILENT_TASK is None else flags | SILENT_TASK)
+        self._job = job
+        self._failure: Message | None = None
+
+    def run(self) -> bool:
+        try:
+            with interface_first():
+                for share, result in self._job(self.isCanceled):
+                    self.arrived.emit(result)
+                    self.setProgress(100 * share)
+        except SeamInspectorError as error:
+            self._failure = error.message
+        except Exception as error:  # the last door: a task must not raise into QGIS
+            self._failure = messages.TASK_FAILED(task=self.description(), error=f"{type(error).__name__}: {error}")
+        return True  # QGIS would say of anything else that it failed, over what we say of it
+
+    def finished(self, result: bool) -> None:
+        hush_end()
+        if self._failure is not None:
+            self.ended.emit(Outcome(End.FAILED, self._failure))
+        elif self.isCanceled() or not result:
+            self.ended.emit(Outcome(End.CANCELLED))
+        else:
+            self.ended.emit(Outcome(End.DONE))
+
+
+@dataclass(frozen=True)
+class _Request:
+    take: Callable[[object], None]
+    """Gets each result."""
+    key: object
+    """What the task is for, so that nothing is asked for twice."""
+    steps: int
+    """How many results count in the progress, those that come ahead left out; 0 for work that goes unseen, about which
+    QGIS does not ask when it closes."""
+
+
+class BackgroundTasks(QObject):
+    """Keeps every task until it has ended, or QGIS would run one whose Python half is gone."""
+
+    progressChanged = pyqtSignal(int, int)
+    """Steps done and asked for; (0, 0) when all is done."""
+    failed = pyqtSignal(object)
+    """The Message of a task that failed."""
+    ended = pyqtSignal(object, object)
+    """The key of a task, and its Outcome."""
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._tasks: dict[BackgroundTask, _Request | None] = {}  # None: nobody waits for its results any more
+        self._done = self._asked = 0
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether a task that counts is under way."""
+        return self._asked > 0
+
+    def is_under_way(self, key: object) -> bool:
+        """Whether there is a task for this already, and not a cancelled one."""
+        return any(
+            request is not None and request.key == key and not task.isCanceled()
+            for task, request in self._tasks.items()
+        )
+
+    def start(
+        self, description: str, job: Job, take: Callable[[object], None], key: object = None, steps: int = 0
+    ) -> None:
+        """Run a job in a task; ``take`` gets each of its results."""
+        task = BackgroundTask(description, job, is_unseen=not steps)
+        task.arrived.connect(self._arrived)
+        task.ended.connect(self._ended)
+        self._tasks[task] = _Request(take, key, steps)
+        self._asked += steps
+        if steps:
+            self.progressChanged.emit(self._done, self._asked)
+        QgsApplication.taskManager().addTask(task)
+
+    def cancel_others(self, keys: set[object]) -> None:
+        """Cancel the unseen work that nobody waits for any more."""
+        for task, request in list(self._tasks.items()):
+            if request is not None and not request.steps and request.key is not None and request.key not in keys:
+                task.cancel()
+
+    def stop(self) -> None:
+        """Cancel the work that counts; results that have arrived, or are about to, stay."""
+        for task, request in list(self._tasks.items()):
+            if request is not None and request.steps:
+                task.cancel()
+
+    def abandon(self) -> None:
+        """Cancel everything; what still arrives is of layers that may be gone and reaches nobody."""
+        self._tasks = dict.fromkeys(self._tasks)
+        for task in list(self._tasks):
+            task.cancel()
+        self._settle()
+
+    def close(self) -> None:
+        """Cancel everything and listen no more."""
+        for task in list(self._tasks):
+            task.arrived.disconnect(self._arrived)
+            task.ended.disconnect(self._ended)
+            task.cancel()
+        self._tasks.clear()
+        self._done = self._asked = 0
+
+    def _arrived(self, result: object) -> None:
+        task = self.sender()
+        request = self._tasks.get(task)
+        if request is None or (task.isCanceled() and not request.steps):  # what was cancelled midway is not whole
+            return
+        if isinstance(result, Ahead):
+            request.take(result.result)
+            return
+        request.take(result)
+        if request.steps and self._asked:
+            self._done += 1
+            self.progressChanged.emit(self._done, self._asked)
+
+    def _ended(self, outcome: Outcome) -> None:
+        request = self._tasks.pop(self.sender(), None)
+        if request is None:
+            return
+        if isinstance(outcome.message, Message):
+            self.failed.emit(outcome.message)
+        if request.steps:
+            self._settle()
+        self.ended.emit(request.key, outcome)
+
+    def _settle(self) -> None:
+        """Idle again once nothing that counts is under way."""
+        if self._asked and not any(request is not None and request.steps for request in self._tasks.values()):
+            self._done = self._asked = 0
+            self.progressChanged.emit(0, 0)
+
+
+_LONGEST_REST_S = 0.5
+Work = Callable[[], Any]
+
+
+class LatestOnly(QObject):
+    """A thread that does one thing at a time; a newer request takes the place of the one that waits."""
+
+    arrived = pyqtSignal(object)
+    """What was found, in the interface's thread; nothing comes of what was asked before ``forget``."""
+    failed = pyqtSignal(object)
+    """The Message of what failed in a way that nobody foresaw."""
+    _ended = pyqtSignal(int, object)
+
+    def __init__(self, name: str, parent: QObject | None = None, rest: float = 0.0) -> None:
+        """``rest``: how long the thread rests after each piece of work, as a multiple of the time that took."""
+        super().__init__(parent)
+        self._rest = rest
+        self._name = name
+        self._thread = ThreadPoolExecutor(1, name)
+        self._lock = Lock()
+        self._waiting: Work | None = None
+        self._is_at_work = False
+        self._turn = 0
+        self._ended.connect(self._take)
+
+    def ask(self, work: Work) -> None:
+        """Have this done next; its result is told unless it is None."""
+        with self._lock:
+            self._waiting = work
+            if not self._is_at_work:
+                self._is_at_work = True
+                self._thread.submit(self._run)
+
+    def forget(self) -> None:
+        """Nobody waits for anything any more."""
+        with self._lock:
+            self._waiting = None
+            self._turn += 1
+
+    def close(self) -> None:
+        """No more work; what is under way reaches nobody."""
+        self.forget()
+        self._thread.shutdown(wait=False)
+
+    def _run(self) -> None:
+        while True:
+            with self._lock:
+                work, self._waiting, turn = self._waiting, None, self._turn
+                if work is None:
+                    self._is_at_work = False
+                    return
+            begun = time.perf_counter()
+            try:
+                with interface_first():
+                    found = work()
+            except Exception as error:  # the last door: nobody else would learn of it
+                found = messages.TASK_FAILED(task=self._name, error=f"{type(error).__name__}: {error}")
+            with self._lock:  # after ``close`` this may be gone
+                if turn == self._turn and found is not None:
+                    self._ended.emit(turn, found)
+            time.sleep(min(self._rest * (time.perf_counter() - begun), _LONGEST_REST_S))
+
+    def _take(self, turn: int, found: object) -> None:
+        if turn == self._turn:
+            (self.failed if isinstance(found, Message) else self.arrived).emit(found)

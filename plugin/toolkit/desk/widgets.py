@@ -1,0 +1,315 @@
+"""Small widgets that docks share, and what widgets lack: timers, tooltips, reasons for being grey, a question."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+from typing import Any
+
+from qgis.gui import QgsCollapsibleGroupBoxBasic
+from qgis.PyQt.QtCore import QEvent, QObject, QSize, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtGui import QFontMetrics, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
+from qgis.PyQt.QtWidgets import (
+    QAbstractSpinBox,
+    QAction,
+    QComboBox,
+    QFrame,
+    QMessageBox,
+    QScrollArea,
+    QSizePolicy,
+    QStyle,
+    QToolBar,
+    QToolTip,
+    QWidget,
+)
+
+from ..translation import tr
+from .theme import readable_palette
+
+
+def is_confirmed(widget: QWidget, question: str) -> bool:
+    """Whether the user says yes; no is what Enter says."""
+    yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
+    return bool(QMessageBox.question(widget, tr("Seam Inspector"), question, yes | no, no) == yes)
+
+
+_TIP = "seam_inspector_tip"
+
+
+def allow(action: QAction, why_not: str = "") -> None:
+    """Enable an action; with a reason against it, grey it and hang the reason on its tooltip."""
+    if action.property(_TIP) is None:
+        action.setProperty(_TIP, action.toolTip())
+    tip = str(action.property(_TIP))
+    action.setEnabled(not why_not)
+    action.setToolTip(f"{tip}\n\n{why_not}" if why_not else tip)
+
+
+def single_shot(parent: QObject, slot: Any, wait_ms: int = 0) -> QTimer:
+    """Calls a slot, or emits a signal, once after each ``start``; one more ``start`` begins the waiting anew."""
+    timer = QTimer(parent)
+    timer.setSingleShot(True)
+    timer.setInterval(wait_ms)
+    timer.timeout.connect(slot)
+    return timer
+
+
+def rich_tip(text: str, *lines: str) -> str:
+    """Qt breaks the lines of a tooltip only when it is rich text; ``lines`` stand below it."""
+    below = f"<p>{'<br>'.join(map(escape, lines))}</p>" if lines else ""
+    return f"<p>{escape(text)}</p>{below}"
+
+
+def plain_tip(text: str) -> str:
+    """A tooltip of names that others gave: its lines as they are, whatever markup Qt would see in them."""
+    first, *lines = text.splitlines() or [""]
+    return rich_tip(first, *lines) if "<" in text or "&" in text else text
+
+
+_WRAPPED = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter) | int(Qt.TextFlag.TextWordWrap)
+
+
+class ClippedLabel(QWidget):
+    """Plain text on at most so many lines, as high as they are whatever it says, so that nothing around it jumps;
+    of a range of lines as high as it needs.
+
+    What does not fit ends in an ellipsis; the tooltip tells all of it, which a click shows at once.
+    """
+
+    def __init__(self, lines: int, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._fewest = self._most = self._lines = lines
+        self._text = ""
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+
+    def text(self) -> str:
+        """All of the text."""
+        return self._text
+
+    def setText(self, text: str, tip: str = "") -> None:
+        """Say something else; ``tip``: more than that, as rich text, for the tooltip."""
+        self.setToolTip(tip or (rich_tip(text) if text else ""))
+        if text != self._text:
+            self._text = text
+            self.setAccessibleName(text)
+            self._fit()
+            self.update()
+
+    def set_lines(self, fewest: int, most: int) -> None:
+        """As high as the text needs, from now on."""
+        if (fewest, most) != (self._fewest, self._most):
+            self._fewest, self._most = fewest, most
+            self._fit()
+
+    def _fit(self) -> None:
+        """Take as many lines as the text needs, and as there may be."""
+        metrics, lines = self.fontMetrics(), self._fewest if self._text or self._fewest == self._most else 1
+        while lines < self._most and not self._fits(metrics, self._text, lines):
+            lines += 1
+        if lines != self._lines:
+            self._lines = lines
+            self.updateGeometry()
+        is_cut = not self._fits(metrics, self._text, lines)
+        self.setCursor(Qt.CursorShape.PointingHandCursor if is_cut else Qt.CursorShape.ArrowCursor)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.oldSize().width() != event.size().width():
+            self._fit()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        QToolTip.showText(self.mapToGlobal(event.pos()), self.toolTip(), self)
+
+    def sizeHint(self) -> QSize:
+        metrics, margins = self.fontMetrics(), self.contentsMargins()
+        return QSize(30 * metrics.averageCharWidth(), _height(metrics, self._lines) + margins.top() + margins.bottom())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(10 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
+            self.updateGeometry()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setPen(readable_palette(self).color(self.foregroundRole()))
+        painter.drawText(self.contentsRect(), _WRAPPED, self._fitting(self.fontMetrics()))
+        painter.end()
+
+    def _fitting(self, metrics: QFontMetrics) -> str:
+        """As much of the text as there are lines for."""
+        if self._fits(metrics, self._text, self._lines):
+            return self._text
+        shortest, longest = 0, len(self._text)
+        while longest - shortest > 1:
+            middle = (shortest + longest) // 2
+            if self._fits(metrics, self._text[:middle].rstrip() + "…", self._lines):
+                shortest = middle
+            else:
+                longest = middle
+        return self._text[:shortest].rstrip() + "…"
+
+    def _fits(self, metrics: QFontMetrics, text: str, lines: int) -> bool:
+        width = self.contentsRect().width()
+        needed = metrics.boundingRect(0, 0, width, 10000, _WRAPPED, text)
+        return needed.height() <= _height(metrics, lines) and needed.width() <= width
+
+
+def _height(metrics: QFontMetrics, lines: int) -> int:
+    return metrics.boundingRect(0, 0, 10000, 10000, _WRAPPED, "\n".join("X" * lines)).height()
+
+
+_STYLES = Qt.ToolButtonStyle
+
+
+class FittingToolBar(QToolBar):
+    """Of the ``worded`` actions the last ones lose their words first; the others are icons throughout."""
+
+    def __init__(self, actions: Sequence[QAction], worded: Sequence[QAction], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        side = self.fontMetrics().height() + 3
+        self.setIconSize(QSize(side, side))
+        self.setToolButtonStyle(_STYLES.ToolButtonIconOnly)
+        self.addActions(actions)
+        self._worded = [self.widgetForAction(action) for action in worded]
+        for action in actions:
+            self.widgetForAction(action).setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a toolbar takes it from them
+        self._whole = 0
+        self._fit()
+
+    def sizeHint(self) -> QSize:
+        """With all words."""
+        return QSize(self._whole, super().sizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.LanguageChange) and hasattr(self, "_whole"):
+            self._fit()
+
+    def _fit(self) -> None:
+        for button in self._worded:
+            button.setToolButtonStyle(_STYLES.ToolButtonTextBesideIcon)
+        self._whole = super().sizeHint().width()
+        for button in reversed(self._worded):
+            if super().sizeHint().width() <= self.width():
+                break
+            button.setToolButtonStyle(_STYLES.ToolButtonIconOnly)
+
+
+_FEWEST_LINES = 12  # of the font, that a dock can be made as low as
+
+
+class ScrollBody(QScrollArea):
+    """Scrolls up and down only; never narrower than its content. The wheel leaves unfocused fields as they are."""
+
+    def __init__(self, content: QWidget, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setWidget(content)
+        content.setAutoFillBackground(False)
+        self.viewport().setAutoFillBackground(False)
+        for field in (*content.findChildren(QComboBox), *content.findChildren(QAbstractSpinBox)):
+            field.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # not by the wheel
+            field.installEventFilter(self)
+        content.installEventFilter(self)
+
+    def minimumSizeHint(self) -> QSize:
+        least = self.widget().minimumSizeHint()
+        lines = _FEWEST_LINES * self.fontMetrics().height()
+        bar = self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent, None, self)
+        return QSize(least.width() + (bar if self.verticalScrollBar().isVisible() else 0), min(least.height(), lines))
+
+    def sizeHint(self) -> QSize:
+        return self.widget().sizeHint()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Wheel and watched is not self.widget() and not watched.hasFocus():
+            event.ignore()
+            return True
+        if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
+            self.updateGeometry()
+        return bool(super().eventFilter(watched, event))
+
+
+class SummaryBox(QgsCollapsibleGroupBoxBasic):
+    """A collapsible box whose title is cut to its width instead of widening it."""
+
+    foldedByHand = pyqtSignal()
+    """The operator folded or unfolded it."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.spared_width = 0
+        """Pixels of the content's least width that another arrangement of it can do without."""
+        self._name = self._rest = ""
+        self._is_folding = False
+        self._is_unapplied = False
+        self.collapsedStateChanged.connect(self._tell)
+
+    def set_summary(self, name: str, rest: str = "", problem: str = "") -> None:
+        """The title, of which the name is cut first, and what is wrong, for the tooltip."""
+        self._name, self._rest = name, rest
+        self.setToolTip(plain_tip("\n".join(filter(None, (name + rest, problem)))))
+        self._cut()
+
+    def fold(self, folded: bool) -> None:
+        """Fold or unfold it, now or, where it is hidden, when it is shown next."""
+        if folded != self.isCollapsed():
+            self._is_unapplied = not self.isVisible()
+            self._set_folded(folded)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        self._is_folding = True  # the base class tells its state when it is first shown
+        super().showEvent(event)
+        self._is_folding = False
+        if self._is_unapplied:  # the base class only notes the state of a hidden box, and never comes back to it
+            self._is_unapplied = False
+            folded = self.isCollapsed()
+            self._set_folded(not folded)
+            self._set_folded(folded)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._cut()
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(self._content_width(), super().minimumSizeHint().height())
+
+    def sizeHint(self) -> QSize:
+        return QSize(self._content_width(), super().sizeHint().height())
+
+    def _content_width(self) -> int:
+        layout = self.layout()
+        if layout is None or self.isCollapsed():
+            return 0
+        return layout.totalMinimumSize().width() - self.spared_width
+
+    def _set_folded(self, folded: bool) -> None:
+        self._is_folding = True
+        self.setCollapsed(folded)
+        self._is_folding = False
+
+    def _tell(self, _folded: bool) -> None:
+        if not self._is_folding:
+            self.foldedByHand.emit()
+
+    def _cut(self) -> None:
+        font = self.font()
+        font.setBold(True)  # as QGIS writes titles
+        metrics = QFontMetrics(font)
+        room = self.width() - 2 * metrics.height()  # less the arrow
+        least = metrics.averageCharWidth() * 8
+        name_room = max(room - metrics.horizontalAdvance(self._rest), least)
+        title = metrics.elidedText(self._name, Qt.TextElideMode.ElideMiddle, name_room) + self._rest
+        title = metrics.elidedText(title, Qt.TextElideMode.ElideRight, room).replace("&", "&&")
+        if title != self.title():
+            self.setTitle(title)
