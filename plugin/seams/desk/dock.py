@@ -3,21 +3,30 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Callable
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Callable
 
-from qgis.core import QgsApplication, QgsProject, QgsRectangle
-from qgis.gui import QgisInterface
+from qgis.core import Qgis, QgsApplication, QgsProject, QgsRectangle
+from qgis.gui import QgisInterface, QgsMapCanvas, QgsMessageBar
+from qgis.PyQt.QtCore import QObject, Qt
 from qgis.PyQt.QtGui import QIcon, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAction,
+    QBoxLayout,
     QGridLayout,
     QHBoxLayout,
     QProgressBar,
+    QSplitter,
     QTabWidget,
+    QToolBar,
     QToolButton,
+    QVBoxLayout,
     QWidget,
 )
 
+from ...imagery.errors import Message
+from ...toolkit.desk.message_bar import BarQuestion
 from ...toolkit.desk.tabs import DeskTab
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import FittingToolBar, ScrollBody, allow, single_shot
@@ -27,21 +36,20 @@ from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from ..scan_job import ScanDone
-from .dock_body import DockBody
 from .inputs.inputs_panel import InputsPanel
-from .judging.judging_desk import JudgingDesk
-from .keeping.found_message import FoundMessage
+from .judge_bar import JudgeBar
+from .judging_desk import JudgingDesk
 from .map.lost_detail import LostDetail
-from .map.selected_windows import SelectedWindows
 from .map.window_tool import WindowTool
+from .mosaic_scans import MosaicScans, ScanMessage, show_layer
 from .report_writer import ReportWriter
-from .scan.mosaic_scans import MosaicScans
-from .scan.scan_group import show_layer
-from .scan.scan_message import ScanMessage
 from .session import Session
 from .swipe.swipe_action import SwipeAction
 from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
+
+if TYPE_CHECKING:
+    from .session import Session
 
 _SCREEN_PIXELS = 2  # per image pixel: the paper's best viewing scale
 
@@ -291,3 +299,114 @@ class InspectionDock(ToolDock):
         if news is not None:
             self.scan_progress.setValue(int(1000 * news.share))
             self.scan_progress.setFormat(self.scans.progress())
+
+
+_HIGH_LINES = 44  # of text: from this height on there is room for more windows, and for a long sentence
+_FEWEST_ROWS = 4  # of windows, there
+_SHARES = [2000, 3000]  # of the windows and the tabs; Qt fits them to the room there is
+
+
+class DockBody(QWidget):
+    """Inputs, toolbar, windows and tabs, which scroll on a low screen; judgement and progress, always in sight."""
+
+    def __init__(
+        self, inputs: QWidget, toolbar: QToolBar, windows: WindowsPanel, tabs: QWidget, judge: JudgeBar,
+        progress: QWidget,
+    ) -> None:
+        super().__init__()
+        self._head = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._head.setSpacing(3)
+        self._head.addWidget(inputs, 1)
+        self._head.addWidget(toolbar)
+        self._head.setAlignment(toolbar, Qt.AlignmentFlag.AlignTop)
+        self._splitter = QSplitter(Qt.Orientation.Vertical)
+        side = QWidget()
+        self._side = QVBoxLayout(side)
+        self._side.setContentsMargins(0, 0, 0, 0)
+        self._side.setSpacing(3)
+        self._side.addWidget(windows, 1)
+        for widget, share in ((side, 2), (tabs, 3)):
+            self._splitter.addWidget(widget)
+            self._splitter.setStretchFactor(self._splitter.count() - 1, share)
+        self._splitter.setChildrenCollapsible(False)
+        upper = QWidget()
+        layout = QVBoxLayout(upper)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(3)
+        layout.addLayout(self._head)
+        layout.addWidget(self._splitter, 1)
+        self.scrolled = ScrollBody(upper)
+        self._windows, self._judge, self._whole = windows, judge, QVBoxLayout(self)
+        self._whole.setContentsMargins(4, 2, 4, 4)
+        self._whole.setSpacing(3)
+        self._whole.addWidget(self.scrolled, 1)
+        self._whole.addWidget(judge)
+        self._whole.addWidget(progress)
+
+    def arrange(self, is_wide: bool) -> None:
+        """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
+        is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
+        self._windows.table.set_fewest_rows(_FEWEST_ROWS if is_high else 0)
+        self._judge.set_high(is_high)
+        orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
+        if orientation == self._splitter.orientation():
+            return
+        self._splitter.setOrientation(orientation)
+        self._splitter.setSizes(_SHARES)
+        direction = QBoxLayout.Direction
+        self._head.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
+        if is_wide:
+            self._side.addWidget(self._judge)
+        else:
+            self._whole.insertWidget(1, self._judge)
+
+
+class FoundMessage(BarQuestion):
+    """Offers each file once, since who dismisses it has seen where it is."""
+
+    def __init__(self, bar: QgsMessageBar, open_windows: Callable[[Path], None], parent: QObject) -> None:
+        super().__init__(bar, parent)
+        self._open = open_windows
+        self._offered: set[Path] = set()
+
+    def show(self, path: Path, message: Message) -> None:
+        """Say where they are."""
+        if path not in self._offered:
+            self._offered.add(path)
+            self.ask(
+                sentence(message), Qgis.MessageLevel.Warning, tr("Open the windows"),
+                tr("Adds the layer of these windows and brings back what was not saved."), partial(self._go, path),
+            )  # fmt: skip
+
+    def _go(self, path: Path) -> None:
+        self._offered.discard(path)  # the project may be left without saving once more
+        self._open(path)
+
+
+SELECTED = "seam_inspector_selected"
+"""Of the map: its keys are a layer's id and a feature's, with a space between (resources/styles/windows.qml)."""
+
+
+class SelectedWindows:
+    """Keeps the variable until ``close``.
+
+    The style does not ask ``is_selected()``: that looks into the layer from the threads that draw the map, and QGIS
+    before 3.30 crashes when another window is selected, or the layer goes, while they do.
+    """
+
+    def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
+        self._canvas, self._session = canvas, session
+        session.selectionChanged.connect(self._tell)
+        session.windowsChanged.connect(self._tell)  # equal ids of another layer, too
+        self._tell()
+
+    def close(self) -> None:
+        """Take the variable away."""
+        self._session.selectionChanged.disconnect(self._tell)
+        self._session.windowsChanged.disconnect(self._tell)
+        self._canvas.expressionContextScope().removeVariable(SELECTED)
+
+    def _tell(self) -> None:
+        layer = self._session.window_layer()
+        keys = {f"{layer.id()} {fid}": True for fid in self._session.selected()} if layer is not None else {}
+        self._canvas.expressionContextScope().setVariable(SELECTED, keys)

@@ -1,34 +1,63 @@
-"""The one model behind the dock, the map tool and all panels: inputs, windows, results, and work in the background."""
+"""The one model behind the dock, the map tool and all panels: inputs, windows, results, and work in the background.
+
+It makes the parts, leads them after the project as that is read, saved and changed, and is what all others ask.
+"""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
+from typing import Any, Callable
 
-from qgis.core import QgsProject, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsProject, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.statistics import FIRST, Operator
+from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.desk.message_bar import bar_level
+from ...toolkit.desk.widgets import single_shot
 from ...toolkit.layer_editing import edit_step
 from ...toolkit.translation import sentence, tr
-from ..clip_pictures import ClipPicture
-from ..measure.inputs.source_use import SourceUse
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
-from ..measure.inspection import Block, WindowRequest
+from ..measure.inspection import WindowRequest
 from ..measure.live.live_window import LiveWindow
 from ..measure.window.window_result import WindowCurves, WindowResult
-from ..measure.window_records import WindowRecord
-from ..scan_job import ScanOrder
 from ..tables import window_layer
-from .desk_parts import DeskParts
-from .inputs.project_inputs import Inputs
-from .loss_view import LossView
-from .map.window_coverage import Coverage
-from .project_follower import ProjectFollower
+from ..tables.window_looks import style_if_plain
+from . import messages
+from .images.window_pictures import WindowPictures
+from .inputs.block_cache import BlockCache
+from .inputs.project_inputs import Inputs, InputsWatch, LayerPlaces, load_inputs, save_inputs
+from .keeping import Keeping
+from .map.live_windows import LiveWindows
+from .map.window_coverage import SeamFinder, WindowCoverage
+from .windows.new_windows import NewWindows
+from .windows.window_results import WindowResults
 from .windows.window_watch import WindowWatch
+
+
+class LossView(QObject):
+    """Whether the pictures of lost detail are shown, over the map and the images alike. Off at first."""
+
+    changed = pyqtSignal(bool)
+    """Shown or not from now on."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.is_shown = False
+
+    def show(self, is_shown: bool) -> None:
+        """Show it, or hide it."""
+        if is_shown != self.is_shown:
+            self.is_shown = is_shown
+            self.changed.emit(is_shown)
+
+    def toggle(self) -> None:
+        """The other of the two."""
+        self.show(not self.is_shown)
 
 
 class Session(QObject):
@@ -49,36 +78,87 @@ class Session(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
+        self._project = project = QgsProject.instance()
         self.loss_view = LossView(self)
         """Whether lost detail is painted over the map and the images."""
-        self._watch = WindowWatch(self)
-        self._watch.windowsChanged.connect(self.windowsChanged)
-        self._watch.selectionChanged.connect(self.selectionChanged)
-        self._parts = parts = DeskParts(QgsProject.instance(), self._watch, self)
-        self._block, self._seams, self._coverage = parts.block, parts.seams, parts.coverage
-        self._live, self._keeping, self._pictures = parts.live, parts.keeping, parts.pictures
-        self._results, self._new, self._background = parts.results, parts.new, parts.background
-        self._coverage.changed.connect(self.coverageChanged)
-        self._live.changed.connect(self.liveChanged)
-        self._results.curvesArrived.connect(self.curvesArrived)
-        self._results.arrived.connect(self.resultArrived)
-        self._results.progressChanged.connect(self.progressChanged)
-        self._pictures.arrived.connect(self.picturesArrived)
-        self._follower = ProjectFollower(parts, self)
-        self._follower.inputsChanged.connect(self.inputsChanged)
-        self._follower.windowsFound.connect(self.windowsFound)
-        self._new.layerMade.connect(self._follower.take_layer)
-        self._new.drawn.connect(self._take_drawn)
-        for told in (
-            parts.inputs_background.failed, parts.background.failed, self._live.failed, self._results.failed,
-            self._keeping.told, self._new.told, self._follower.told,
-        ):
-            told.connect(self._tell)
+        self._opening = BackgroundTasks(self)  # apart, since another window layer does not matter to it
+        self._background = BackgroundTasks(self)
+        self._watch = watch = WindowWatch(self)
+        self._block = block = BlockCache(project, self._opening, self)
+        self._seams = SeamFinder(block, self._opening)
+        self._coverage = WindowCoverage(self)
+        self._keeping = Keeping(watch, self)
+        self._live = LiveWindows(block, self)
+        self._results = WindowResults(block, watch, self._background, self._keeping, self, self._live.measure)
+        self._new = NewWindows(project, block, watch, self._background, self)
+        self._pictures = WindowPictures(block, watch, self._background, self)
+        self._places = LayerPlaces(project)
+        self._layers = InputsWatch(project, self)
+        self._searcher = single_shot(self, self._find_left)  # the project is still being read when it tells so
+        self._is_read = True
+        self._offer_what_parts_do()
+        self._connect_parts()
+        self._connections: list[tuple[Any, Callable[..., None]]] = [
+            (project.readProject, self._load),
+            (project.cleared, self._cleared),
+            (project.writeProject, self._save),
+            (project.layersAdded, self._layers_added),
+            (project.layersWillBeRemoved, self._forget_layers),
+            (project.layersRemoved, self._layers_changed),
+        ]
+        for signal, slot in self._connections:
+            signal.connect(slot)
+        self._load()
+
+    def _offer_what_parts_do(self) -> None:
+        """By the names that the desk calls it; each is described where it is done."""
+        self.mosaic_layer, self.scan_order = self._block.mosaic_layer, self._block.scan_order
+        self.block, self.problem = self._block.silent, self._block.problem
+        self.coverage, self.seam_point_near = self._coverage.at, self._seams.nearest
+        self.hover, self.leave = self._live.hover, self._live.leave
+        self.windows, self.row, self.numbered = self._watch.rows, self._watch.row, self._watch.numbered
+        self.selected, self.select = self._watch.selected, self._watch.select
+        self.add_window = self._new.draw
+        self.source_uses = self._results.source_uses
+        self.pictures, self.composite = self._pictures.pictures, self._pictures.composite
+
+    def _connect_parts(self) -> None:
+        for signal, slot in (
+            (self._watch.windowsChanged, self.windowsChanged),
+            (self._watch.selectionChanged, self.selectionChanged),
+            (self._watch.replaced, self._windows_replaced),
+            (self._coverage.changed, self.coverageChanged),
+            (self._live.changed, self.liveChanged),
+            (self._results.curvesArrived, self._live.stay_open),
+            (self._results.curvesArrived, self.curvesArrived),
+            (self._results.arrived, self.resultArrived),
+            (self._results.progressChanged, self.progressChanged),
+            (self._pictures.arrived, self.picturesArrived),
+            (self._block.opened, self._follow_block),
+            (self._layers.layersChanged, self._files_changed),
+            (self._layers.indexEdited, self._files_changed),
+            (self._layers.seamlinesEdited, self._seamlines_edited),
+            (self._new.layerMade, self._take_layer),
+            (self._new.drawn, self._take_drawn),
+            *((told, self._tell) for told in (
+                self._opening.failed, self._background.failed, self._live.failed, self._results.failed,
+                self._keeping.told, self._new.told,
+            )),
+        ):  # fmt: skip
+            signal.connect(slot)
 
     def close(self) -> None:
         """Stop all work, keep what is done, and let go of the project and the window layer; once is enough."""
-        self._follower.close()
-        self._parts.close()
+        while self._connections:
+            signal, slot = self._connections.pop()
+            signal.disconnect(slot)
+        self._layers.close()
+        self._searcher.stop()
+        self._new.abandon()
+        for part in (
+            self._live, self._coverage, self._opening, self._background, self._results, self._keeping, self._watch
+        ):
+            part.close()
 
     # Inputs
 
@@ -89,37 +169,25 @@ class Session(QObject):
 
     def set_inputs(self, inputs: Inputs) -> None:
         """Change the inputs and remember them in the project. Inspected windows become stale when they matter."""
-        self._follower.set_inputs(inputs)
-
-    def mosaic_layer(self) -> QgsRasterLayer | None:
-        """The mosaic, while it is there."""
-        return self._block.mosaic_layer()
+        before = self.inputs
+        if before == inputs:
+            self._block.inputs = inputs  # the same, but chosen by whoever sets them now
+            return
+        if before.windows != inputs.windows:
+            self._results.write()  # into the layer they are of
+        self._block.inputs = inputs
+        save_inputs(self._project, inputs)
+        self._layers_changed()
 
     def mosaic_grid(self) -> Grid | None:
         """The mosaic's pixel grid; None while there is no mosaic that windows can lie on, or it is being opened."""
-        block = self._block.silent()
+        block = self.block()
         return block.mosaic.grid if block is not None else None
-
-    def block(self) -> Block | None:
-        """Mosaic and sources under inspection; None while there are none, or they are being opened."""
-        return self._block.silent()
-
-    def problem(self) -> Message | None:
-        """Why nothing can be inspected now: an input is missing or can't be used, or the mosaic is being opened."""
-        return self._block.problem()
-
-    def scan_order(self) -> ScanOrder:
-        """What a scan of the whole mosaic is made of. Raises SeamInspectorError when the inputs do not allow one."""
-        return self._block.scan_order()
 
     def source_count_over(self, window: PixelWindow) -> int:
         """How many sources' footprints cover a window."""
-        block = self._block.silent()
+        block = self.block()
         return len(block.sources_over(window)) if block is not None else 0
-
-    def coverage(self, window: PixelWindow) -> Coverage:
-        """What mosaic and sources have in a window, as far as it was looked at."""
-        return self._coverage.at(window)
 
     def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
         """The nearest window of that size that can be judged, its middle on a seam; None where none is near."""
@@ -138,24 +206,10 @@ class Session(QObject):
             return None
         return next(self._block.requests(block, layer, [row]))
 
-    def seam_point_near(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
-        """The nearest point of a seam within ``reach``, all in the mosaic's reference system."""
-        return self._seams.nearest(x, y, reach)
-
-    # The window under the mouse
-
     @property
     def live(self) -> LiveWindow | None:
         """The window that is being drawn or moved, as far as it is known; ``liveChanged`` tells."""
         return self._live.current
-
-    def hover(self, window: PixelWindow, is_live: bool) -> None:
-        """A window that a click or the end of a drag would make; ``is_live``: its curves are to be seen meanwhile."""
-        self._live.hover(window, is_live)
-
-    def leave(self) -> None:
-        """The mouse is over no window any more."""
-        self._live.leave()
 
     # Windows
 
@@ -163,29 +217,10 @@ class Session(QObject):
         """The layer that holds the windows, while it is there."""
         return self._watch.layer
 
-    def windows(self) -> list[WindowRecord]:
-        """All windows by their number."""
-        return self._watch.rows()
-
-    def row(self, fid: int) -> WindowRecord | None:
-        """One window."""
-        return self._watch.row(fid)
-
-    def numbered(self, window_id: int) -> WindowRecord | None:
-        """The window with a number, which it keeps when feature ids change."""
-        return self._watch.numbered(window_id)
-
-    def selected(self) -> list[int]:
-        """Feature ids of the selected windows."""
-        return self._watch.selected()
-
-    def select(self, fids: Sequence[int]) -> None:
-        """Select windows, on the map and in the table alike."""
-        self._watch.select(fids)
-
-    def add_window(self, window: PixelWindow) -> None:
-        """A new window, selected and inspected at once in the background; the first one waits for its layer."""
-        self._new.draw(window)
+    def open_windows(self, path: Path) -> None:
+        """Take the windows of a file that the desk has made."""
+        with self._raised():
+            self._take_layer(self._project.addMapLayer(window_layer.open_window_layer(path)).id())
 
     def remove(self, fids: Sequence[int]) -> None:
         """Remove windows; undo brings them back."""
@@ -209,7 +244,15 @@ class Session(QObject):
                     window_layer.write_judgement(layer, prepared, values)
                 self._keeping.note_judged(layer)
 
-    # Work in the background
+    def _take_layer(self, layer_id: str) -> None:
+        """Windows are those of this layer from now on."""
+        self.set_inputs(replace(self.inputs, windows=layer_id))
+
+    def _take_drawn(self, fids: list[int]) -> None:
+        self.select(fids)
+        self.inspect(fids)
+
+    # Results, and work in the background
 
     @property
     def is_busy(self) -> bool:
@@ -246,35 +289,14 @@ class Session(QObject):
         self._background.stop()
 
     def result(self, fid: int) -> WindowResult | None:
-        """All that was measured in a window in this session; None until it is complete."""
+        """All that was measured in a window; None until it is complete."""
         row = self.row(fid)
         return self._results.result(row.window_id) if row is not None else None
-
-    def source_uses(self) -> list[SourceUse]:
-        """Of all windows that were inspected in this session."""
-        return self._results.source_uses()
 
     def clips(self, fid: int) -> WindowCurves | None:
         """The curves of a window, which ``curvesArrived`` tells before the rest; its result once that is there."""
         row = self.row(fid)
         return self._results.clips(row.window_id) if row is not None else None
-
-    def pictures(self, fid: int) -> tuple[ClipPicture, ...] | None:
-        """The clips of a window as pictures; when they are not there yet they are read in the background."""
-        return self._pictures.pictures(fid)
-
-    def composite(self, fid: int) -> tuple[ClipPicture, ...] | None:
-        """The hard-cut composite of a window whose pictures are there; None while it is made, empty without one."""
-        return self._pictures.composite(fid)
-
-    def _take_drawn(self, fids: list[int]) -> None:
-        self.select(fids)
-        self.inspect(fids)
-
-    def open_windows(self, path: Path) -> None:
-        """Take the windows of a file that the desk has made."""
-        with self._raised():
-            self._follower.open_windows(path)
 
     def _tell(self, message: Message) -> None:
         self.messageRaised.emit(sentence(message), bar_level(message))
@@ -286,3 +308,101 @@ class Session(QObject):
             yield
         except SeamInspectorError as error:
             self._tell(error.message)
+
+    # What the project tells
+
+    def _cleared(self) -> None:
+        self._load()
+        self._is_read = False
+
+    def _load(self, *_: object) -> None:
+        self._is_read = True
+        self._live.leave()
+        self._live.let_go()
+        self._opening.abandon()
+        self._block.forget()
+        self._seams.forget()
+        self._forget_windows()
+        self._block.inputs = load_inputs(self._project)
+        self._places.load()
+        self._layers_changed()
+        self._searcher.start()
+
+    def _find_left(self) -> None:
+        """Windows that the project lacks, as it was never saved with them or QGIS ended before."""
+        project = self._project
+        if self._watch.layer is not None or (project.fileName() and not self._is_read):
+            return  # a project that is being read lacks layers yet
+        if (path := self._keeping.left_in(project)) is None:
+            if (beside := self._keeping.beside(project)) is not None:
+                path, count = beside
+                self.windowsFound.emit(path, messages.WINDOWS_BESIDE(name=path.name, count=count))
+        elif project.fileName():
+            self.open_windows(path)
+        else:
+            self.windowsFound.emit(path, messages.WINDOWS_FOUND(path=path))
+
+    def _save(self, *_: object) -> None:
+        """Save the windows with the project, as its user expects."""
+        self._results.write()
+        self._watch.save_stale()
+        if (layer := self._watch.layer) is not None:
+            self._keeping.save(layer, self._project)
+
+    def _layers_added(self, *_: object) -> None:
+        """One that was removed may be back, under another id."""
+        inputs = self._places.found_again(self.inputs)
+        if inputs != self.inputs:
+            self.set_inputs(inputs)
+        else:
+            self._layers_changed()
+
+    def _layers_changed(self, *_: object) -> None:
+        self._places.note(self.inputs)
+        self._block.refresh()
+        self._layers.follow(self.inputs)
+        layer = self._project.mapLayer(self.inputs.windows)
+        if (layer if window_layer.holds_windows(layer) else None) is not self._watch.layer:
+            self._forget_windows()
+            self._watch.watch(layer)
+            if self._watch.layer is not None:
+                style_if_plain(self._watch.layer)
+                self._keeping.follow(self._watch.layer, self.inputs.levels)
+        self._follow_block()
+
+    def _follow_block(self) -> None:
+        """There may be another block, or none any more."""
+        self._seams.refresh()
+        self._coverage.follow(self.block())
+        self._watch.set_state(self._block.state())
+        self.inputsChanged.emit()
+
+    def _files_changed(self) -> None:
+        self._live.let_go()
+        self._block.refresh(anew=True)
+        self._coverage.follow(None)  # what lies in the files may be something else
+        self._follow_block()
+
+    def _seamlines_edited(self) -> None:
+        self._seams.refresh(anew=True)
+
+    def _windows_replaced(self) -> None:
+        if (layer := self._watch.layer) is not None:
+            self._keeping.leave([layer.id()])
+        self._forget_windows()
+        self._layers_changed()
+
+    def _forget_layers(self, ids: list[str]) -> None:
+        self._live.let_go()  # or their files could not be moved or deleted
+        self._layers.leave(ids)
+        self._keeping.leave(ids)
+        if (layer := self._watch.layer) is not None and layer.id() in ids:
+            self._forget_windows()
+
+    def _forget_windows(self) -> None:
+        """What is of the window layer so far; nothing of it may reach another one."""
+        self._new.abandon()
+        self._background.abandon()
+        self._watch.watch(None)
+        self._pictures.forget()
+        self._results.forget()

@@ -123,7 +123,7 @@ def judge_blind(desk: Desk, shots: Path) -> None:
             other = "invisible" if row.window_id % 6 == 0 else row.observer_2
             session.judge([row.fid], other)
     desk.pause(0.3)
-    from seam_inspector.plugin.seams.desk.judging.agreement_box import agreement_of, agreement_sentences
+    from seam_inspector.plugin.seams.desk.judging_desk import agreement_of, agreement_sentences
 
     desk.report["agreement"] = agreement_sentences(agreement_of(session.windows()))
     desk.dock.windows.set_filter("", "operators_differ")

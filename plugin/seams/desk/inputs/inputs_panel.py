@@ -21,7 +21,7 @@ from ...measure.placing.window_sides import fitting_side_m, window_side_px
 from ...tables.source_index import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value
 from .source_list import SourceList
-from .suggesting import Suggesting
+from .source_suggestions import Suggesting
 
 if TYPE_CHECKING:
     from ..session import Session

@@ -1,13 +1,16 @@
 """What the inspection desk works on, remembered in the project."""
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
-from functools import partial
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass, replace
+from functools import lru_cache, partial
 from typing import Any, Callable
 
-from qgis.core import QgsProject
+from qgis.core import QgsMapLayer, QgsProject, QgsProviderRegistry, QgsVectorLayer
+from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery import limits as imagery_limits
+from ....toolkit.desk.widgets import single_shot
 from ....toolkit.picture_stretch import Stretch
 from ....toolkit.project_settings import load_settings, save_settings
 from ...measure import limits
@@ -94,3 +97,157 @@ _READERS: dict[str, Callable[[object], Any]] = {
     "stretch": partial(_word, tuple(stretch.value for stretch in Stretch)),
 }
 """How each value is understood; what is another kind of thing is left out."""
+
+
+_PLACES_KEY = "places"
+_SINGLE = ("mosaic", "source_index", "seamlines", "windows", "cells")
+
+Place = tuple[str, str]
+"""File or database, and the layer in it; empty where it is not named."""
+
+
+class LayerPlaces:
+    """By layer id, remembered in the project."""
+
+    def __init__(self, project: QgsProject) -> None:
+        self._project = project
+        self._places: dict[str, Place] = {}
+
+    def load(self) -> None:
+        """Another project."""
+        self._places = {
+            name: (place[0], place[1])
+            for name, place in load_settings(self._project, _PLACES_KEY).items()
+            if isinstance(place, list) and len(place) == 2 and all(isinstance(part, str) for part in place)
+        }
+
+    def note(self, inputs: Inputs) -> None:
+        """Remember where the layers of the inputs are, as far as they are there."""
+        found = {}
+        for name in _ids(inputs):
+            layer = self._project.mapLayer(name)
+            place = _place(layer) if layer is not None else self._places.get(name)
+            if place is not None:
+                found[name] = place
+        if found != self._places:
+            self._places = found
+            save_settings(self._project, _PLACES_KEY, found)
+
+    def found_again(self, inputs: Inputs) -> Inputs:
+        """The inputs, with layers of the same place instead of those that are not in the project any more."""
+        lost = {name for name in _ids(inputs) if self._project.mapLayer(name) is None and name in self._places}
+        if not lost:
+            return inputs
+        taken = _ids(inputs) - lost
+        others = {name: _place(layer) for name, layer in self._project.mapLayers().items() if name not in taken}
+        instead: dict[str, str] = {}
+        for name in lost:
+            place = self._places[name]
+            match = next((other for other, there in others.items() if there is not None and _same(place, there)), None)
+            if match is not None:
+                instead[name] = match
+        if not instead:
+            return inputs
+        single = {field: instead.get(value := getattr(inputs, field), value) for field in _SINGLE}
+        return replace(inputs, **single, sources=tuple(instead.get(name, name) for name in inputs.sources))
+
+
+def _ids(inputs: Inputs) -> set[str]:
+    return {*inputs.sources, *(getattr(inputs, field) for field in _SINGLE)} - {""}
+
+
+def _place(layer: QgsMapLayer) -> Place | None:
+    """None for a layer in memory, which is gone when it is removed."""
+    provider = layer.providerType()
+    return None if provider == "memory" else _decoded(provider, layer.source())
+
+
+@lru_cache(4096)
+def _decoded(provider: str, source: str) -> Place:
+    """Found once for each source, since projects of hundreds of layers ask again and again."""
+    parts = QgsProviderRegistry.instance().decodeUri(provider, source)
+    path = parts.get("path")
+    return (str(path), str(parts.get("layerName") or "")) if path else (source, "")
+
+
+def _same(one: Place, other: Place) -> bool:
+    return one[0] == other[0] and (one[1] == other[1] or "" in (one[1], other[1]))
+
+
+_EDITS_MS = 500  # edits that come within this time are one
+
+
+class InputsWatch(QObject):
+    """Tells what may have changed; whether it really has is for others to find out."""
+
+    layersChanged = pyqtSignal()
+    """A layer has another data source or reference system; of the windows only the system counts here."""
+    indexEdited = pyqtSignal()
+    """The features of the source index, or of the seam cells, are others."""
+    seamlinesEdited = pyqtSignal()
+    """The seamlines are others."""
+
+    def __init__(self, project: QgsProject, parent: QObject) -> None:
+        super().__init__(parent)
+        self._project = project
+        self._followed: tuple[dict[str, QgsMapLayer], str, str, str, str] = ({}, "", "", "", "")
+        self._index_timer = single_shot(self, self.indexEdited, _EDITS_MS)
+        self._seamlines_timer = single_shot(self, self.seamlinesEdited, _EDITS_MS)
+
+    def follow(self, inputs: Inputs) -> None:
+        """Follow the layers of these inputs that are there, and no others."""
+        ids = (inputs.mosaic, *inputs.sources, inputs.source_index, inputs.seamlines, inputs.windows, inputs.cells)
+        layers = {layer_id: layer for layer_id in ids if (layer := self._project.mapLayer(layer_id)) is not None}
+        followed = layers, inputs.windows, inputs.source_index, inputs.seamlines, inputs.cells
+        if followed != self._followed:
+            self._let_go()
+            self._followed = followed
+            for signal, slot in self._signals():
+                signal.connect(slot)
+
+    def leave(self, ids: Iterable[str]) -> None:
+        """These layers are about to be deleted."""
+        if not self._followed[0].keys().isdisjoint(ids):
+            self._let_go()
+
+    def close(self) -> None:
+        """Let go of all layers and tell nothing more."""
+        self._let_go()
+        self._index_timer.stop()
+        self._seamlines_timer.stop()
+
+    def _let_go(self) -> None:
+        for signal, slot in self._signals():
+            signal.disconnect(slot)
+        self._followed = ({}, "", "", "", "")
+
+    def _signals(self) -> list[tuple[Any, Any]]:
+        """Made anew each time: a signal that is kept crashes once its layer is deleted."""
+        layers, windows, index, seamlines, cells = self._followed
+        return [
+            *((layer.dataSourceChanged, self._changed) for name, layer in layers.items() if name != windows),
+            *((layer.crsChanged, self._changed) for layer in layers.values()),
+            *_edits(layers.get(index), self._index_edited),
+            *_edits(layers.get(cells), self._index_edited),
+            *_edits(layers.get(seamlines), self._seamlines_edited),
+        ]
+
+    def _changed(self, *_: object) -> None:
+        self.layersChanged.emit()
+
+    def _index_edited(self, *_: object) -> None:
+        self._index_timer.start()
+
+    def _seamlines_edited(self, *_: object) -> None:
+        self._seamlines_timer.start()
+
+
+def _edits(layer: QgsMapLayer | None, slot: Any) -> list[tuple[Any, Any]]:
+    """All that can change a layer's features; the edit buffer counts."""
+    if not isinstance(layer, QgsVectorLayer):
+        return []
+    signals = (
+        layer.featureAdded, layer.featureDeleted, layer.geometryChanged, layer.attributeValueChanged,
+        layer.afterCommitChanges, layer.afterRollBack, layer.dataChanged, layer.subsetStringChanged,
+    )  # fmt: skip
+    return [(signal, slot) for signal in signals]

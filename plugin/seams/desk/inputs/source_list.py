@@ -26,7 +26,7 @@ from ....toolkit.desk.theme import blended, readable_on, readable_palette
 from ....toolkit.desk.widgets import plain_tip
 from ....toolkit.translation import filled, sentence, tr
 from ...measure.inputs.raster_facts import Suitability
-from .raster_layers import file_rasters
+from .source_suggestions import file_rasters
 
 _ID, _REASON, _FAINT = (Qt.ItemDataRole.UserRole + place for place in range(3))
 _FAINT_SHARE = 0.65  # of the words' colour, where a raster is no source

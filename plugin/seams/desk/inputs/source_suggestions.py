@@ -1,22 +1,50 @@
 """Which of the project's rasters are suggested as sources of the mosaic, and why the others are not."""
 from __future__ import annotations
 
+import re
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from qgis.core import QgsProject, QgsRasterLayer
+from qgis.core import (
+    Qgis,
+    QgsCoordinateReferenceSystem,
+    QgsMapLayer,
+    QgsProject,
+    QgsRasterLayer,
+    QgsVectorLayer,
+    QgsWkbTypes,
+)
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import SeamInspectorError
+from ....imagery.grids import Extent, extents_meet
 from ....imagery.rasters import RasterRef
-from ....toolkit import layers as layers
+from ....toolkit import layers
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.widgets import single_shot
-from ....toolkit.translation import tr
+from ....toolkit.layers import box_extent, transformed_extent
+from ....toolkit.translation import filled, tr
+from ....toolkit.version_differences import ALPHA, PALETTE, band_roles
 from ... import jobs
 from ...measure.inputs.candidate_look import SourceCandidate
-from ...measure.inputs.raster_facts import Standing, Suitability, suitable_by_header
-from .raster_layers import facts_of, file_rasters
+from ...measure.inputs.raster_facts import (
+    COLOURS,
+    RasterFacts,
+    Standing,
+    Suitability,
+    likely_mosaic,
+    suitable_by_header,
+)
+from ...measure.scan.lines.seam_fields import seam_fields
+from ...tables.scan_layers import is_picture
+from ...tables.source_index import LOCATION_FIELD
+from .project_inputs import Inputs, load_inputs
+
+if TYPE_CHECKING:
+    from ..session import Session
 
 _TOGETHER_MS = 300  # layers that are added, and standings that are found, within this time are one change
 
@@ -118,3 +146,219 @@ def _ref(layer: object) -> RasterRef | None:
         return layers.layer_ref(layer)
     except SeamInspectorError:
         return None
+
+
+class Suggesting(QObject):
+    """Sets mosaic, sources and seamlines that the operator has not chosen."""
+
+    def __init__(self, session: Session, parent: QObject) -> None:
+        super().__init__(parent)
+        self._session = session
+        self.sources = SourceSuggestions(self)
+        """Which rasters are suggested, and why the others are not."""
+        self.sources.changed.connect(self.follow)
+        self._suggested: Sources = ()  # when it was looked last
+        self._mosaic = ""  # for which
+        self._set: Sources | None = None  # the very tuple that was set here: what others set is theirs, and stays
+        self.forget_choices()
+
+    def forget_choices(self) -> None:
+        """Another project, in which the operator has chosen nothing."""
+        self._is_mosaic_chosen = self._are_seamlines_chosen = False
+
+    def follow(self) -> None:
+        """Inputs, layers or suggestions may be others: sources that were set here become what is suggested now."""
+        inputs, project = self._session.inputs, QgsProject.instance()
+        is_same = inputs.mosaic == self._mosaic
+        self._note(inputs.mosaic)
+        if project.mapLayer(inputs.mosaic) is None or not is_same or not self._is_ours(inputs):
+            return
+        missing = tuple(source for source in inputs.sources if project.mapLayer(source) is None)
+        is_index_enough = not inputs.sources and bool(inputs.source_index)
+        if not is_index_enough and set(inputs.sources).difference(missing) != set(self._suggested):
+            self._set_inputs(replace(inputs, sources=(*missing, *self._suggested)))
+
+    def choose_mosaic(self, layer_id: str) -> None:
+        """The operator's choice. Another mosaic of the same block keeps its sources, a new block gets the suggested."""
+        inputs = self._session.inputs
+        if layer_id == inputs.mosaic:
+            return
+        self._is_mosaic_chosen = True
+        self._note(layer_id)
+        kept = tuple(source for source in inputs.sources if source != layer_id)
+        is_kept = not layer_id or bool(set(kept) & set(self._suggested))
+        chosen = replace(inputs, mosaic=layer_id, sources=kept if is_kept else self._suggested)
+        if is_kept and not self._is_ours(inputs):
+            self._session.set_inputs(chosen)
+        else:
+            self._set_inputs(chosen)
+        self.suggest_layers()
+
+    def choose_seamlines(self, layer_id: str) -> None:
+        """The operator's choice."""
+        self._are_seamlines_chosen = True
+        self._session.set_inputs(replace(self._session.inputs, seamlines=layer_id))
+
+    def take_suggested(self) -> None:
+        """The operator wants the suggested sources."""
+        self._note(self._session.inputs.mosaic)
+        self._set_inputs(replace(self._session.inputs, sources=self._suggested))
+
+    def suggest_layers(self) -> None:
+        """Mosaic and seamlines where the project has one candidate each, and the operator has said nothing of them."""
+        inputs = self._session.inputs
+        if load_inputs(QgsProject.instance()) != inputs:  # a project is just being read
+            return
+        found = inputs if self._is_mosaic_chosen else with_likely_mosaic(inputs)
+        if found.mosaic != inputs.mosaic:
+            self._note(found.mosaic)
+            found = replace(found, sources=self._suggested)
+            self._set = found.sources
+        if not self._are_seamlines_chosen:
+            found = with_likely_vectors(found)
+        if found != inputs:
+            self._session.set_inputs(found)
+
+    def _is_ours(self, inputs: Inputs) -> bool:
+        """By identity: the same sources set by the operator, the project or a script are theirs."""
+        return inputs.sources is self._set
+
+    def _set_inputs(self, inputs: Inputs) -> None:
+        self._set = inputs.sources
+        self._session.set_inputs(inputs)
+
+    def _note(self, mosaic_id: str) -> None:
+        self.sources.follow(mosaic_id)
+        self._suggested, self._mosaic = self.sources.suggested(), mosaic_id
+
+
+_SEAM_NAMES = re.compile(r"seam|cut_?line|mosai[ck]|nahtlinie|szwy|mozaik|graphe", re.IGNORECASE)
+_OF_RESULTS = {"kept_1", "verdict", "window_id", "ratio_1"}  # fields of what scans and inspections write
+
+
+def with_likely_mosaic(inputs: Inputs) -> Inputs:
+    """The mosaic where none is chosen: the one raster that others of the project are suitable sources of."""
+    if inputs.mosaic or inputs.sources:
+        return inputs
+    by_system: defaultdict[str, list[QgsRasterLayer]] = defaultdict(list)
+    for layer in file_rasters():
+        by_system[layer.crs().authid() or layer.crs().toWkt()].append(layer)
+    likely = (likely_mosaic(_facts_in_one_system(rasters)) for rasters in by_system.values() if len(rasters) > 2)
+    found = {name for name in likely if name is not None}
+    return replace(inputs, mosaic=found.pop()) if len(found) == 1 else inputs
+
+
+def _facts_in_one_system(rasters: list[QgsRasterLayer]) -> list[RasterFacts]:
+    return [replace(one, is_mosaic=False) for one in facts_of(rasters, rasters[0])]
+
+
+def with_likely_vectors(inputs: Inputs) -> Inputs:
+    """Seamlines, and without any source their index, where none is chosen and one layer on the mosaic looks like it."""
+    mosaic = QgsProject.instance().mapLayer(inputs.mosaic)
+    if not isinstance(mosaic, QgsRasterLayer):
+        return inputs
+    vectors = [one for one in QgsProject.instance().mapLayers().values() if isinstance(one, QgsVectorLayer)]
+    vectors = [one for one in vectors if one.isValid()]
+    if not inputs.seamlines:
+        lines = _on(mosaic, [one for one in vectors if _are_seams(one, QgsWkbTypes.GeometryType.LineGeometry)])
+        cells = _on(mosaic, [one for one in vectors if _are_seams(one, QgsWkbTypes.GeometryType.PolygonGeometry)])
+        inputs = replace(inputs, seamlines=_only(lines or cells))
+    if not inputs.source_index and not inputs.sources:
+        inputs = replace(inputs, source_index=_only(_on(mosaic, [one for one in vectors if _is_index(one)])))
+    return inputs
+
+
+def _only(found: list[QgsVectorLayer]) -> str:
+    return str(found[0].id()) if len(found) == 1 else ""
+
+
+def _on(mosaic: QgsRasterLayer, found: list[QgsVectorLayer]) -> list[QgsVectorLayer]:
+    return [one for one in found if _meets(one, mosaic)]
+
+
+def _is_index(layer: QgsVectorLayer) -> bool:
+    is_polygons = layer.geometryType() == QgsWkbTypes.GeometryType.PolygonGeometry
+    return is_polygons and LOCATION_FIELD in layer.fields().names()
+
+
+def _are_seams(layer: QgsVectorLayer, kind: QgsWkbTypes.GeometryType) -> bool:
+    """By its name or, of lines, by fields that say what lies on either side."""
+    names = layer.fields().names()
+    if layer.geometryType() != kind or _OF_RESULTS.intersection(names) or _is_index(layer):
+        return False
+    if _SEAM_NAMES.search(layer.name()):
+        return True
+    is_lines = kind == QgsWkbTypes.GeometryType.LineGeometry
+    return is_lines and bool(seam_fields([dict.fromkeys(names, "x")]).left)
+
+
+def _meets(layer: QgsVectorLayer, mosaic: QgsRasterLayer) -> bool:
+    box = layer.extent()
+    if box.isNull():
+        return False
+    try:
+        extent = transformed_extent(box_extent(box), layer.crs(), mosaic.crs(), QgsProject.instance())
+    except SeamInspectorError:
+        return False
+    return extents_meet(extent, box_extent(mosaic.extent()))
+
+
+_MOST_BANDS = 16  # whose roles are asked for
+
+
+def file_rasters() -> list[QgsRasterLayer]:
+    """The project's rasters that GDAL reads from files, by name; pictures of losses are none of them."""
+    found = filter(_is_file, QgsProject.instance().mapLayers().values())
+    return sorted(found, key=lambda layer: (layer.name().casefold(), layer.id()))
+
+
+def _is_file(layer: QgsMapLayer) -> bool:
+    is_raster = isinstance(layer, QgsRasterLayer) and layer.isValid() and layer.providerType() == "gdal"
+    return is_raster and not is_picture(layer)
+
+
+def facts_of(layers: Sequence[QgsRasterLayer], mosaic: QgsRasterLayer) -> list[RasterFacts]:
+    """Of some layers, seen from the mosaic; no file is opened for it."""
+    crs = mosaic.crs()
+    known: dict[str, bool] = {}
+    return [_facts(layer, mosaic, crs, known) for layer in layers]
+
+
+def _facts(
+    layer: QgsRasterLayer, mosaic: QgsRasterLayer, crs: QgsCoordinateReferenceSystem, known: dict[str, bool]
+) -> RasterFacts:
+    own = layer.crs()
+    name = own.authid() or own.toWkt()
+    same = known.setdefault(name, own == crs)
+    extent = box_extent(layer.extent()) if same else _extent_on(layer, crs)
+    size = 0.0
+    if extent is not None and layer.width() and layer.height():
+        size = ((extent[2] - extent[0]) * (extent[3] - extent[1]) / (layer.width() * layer.height())) ** 0.5
+    return RasterFacts(
+        layer.id(), layer.name(), extent if size > 0 else None, size or 1.0, _bands(layer), _pixel_type(layer), same,
+        layer.id() == mosaic.id() or layer.source() == mosaic.source(),
+    )
+
+
+def _extent_on(layer: QgsRasterLayer, crs: QgsCoordinateReferenceSystem) -> Extent | None:
+    if not layer.crs().isValid() or not crs.isValid():
+        return None
+    try:
+        return transformed_extent(box_extent(layer.extent()), layer.crs(), crs, QgsProject.instance())
+    except SeamInspectorError:
+        return None
+
+
+def _bands(layer: QgsRasterLayer) -> int:
+    """Those that hold measurements."""
+    roles = band_roles(layer, _MOST_BANDS)
+    if roles == [PALETTE] and layer.dataProvider().colorTable(1):
+        return COLOURS
+    return int(layer.bandCount()) - roles.count(ALPHA)
+
+
+def _pixel_type(layer: QgsRasterLayer) -> str:
+    provider = layer.dataProvider()
+    kind, bits = provider.dataType(1), 8 * provider.dataTypeSize(1)
+    is_float = kind in (Qgis.DataType.Float32, Qgis.DataType.Float64)
+    return tr("floating point") if is_float else filled(tr("{bits} bit"), bits=bits)

@@ -1,23 +1,38 @@
 """Where detail was lost, on the map: the button and key that show it, its pictures, and the chart's distances."""
 from __future__ import annotations
 
+import time
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from qgis.gui import QgisInterface
+from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY
+from qgis.gui import QgisInterface, QgsMapCanvas
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QObject, Qt
-from qgis.PyQt.QtGui import QIcon, QKeySequence
-from qgis.PyQt.QtWidgets import QAction
+from qgis.PyQt.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QIcon, QImage, QKeySequence, QPainter, QPaintEvent
+from qgis.PyQt.QtWidgets import QAction, QWidget
 
+from ....imagery.grids import Grid, PixelWindow
+from ....toolkit.desk.widgets import single_shot
+from ....toolkit.layers import transformed_point
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
-from .loss_overlay import LossOverlay
-from .profile_on_map import ProfileOnMap
+from ...loss_colours import LOSS_OPACITY, loss_legend, loss_rgba
+from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 if TYPE_CHECKING:
     from ..profile.profile_panel import ProfilePanel
     from ..session import Session
+if TYPE_CHECKING:
+    from ...measure.window.window_result import WindowResult
+    from ...measure.window_records import WindowRecord
+    from ..session import Session
+if TYPE_CHECKING:
+    import numpy as np
 
+    from ...measure.profile.seam_profile import ProfileBin
+    from ...measure.window.window_result import WindowResult
+    from ..session import Session
 
 class LostDetail(QObject):
     """Owns all of it until ``close``."""
@@ -50,3 +65,287 @@ class LostDetail(QObject):
             self._window.removeAction(self.action)
         self.profile.close()
         self.overlay.close()
+
+
+_TOGETHER_MS = 100  # windows that come within this time are painted once
+_SLICE_S = 0.05  # of reading results, which of thousands of windows are in a file; then the operator has a turn
+
+
+@dataclass(frozen=True)
+class _Picture:
+    """Of one window's result."""
+
+    of: tuple[object, ...]
+    """What was measured in the window, as its row says."""
+    image: QImage | None
+    """None where nothing is to be painted."""
+    window: PixelWindow | None
+    cell_px: int
+    """Side of an image's pixel, in pixels of the mosaic; 0 where the loss can't be told."""
+
+
+class LossOverlay(QObject):
+    """Follows the session; owns all that it puts on the canvas until ``close``."""
+
+    def __init__(self, canvas: QgsMapCanvas, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session = session
+        self._overlay = PictureOverlay(canvas, opacity=LOSS_OPACITY)
+        self._legend = LossLegend(canvas)
+        self._pictures: dict[int, _Picture] = {}  # by window number
+        self._timer = single_shot(self, self._refresh, _TOGETHER_MS)
+        self._next_slice = single_shot(self, self._refresh)
+        session.resultArrived.connect(self._forget)
+        self._signals = (session.resultArrived, session.windowsChanged, session.inputsChanged)
+        for signal in self._signals:
+            signal.connect(self._refresh_soon)
+        session.loss_view.changed.connect(self._refresh)
+
+    @property
+    def pictures(self) -> tuple[PlacedPicture, ...]:
+        """What lies over the map."""
+        return self._overlay.pictures
+
+    def close(self) -> None:
+        """Take all off the canvas and follow the session no more."""
+        for signal in self._signals:
+            signal.disconnect(self._refresh_soon)
+        self._session.resultArrived.disconnect(self._forget)
+        self._session.loss_view.changed.disconnect(self._refresh)
+        self._timer.stop()
+        self._next_slice.stop()
+        self._overlay.close()
+        self._legend.close_legend()
+
+    def _refresh_soon(self, *_: object) -> None:
+        if self._session.loss_view.is_shown and not self._timer.isActive():
+            self._timer.start()
+
+    def _forget(self, fid: int) -> None:
+        """The window was measured anew."""
+        row = self._session.row(fid)
+        if row is not None:
+            self._pictures.pop(row.window_id, None)
+
+    def _refresh(self, *_: object) -> None:
+        layer, grid = self._session.mosaic_layer(), self._session.mosaic_grid()
+        if not self._session.loss_view.is_shown or layer is None or grid is None:
+            self._pictures.clear()
+            self._overlay.hide()
+            self._legend.hide()
+            return
+        end, is_late = time.perf_counter() + _SLICE_S, False
+        found: dict[int, _Picture] = {}
+        for row in self._session.windows():
+            if row.stale:
+                continue
+            picture = self._pictures.get(row.window_id)
+            if picture is None or picture.of != row.measured:
+                result = self._session.result(row.fid) if not is_late else None
+                picture = _picture(row, result) if result is not None else None
+                # Only after one that was read, so that each slice gets further
+                is_late = is_late or (picture is not None and time.perf_counter() > end)
+            if picture is not None:
+                found[row.window_id] = picture
+        self._pictures = found
+        if is_late:
+            self._next_slice.start()
+        placed = [
+            _placed(one.image, one.window, one.cell_px, grid)
+            for one in found.values()
+            if one.image is not None and one.window is not None
+        ]
+        self._overlay.show(placed, QgsCoordinateReferenceSystem(layer.crs()))
+        self._legend.show_legend(any(one.cell_px for one in found.values()))
+
+
+def _picture(row: WindowRecord, result: WindowResult) -> _Picture:
+    """Where all is even, as in most windows of a sound mosaic, nothing is painted, and that costs no time."""
+    loss = result.loss
+    if loss is None:
+        return _Picture(row.measured, None, None, 0)
+    rgba = loss_rgba(loss.kept)
+    return _Picture(row.measured, rgba_image(rgba) if rgba[..., 3].any() else None, result.window, loss.cell_px)
+
+
+def placed_picture(result: WindowResult, image: QImage, grid: Grid, cell_px: int) -> PlacedPicture:
+    """Of a window that was measured: an image whose pixels are so many pixels of the mosaic, from its upper left."""
+    assert result.window is not None
+    return _placed(image, result.window, cell_px, grid)
+
+
+def _placed(image: QImage, window: PixelWindow, cell_px: int, grid: Grid) -> PlacedPicture:
+    whole = PixelWindow(window.column, window.row, cell_px * image.width(), cell_px * image.height())
+    return PlacedPicture(image, grid.window_extent(whole), grid.window_extent(window))
+
+
+_BACK, _TEXT = QColor(20, 20, 20, 215), QColor("#ffffff")
+_GROUND = QColor(128, 128, 128)  # beneath the colours, which are seen through
+
+
+class LossLegend(QWidget):
+    """In the lower right of the canvas; the mouse goes through it."""
+
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        super().__init__(canvas)  # not of its viewport, which scrolls its children
+        self._canvas = canvas
+        self._is_empty = False
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.hide()
+        canvas.installEventFilter(self)
+
+    def show_legend(self, has_pictures: bool) -> None:
+        """``has_pictures``: whether any window has one; else it is said that there is none yet."""
+        self._is_empty = not has_pictures
+        self._place()
+        self.show()
+        self.raise_()
+        self.update()
+
+    def close_legend(self) -> None:
+        """Off the canvas."""
+        if sip.isdeleted(self):
+            return
+        self._canvas.removeEventFilter(self)
+        self.hide()
+        self.setParent(None)
+        self.deleteLater()
+
+    def lines(self) -> list[str]:
+        """Title and entries."""
+        words = [tr("No picture yet: inspect windows")] if self._is_empty else [one for one, _ in loss_legend()]
+        return [tr("Detail kept (L hides it)"), *words]
+
+    def sizeHint(self) -> QSize:
+        line = self.fontMetrics().height()
+        widths = [self.fontMetrics().horizontalAdvance(one) for one in self.lines()]
+        across = max(widths[0], max(widths[1:]) + 1.8 * line) + line
+        return QSize(round(across), round((len(widths) * 1.15 + 0.7) * line))
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self._place()
+        return False
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        line = self.fontMetrics().height()
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(_BACK)
+        painter.drawRoundedRect(QRectF(self.rect()), line / 4, line / 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(_TEXT)
+        title, *words = self.lines()
+        painter.drawText(QPointF(line / 2, 1.2 * line), title)
+        for number, text in enumerate(words, 1):
+            base = (1.2 + 1.15 * number) * line
+            if not self._is_empty:
+                colour = QColor(*loss_legend()[number - 1][1])
+                colour.setAlphaF(LOSS_OPACITY * colour.alphaF())
+                swatch = QRectF(line / 2, base - 0.75 * line, 1.4 * line, 0.85 * line)
+                painter.fillRect(swatch, _GROUND)
+                painter.fillRect(swatch, colour)
+            painter.drawText(QPointF(line / 2 + (0 if self._is_empty else 1.8 * line), base), text)
+        painter.end()
+
+    def _place(self) -> None:
+        self.resize(self.sizeHint())
+        gap = self.fontMetrics().height() // 2
+        self.move(self._canvas.width() - self.width() - gap, self._canvas.height() - self.height() - gap)
+
+
+_MOST_SAMPLES = 512  # a side: a distance transform of more would hold up the interface
+_HIGHLIGHT = (0, 255, 255, 150)  # no colour of a loss, and seen on vegetation and on asphalt
+
+
+class ProfileOnMap(QObject):
+    """Owns what lies on the canvas until ``close``."""
+
+    distanceChanged = pyqtSignal(object)
+    """The distance from the seam, m, of the mouse on the map inside the window; None elsewhere."""
+
+    def __init__(self, canvas: QgsMapCanvas, session: Session, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._canvas, self._session = canvas, session
+        self._overlay = PictureOverlay(canvas, smooth=False, above=1.0)
+        self._result: WindowResult | None = None
+        self._distances: np.ndarray | None = None  # px, of squares of _side pixels
+        self._side = 1
+        self._told: float | None = None
+        canvas.xyCoordinates.connect(self._follow_mouse)
+
+    def close(self) -> None:
+        """Take all off the canvas and follow the mouse no more."""
+        self._canvas.xyCoordinates.disconnect(self._follow_mouse)
+        self._overlay.close()
+
+    def follow(self, result: WindowResult | None) -> None:
+        """The window whose profile is shown; None for none."""
+        if result is not self._result:
+            self._result, self._distances = result, None
+            self._overlay.hide()
+            self._tell(None)
+
+    def highlight(self, one: ProfileBin | None) -> None:
+        """Show the ground of a bin on the map; None: nothing."""
+        import numpy as np
+
+        layer, grid, result = self._session.mosaic_layer(), self._session.mosaic_grid(), self._result
+        distances = None if one is None else self._seam_distances()
+        if one is None or distances is None or layer is None or grid is None or result is None:
+            self._overlay.hide()
+            return
+        rgba = np.zeros((*distances.shape, 4), np.uint8)
+        rgba[(distances >= one.near_px) & (distances < one.far_px)] = _HIGHLIGHT
+        placed = placed_picture(result, rgba_image(rgba), grid, self._side)
+        self._overlay.show([placed], QgsCoordinateReferenceSystem(layer.crs()))
+
+    def distance_at(self, point: QgsPointXY) -> float | None:
+        """From the seam, m, of a point on the map; None outside the window."""
+        layer, grid, result = self._session.mosaic_layer(), self._session.mosaic_grid(), self._result
+        if layer is None or grid is None or result is None or result.window is None:
+            return None
+        place = transformed_point(point, self._canvas.mapSettings().destinationCrs(), layer.crs())
+        if place is None:
+            return None
+        column = (place.x() - grid.left) / grid.pixel_width - result.window.column
+        row = (grid.top - place.y()) / grid.pixel_height - result.window.row
+        if not (0 <= column < result.window.width and 0 <= row < result.window.height):
+            return None
+        distances = self._seam_distances()
+        if distances is None:
+            return None
+        rows, columns = distances.shape
+        away = distances[min(int(row / self._side), rows - 1), min(int(column / self._side), columns - 1)]
+        return float(away) * result.ground_sample_distance
+
+    def _seam_distances(self) -> np.ndarray | None:
+        """Of the followed window, (rows, columns) px; None without a seam."""
+        result = self._result
+        if self._distances is None and result is not None and result.loss is not None and len(result.loss.seam):
+            import numpy as np
+            from scipy import ndimage
+
+            from ...measure.profile.loss_picture import SAMPLE_PX
+
+            window = result.window
+            assert window is not None
+            step = 1
+            while max(window.width, window.height) / (step * SAMPLE_PX) > _MOST_SAMPLES:
+                step *= 2
+            self._side = step * SAMPLE_PX
+            seam = np.zeros((-(-window.height // self._side), -(-window.width // self._side)), bool)
+            seam[tuple(result.loss.seam.T // step)] = True
+            self._distances = self._side * ndimage.distance_transform_edt(~seam)
+        return self._distances
+
+    def _follow_mouse(self, point: QgsPointXY) -> None:
+        if self._result is not None:
+            self._tell(self.distance_at(point))
+
+    def _tell(self, distance: float | None) -> None:
+        if distance != self._told:
+            self._told = distance
+            self.distanceChanged.emit(distance)

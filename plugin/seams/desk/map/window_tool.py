@@ -1,10 +1,12 @@
 """The map tool that places windows: click for a standard one, drag for a rectangle."""
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsPointXY, QgsRectangle
+from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle, QgsVectorLayer
 from qgis.gui import QgsMapCanvas, QgsMapMouseEvent
 from qgis.PyQt.QtCore import QEvent, QObject, QPoint, Qt
 from qgis.PyQt.QtGui import QKeyEvent
@@ -15,12 +17,13 @@ from ....imagery.errors import SeamInspectorError, WindowError
 from ....imagery.grids import Extent, Grid, PixelWindow, snap_window, standard_window
 from ....toolkit.desk.tool_dock import DrawingTool, is_drag
 from ....toolkit.layers import transformed_point
-from ....toolkit.translation import filled, sentence, tr
+from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
+from ...measure.inputs.valid_cells import is_mosaic_enough
 from ...measure.placing.window_sides import window_side_px
+from ...measure.window_records import WindowRecord
+from .window_coverage import Coverage
 from .window_outline import OutlineTone, WindowOutline
-from .window_under import window_under
-from .window_words import described, direction, is_near, metres_apart, middle
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
@@ -285,3 +288,73 @@ def drawn_extent(grid: Grid, anchor: Point, end: Point, is_square: bool) -> Exte
     first_column = column if across > 0 else column - columns
     first_row = row if down > 0 else row - rows
     return grid.window_extent(PixelWindow(first_column, first_row, columns, rows))
+
+
+def window_under(
+    windows: Iterable[WindowRecord], layer: QgsVectorLayer, point: QgsPointXY, crs: QgsCoordinateReferenceSystem
+) -> WindowRecord | None:
+    """The window of a layer under a point; of several the one whose middle is nearest. None where there is none."""
+    here = transformed_point(point, crs, layer.crs())
+    if here is None:
+        return None
+    found = [row for row in windows if _holds(row, here.x(), here.y())]
+    return min(found, key=lambda row: _distance(row, here.x(), here.y()), default=None)
+
+
+def _holds(row: WindowRecord, x: float, y: float) -> bool:
+    if row.extent is None:
+        return False
+    xmin, ymin, xmax, ymax = row.extent
+    return xmin <= x <= xmax and ymin <= y <= ymax
+
+
+def _distance(row: WindowRecord, x: float, y: float) -> float:
+    assert row.extent is not None
+    xmin, ymin, xmax, ymax = row.extent
+    return ((xmin + xmax) / 2 - x) ** 2 + ((ymin + ymax) / 2 - y) ** 2
+
+
+def described(grid: Grid, window: PixelWindow, coverage: Coverage) -> str:
+    """``102.4 x 102.4 m, 1024 x 1024 px, 3 sources``; less while less is known."""
+    width, height = window.width * grid.pixel_width * grid.metres_x, window.height * grid.pixel_height * grid.metres_y
+    size = tr("{width} x {height} m, {columns} x {rows} px")
+    spans = {"width": shown_metres(width), "height": shown_metres(height)}
+    parts = [filled(size, **spans, columns=window.width, rows=window.height)]
+    few = {0: tr("no source has pixels there"), 1: tr("1 source")}
+    counted = few.get(coverage.sources) or filled(tr("{count} sources"), count=coverage.sources)
+    if not coverage.unread:
+        parts.append(counted)
+    elif coverage.sources:
+        parts.append(filled(tr("{counted} or more"), counted=counted))
+    if coverage.missing is not None and not is_mosaic_enough(1 - coverage.missing):
+        share = tr("{share:.0f} % of the mosaic is empty there") if coverage.missing >= 0.01 else tr(
+            "{share:.1f} % of the mosaic is empty there")
+        parts.append(filled(share, share=100 * coverage.missing))
+    return ", ".join(parts)
+
+
+def metres_apart(grid: Grid, one: PixelWindow, other: PixelWindow) -> float:
+    """Between two windows of one size."""
+    across = (other.column - one.column) * grid.pixel_width * grid.metres_x
+    return math.hypot(across, (other.row - one.row) * grid.pixel_height * grid.metres_y)
+
+
+def is_near(one: PixelWindow, other: PixelWindow) -> bool:
+    """Whether two windows of one size overlap or touch."""
+    return abs(other.column - one.column) <= one.width and abs(other.row - one.row) <= one.height
+
+
+def direction(one: PixelWindow, other: PixelWindow) -> str:
+    """Where another window lies, in words."""
+    words = (
+        tr("east"), tr("north-east"), tr("north"), tr("north-west"), tr("west"), tr("south-west"), tr("south"),
+        tr("south-east"),
+    )
+    turn = math.atan2(one.row - other.row, other.column - one.column)
+    return words[round(turn / (math.pi / 4)) % 8]
+
+
+def middle(grid: Grid, window: PixelWindow) -> tuple[float, float]:
+    """The point of the map in the middle of a window."""
+    xmin, ymin, xmax, ymax = grid.window_extent(window)
+    return (xmin + xmax) / 2, (ymin + ymax) / 2

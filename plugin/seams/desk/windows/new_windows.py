@@ -26,9 +26,9 @@ from ...measure import messages
 from ...measure.inspection import Block
 from ...measure.placing.window_placing import Placement
 from ...tables import window_layer
+from .. import messages as keeping_messages
 from ..inputs.block_cache import BlockCache
-from ..keeping import messages as keeping_messages
-from ..keeping.moving import home_of
+from ..keeping import home_of
 from .window_watch import WindowWatch
 
 _PLACING = "placing"

@@ -25,8 +25,7 @@ from ...measure import messages
 from ...measure.causes import Cause
 from ...tables.window_fields import in_filter
 from ...verdict_words import VERDICTS, observer_word, verdict_word
-from .more_columns import JUDGING_COLUMNS, all_columns
-from .windows_columns import columns_of
+from .window_columns import JUDGING_COLUMNS, all_columns, columns_of
 
 if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord

@@ -18,9 +18,8 @@ from ...measure.window.measured_window import MeasureWindow, measure_window
 from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
 from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
-from ..keeping.keeping import Keeping
-from .window_versions import Version
-from .window_watch import WindowWatch
+from ..keeping import Keeping
+from .window_watch import Version, WindowWatch
 
 MOST_HELD = 500
 """Results in memory, of 30 to 150 kB each; others are read from the file beside the layer when somebody asks."""
@@ -59,7 +58,7 @@ class WindowResults(QObject):
         self._uses: dict[int, SourceUse] = {}  # of all windows that have a result
         self._clips: dict[int, WindowClips] = {}  # of windows whose results are still to come
         self._versions: dict[int, Version] = {}  # of the results
-        self._unwritten: dict[int, tuple[WindowResult, Version]] = {}
+        self._unwritten: dict[int, WindowResult] = {}
         self._waiting: dict[int, Version] = {}
         self._writer = single_shot(self, self.write, _WRITE_MS)
         background.progressChanged.connect(self._progress)
@@ -71,9 +70,9 @@ class WindowResults(QObject):
             self._results[window_id] = found = self._results.pop(window_id)
             return found
         row = None if window_id in self._waiting else self._watch.numbered(window_id)
-        kept = self._keeping.result(row) if row is not None else None
-        if kept is not None:
-            self._hold(window_id, kept)
+        if row is None or (file := self._keeping.results) is None or (kept := file.result(row)) is None:
+            return None
+        self._hold(window_id, kept)
         return kept
 
     def source_uses(self) -> list[SourceUse]:
@@ -121,15 +120,15 @@ class WindowResults(QObject):
             return
         self._unwritten = {}
         try:
-            fids = {number: self._watch.fid(number) for number in unwritten}
-            found = {fid: unwritten[number][0] for number, fid in fids.items() if fid is not None}
+            rows = map(self._watch.numbered, unwritten)
+            found = {row.fid: unwritten[row.window_id] for row in rows if row is not None}
             if found:
                 window_layer.write_results(layer, found)
         except SeamInspectorError as error:
             self._background.stop()
             self.failed.emit(error.message)
             return
-        self._watch.note_measured({number: version for number, (_, version) in unwritten.items()})
+        self._watch.note_measured({number: self._versions[number] for number in unwritten})
 
     def forget(self) -> None:
         """They are of a layer that is followed no more."""
@@ -150,39 +149,42 @@ class WindowResults(QObject):
         number = result.window_id
         if isinstance(result, WindowClips):
             self._clips[number] = result
-            if (fid := self._watch.fid(number)) is not None:
-                self.curvesArrived.emit(fid)
+            if (row := self._watch.numbered(number)) is not None:
+                self.curvesArrived.emit(row.fid)
             return
         self._clips.pop(number, None)
         self._versions[number] = asked[number]
-        self._unwritten[number] = result, asked[number]
-        self._keeping.keep_result(result)
+        self._unwritten[number] = result
+        if (file := self._keeping.results) is not None:
+            file.keep(result)
         self._hold(number, result)
         if self._waiting.get(number) == asked[number]:
             del self._waiting[number]
         if not self._writer.isActive():
             self._writer.start()
-        if (fid := self._watch.fid(number)) is not None:
-            self.arrived.emit(fid)
+        if (row := self._watch.numbered(number)) is not None:
+            self.arrived.emit(row.fid)
 
     def _hold(self, number: int, result: WindowResult) -> None:
         """As the last that was asked for; the first ones go, unless they would be lost."""
         self._results.pop(number, None)
         self._results[number], self._uses[number] = result, source_use(result)
+        if (file := self._keeping.results) is None:
+            return
         for other in list(islice(self._results, max(len(self._results) - MOST_HELD, 0))):
-            if other not in self._unwritten and self._keeping.holds_result(other):
+            if other not in self._unwritten and file.holds(other):
                 del self._results[other]
 
     def _bring_back(self) -> None:
         """What undo and redo bring back comes without what was not written by a step of theirs."""
         for row in self._watch.take_bereft():
-            number = row.window_id
+            number, file = row.window_id, self._keeping.results
             version = self._versions.get(number)
             if version is None or version.extent != row.extent or self.is_pending(number):
                 continue
-            result = self._results.get(number) or self._keeping.last_result(number)
+            result = self._results.get(number) or (file.last(number) if file is not None else None)
             if result is not None:
-                self._unwritten[number] = result, version
+                self._unwritten[number] = result
         if self._unwritten and not self._writer.isActive():
             self._writer.start()
 

@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING, Any
 from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
 from qgis.PyQt.QtGui import QFont, QIcon
 
-from .more_columns import all_columns, used_columns
-from .verdict_chips import verdict_chip
-from .windows_columns import ALIGNED_LEFT, WINDOW_ID, TableColumn, columns_of
+from .window_columns import ALIGNED_LEFT, WINDOW_ID, TableColumn, all_columns, columns_of, used_columns, verdict_chip
 
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult

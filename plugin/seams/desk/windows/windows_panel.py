@@ -1,39 +1,47 @@
 """The windows as a sortable, filterable table whose selection is the window layer's."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import csv
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from qgis.core import QgsApplication
 from qgis.gui import QgsFilterLineEdit
-from qgis.PyQt.QtCore import QItemSelectionModel, QModelIndex, QPoint, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QItemSelectionModel, QLocale, QModelIndex, QPoint, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
+    QAction,
     QApplication,
     QFileDialog,
     QHBoxLayout,
     QLabel,
+    QMenu,
     QVBoxLayout,
     QWidget,
 )
 
+from ....imagery.atomic_files import replacing
+from ....imagery.errors import cell_text
 from ....imagery.messages import system_reason
-from ....imagery.statistics import Operator
+from ....imagery.statistics import INVISIBLE, UNSURE, VISIBLE, Operator
 from ....toolkit.desk.message_bar import bar_level
 from ....toolkit.desk.widgets import is_confirmed, single_shot
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
-from ..judging.window_orders import TABLE, WindowOrder
-from .filter_boxes import KindBox, OrderBox
-from .rows_menu import rows_menu
-from .table_export import copied_rows, write_csv
+from .filter_boxes import TABLE, KindBox, OrderBox, WindowOrder
+from .window_columns import TableColumn
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
 from .windows_table import WindowsTable
 
 if TYPE_CHECKING:
     from ..session import Session
+if TYPE_CHECKING:
+    from ...measure.window_records import WindowRecord
 
 _WIDE_LETTERS = 60  # the count of windows has room beside the search
 _TYPED_MS = 500  # without a letter: what is searched for stands
@@ -308,3 +316,87 @@ class WindowsPanel(QWidget):
         layout.addWidget(self._problem)
         layout.addWidget(self.table, 1)
         self.setFocusProxy(self.table)
+
+
+def rows_menu(
+    parent: QWidget,
+    *,
+    zoom: Callable[[], None],
+    inspect: Callable[[], None],
+    judge: Callable[[str], None],
+    copy: Callable[[], None],
+    save_csv: Callable[[], None],
+    remove: Callable[[], None],
+) -> QMenu:
+    """The menu of the selected rows. Its shortcuts are only told there: the table takes the keys itself."""
+    menu = QMenu(parent)
+    menu.setToolTipsVisible(True)
+    for entry in (
+        (tr("Zoom to window"), "mActionZoomToSelected", zoom,
+         tr("Shows the window with one image pixel on 2 x 2 pixels of the screen."), Qt.Key.Key_Return),
+        (tr("Inspect again"), "mActionRefresh", inspect, tr("Measures the selected windows anew."), None),
+        None,
+        (tr("Judge visible"), "mActionShowAllLayers", partial(judge, VISIBLE),
+         tr("The loss of detail can be seen at 2x magnification."), None),
+        (tr("Judge invisible"), "mActionHideAllLayers", partial(judge, INVISIBLE),
+         tr("The loss of detail can't be seen at 2x magnification."), None),
+        (tr("Judge not sure"), "mActionHelpContents", partial(judge, UNSURE),
+         tr("It can't be said. The window counts as not judged in all results."), None),
+        (tr("Take judgement back"), "mActionUndo", partial(judge, ""),
+         tr("The selected windows are not judged yet."), None),
+        None,
+        (tr("Copy rows"), "mActionEditCopy", copy,
+         tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),
+        (tr("Save as CSV ..."), "mActionFileSaveAs", save_csv,
+         tr("All windows that are shown, with all of their numbers."), None),
+        None,
+        (tr("Remove"), "mActionDeleteSelected", remove,
+         tr("Removes the selected windows; undo brings them back."), Qt.Key.Key_Delete),
+    ):
+        if entry is None:
+            menu.addSeparator()
+            continue
+        text, icon, slot, tip, key = entry
+        action = QAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text, menu)
+        action.setToolTip(tip)
+        if key is not None:
+            action.setShortcut(QKeySequence(key))
+            action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+        action.triggered.connect(slot if not isinstance(slot, partial) else partial(_without_state, slot))
+        menu.addAction(action)
+    return menu
+
+
+def _without_state(slot: Callable[[], None], _checked: bool = False) -> None:
+    slot()
+
+
+def copied_rows(columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) -> str:
+    """As they are read in the table, tab separated, headings first."""
+    lines = [[column.title() for column in columns], *([column.text(row) for column in columns] for row in rows)]
+    return "\n".join("\t".join(cell_text(" ".join(cell.split())) for cell in line) for line in lines)
+
+
+def write_csv(path: Path, columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) -> None:
+    """All digits of the numbers, as the operator's spreadsheet reads them; fields for headings.
+
+    Where the decimal point is a comma, columns are separated by semicolons. Raises OSError.
+    """
+    comma = QLocale().decimalPoint() == ","
+    encoding = "utf-8-sig"  # by its mark a spreadsheet knows it
+    with replacing(path) as unfinished, unfinished.open("w", encoding=encoding, newline="") as file:
+        writer = csv.writer(file, delimiter=";" if comma else ",")
+        writer.writerow(column.field for column in columns)
+        for row in rows:
+            writer.writerow(_cell(column, row, comma) for column in columns)
+
+
+def _cell(column: TableColumn, row: WindowRecord, comma: bool) -> str:
+    value = getattr(row, column.field, None)
+    if value is None or isinstance(value, (tuple, str)):
+        value = column.key(row) if not isinstance(value, str) else value
+        if not isinstance(value, (int, float, str)):
+            return ""
+    if isinstance(value, str):
+        return cell_text(value)
+    return str(value).replace(".", ",") if comma and isinstance(value, float) else str(value)

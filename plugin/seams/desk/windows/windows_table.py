@@ -9,9 +9,17 @@ from qgis.PyQt.QtGui import QFontMetrics, QKeyEvent, QKeySequence, QPainter, QPa
 from qgis.PyQt.QtWidgets import QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
 
 from ....toolkit.desk.theme import ReadableItems, readable_palette
-from .column_choice import ColumnChoice, columns_menu, load_choice, save_choice
-from .column_widths import ColumnChoosing, ColumnMeter, choose_columns, shared_room
-from .windows_columns import TableColumn
+from .column_room import (
+    ColumnChoice,
+    ColumnChoosing,
+    ColumnMeter,
+    choose_columns,
+    columns_menu,
+    load_choice,
+    save_choice,
+    shared_room,
+)
+from .window_columns import TableColumn
 from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
 

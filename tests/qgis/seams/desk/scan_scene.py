@@ -9,7 +9,7 @@ import numpy as np
 from qgis.core import QgsProject, QgsRasterLayer
 from scipy import ndimage
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
-from seam_inspector.plugin.seams.desk.scan.mosaic_scans import MosaicScans
+from seam_inspector.plugin.seams.desk.mosaic_scans import MosaicScans
 from seam_inspector.plugin.seams.desk.session import Session
 from seam_inspector.plugin.seams.measure import messages
 

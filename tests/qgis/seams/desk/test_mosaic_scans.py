@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsApplication, QgsProject
-from seam_inspector.plugin.seams.desk.scan import mosaic_scans
-from seam_inspector.plugin.seams.desk.scan.mosaic_scans import scan_sentence
+from seam_inspector.plugin.seams.desk import mosaic_scans as mosaic_scans
+from seam_inspector.plugin.seams.desk.mosaic_scans import scan_sentence
 from seam_inspector.plugin.seams.scan_job import ScanDone, ScanFiles
 from seam_inspector.plugin.seams.scan_words import time_left
 

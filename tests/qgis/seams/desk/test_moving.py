@@ -13,7 +13,7 @@ from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle, wait_
 @pytest.fixture
 def unsaved(desk: Desk, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Desk:
     """A desk in a project without a file or folder."""
-    monkeypatch.setattr("seam_inspector.plugin.seams.desk.keeping.moving.unsaved_folder", lambda: tmp_path)
+    monkeypatch.setattr("seam_inspector.plugin.seams.desk.keeping.unsaved_folder", lambda: tmp_path)
     desk.project.setPresetHomePath("")
     return desk
 

@@ -7,8 +7,8 @@ import pytest
 from qgis.core import QgsApplication, QgsVectorLayer
 from qgis.PyQt.QtCore import QEventLoop
 from seam_inspector.plugin.seams.desk.curves.curves_selection import selected_windows
-from seam_inspector.plugin.seams.desk.judging.judge_bar import JudgeBar
-from seam_inspector.plugin.seams.desk.judging.judging import Judging
+from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging import Judging
 
 from tests.qgis.runs import run
 from tests.qgis.scenes import BLURRED, SHARP, layer, outline, pixel_box, windows

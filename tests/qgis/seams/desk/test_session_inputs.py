@@ -15,7 +15,7 @@ from seam_inspector.plugin.imagery.errors import RasterError, SettingsError
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
-from seam_inspector.plugin.seams.desk.inputs import block_files
+from seam_inspector.plugin.seams.desk.inputs import block_cache as block_files
 from seam_inspector.plugin.seams.desk.inputs.inputs_panel import InputsPanel
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
 from seam_inspector.plugin.seams.desk.session import Session

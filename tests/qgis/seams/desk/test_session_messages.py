@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from qgis.core import Qgis, QgsVectorLayer
+from seam_inspector.plugin.seams.desk.windows.window_watch import Version
 
 from tests.qgis.runs import assert_sentence
 from tests.qgis.scenes import BLURRED, SHARP, layer, windows
@@ -120,8 +121,9 @@ def test_two_thousand_windows_are_no_burden(desk: Desk) -> None:
     assert desk.rows()[1000].verdict
     result = desk.session.result(1000)
     assert result is not None
-    place = desk.rows()[1001].extent, desk.session._watch.state
-    desk.session._results._unwritten = {1001: (replace(result, window_id=1001), place)}
+    place = Version(desk.rows()[1001].extent, desk.session._watch.state)
+    desk.session._results._unwritten = {1001: replace(result, window_id=1001)}
+    desk.session._results._versions = {1001: place}
     writing = calls_of(desk.session._results.write)
     assert desk.session.row(1001).verdict  # type: ignore[union-attr]
     assert max(judging, asking, writing) < 6000  # three calls for each of the windows

@@ -10,9 +10,9 @@ from qgis.core import QgsVectorLayer
 from qgis.PyQt.QtCore import QObject
 from seam_inspector.plugin.seams.desk.images.window_pictures import WindowPictures
 from seam_inspector.plugin.seams.desk.inputs.block_cache import BlockCache
-from seam_inspector.plugin.seams.desk.inputs.inputs_watch import InputsWatch
-from seam_inspector.plugin.seams.desk.judging.judge_bar import JudgeBar
-from seam_inspector.plugin.seams.desk.judging.judging import Judging
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import InputsWatch
+from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging import Judging
 from seam_inspector.plugin.seams.desk.session import Session
 from seam_inspector.plugin.seams.desk.windows.new_windows import NewWindows
 from seam_inspector.plugin.seams.desk.windows.window_results import WindowResults

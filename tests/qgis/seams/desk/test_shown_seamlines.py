@@ -4,7 +4,7 @@ from __future__ import annotations
 from types import SimpleNamespace
 
 from qgis.core import QgsProject
-from seam_inspector.plugin.seams.desk.map.shown_seamlines import toggle_seamlines
+from seam_inspector.plugin.seams.desk.judging_desk import toggle_seamlines
 
 from tests.qgis.scenes import layer, line
 

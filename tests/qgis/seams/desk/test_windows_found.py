@@ -8,7 +8,7 @@ import pytest
 from qgis.core import Qgis
 from qgis.gui import QgsMessageBar
 from qgis.PyQt.QtWidgets import QPushButton
-from seam_inspector.plugin.seams.desk.keeping.found_message import FoundMessage
+from seam_inspector.plugin.seams.desk.dock import FoundMessage
 
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle, wait_until
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from qgis.core import QgsApplication
-from seam_inspector.plugin.seams.desk.judging.window_orders import worst_first
+from seam_inspector.plugin.seams.desk.windows.filter_boxes import worst_first
 from seam_inspector.plugin.seams.desk.windows.windows_model import WindowsModel
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 

@@ -9,7 +9,7 @@ import pytest
 from qgis.PyQt.QtCore import QLocale, QPoint, Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QStyleOptionViewItem
-from seam_inspector.plugin.seams.desk.windows.windows_columns import WINDOW_ID
+from seam_inspector.plugin.seams.desk.windows.window_columns import WINDOW_ID
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession, filter_to, window

@@ -5,8 +5,8 @@ from collections.abc import Iterator
 
 import pytest
 from qgis.core import QgsProject
-from seam_inspector.plugin.seams.desk.judging.judge_bar import JudgeBar
-from seam_inspector.plugin.seams.desk.judging.judging import Judging
+from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging import Judging
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.windows_session import Show, WindowsSession

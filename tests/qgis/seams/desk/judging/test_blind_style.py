@@ -4,7 +4,7 @@ from __future__ import annotations
 import pytest
 from qgis.core import QgsProject, QgsRenderContext, QgsVectorLayer
 from seam_inspector.plugin.imagery.statistics import FIRST, SECOND
-from seam_inspector.plugin.seams.desk.judging.blind_style import hide_verdicts, show_verdicts
+from seam_inspector.plugin.seams.desk.judging_desk import hide_verdicts, show_verdicts
 from seam_inspector.plugin.toolkit.resources import style_path
 
 from tests.qgis.scenes import BLURRED, SHARP, windows

@@ -5,8 +5,8 @@ import pytest
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication
-from seam_inspector.plugin.seams.desk.judging.judge_bar import JudgeBar
-from seam_inspector.plugin.seams.desk.judging.judging import Judging
+from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging import Judging
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from seam_inspector.plugin.toolkit.translation import percent
 

@@ -25,7 +25,7 @@ from qgis.PyQt.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
-from seam_inspector.plugin.seams.desk.judging.judge_keys import JudgeKeys
+from seam_inspector.plugin.seams.desk.judging_desk import JudgeKeys
 
 from tests.qgis.seams.desk.windows_session import Show
 

@@ -6,11 +6,10 @@ from dataclasses import replace
 import pytest
 from qgis.core import QgsProject
 from qgis.PyQt.QtCore import Qt
-from seam_inspector.plugin.seams.desk.judging.agreement_box import agreement_of, agreement_sentences
-from seam_inspector.plugin.seams.desk.judging.judge_bar import JudgeBar
-from seam_inspector.plugin.seams.desk.judging.judging import Judging
-from seam_inspector.plugin.seams.desk.judging.judging_settings import JudgingSettings, load_judging, save_judging
-from seam_inspector.plugin.seams.desk.judging.window_orders import ORDERS, order_named
+from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
+from seam_inspector.plugin.seams.desk.judging import Judging, JudgingSettings, load_judging, save_judging
+from seam_inspector.plugin.seams.desk.judging_desk import agreement_of, agreement_sentences
+from seam_inspector.plugin.seams.desk.windows.filter_boxes import ORDERS, order_named
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 
 from tests.qgis.seams.desk.judging.conftest import Asked

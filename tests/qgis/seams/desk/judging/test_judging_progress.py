@@ -5,7 +5,7 @@ import random
 from dataclasses import replace
 
 from seam_inspector.plugin.imagery.statistics import FIRST, SECOND
-from seam_inspector.plugin.seams.desk.judging.judging_progress import JudgingProgress, JudgingTally
+from seam_inspector.plugin.seams.desk.judging import JudgingProgress, JudgingTally
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 

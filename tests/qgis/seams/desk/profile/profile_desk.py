@@ -9,7 +9,7 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsCoordinateTransform, QgsP
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
-from seam_inspector.plugin.seams.desk.loss_view import LossView
+from seam_inspector.plugin.seams.desk.session import LossView
 from seam_inspector.plugin.seams.measure.inspection import WindowResult
 from seam_inspector.plugin.seams.measure.live.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture

@@ -10,11 +10,9 @@ from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtWidgets import QApplication
-from seam_inspector.plugin.seams.desk.map import loss_overlay
-from seam_inspector.plugin.seams.desk.map.loss_legend import LossLegend
-from seam_inspector.plugin.seams.desk.map.loss_overlay import LossOverlay
+from seam_inspector.plugin.seams.desk.map import lost_detail as loss_overlay
+from seam_inspector.plugin.seams.desk.map.lost_detail import LossLegend, LossOverlay, ProfileOnMap
 from seam_inspector.plugin.seams.desk.map.picture_overlay import PictureOverlay, PlacedPicture, rgba_image
-from seam_inspector.plugin.seams.desk.map.profile_on_map import ProfileOnMap
 
 from tests.qgis.scenes import PIXEL
 from tests.qgis.seams.desk.profile.profile_desk import (

@@ -1,7 +1,7 @@
 """What a user can be told of how windows and what was measured in them are kept."""
 from __future__ import annotations
 
-from ....imagery.errors import INFO, WARNING, Message
+from ...imagery.errors import INFO, WARNING, Message
 
 WINDOWS_NOT_SAVED = Message(
     "The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that "

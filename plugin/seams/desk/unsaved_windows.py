@@ -1,4 +1,4 @@
-"""What was changed in a window layer and is not saved in it yet, on disk at once.
+"""What was changed in a window layer and is not saved in it yet, on disk at once; and how it comes back.
 
 QGIS keeps changes in memory until the operator saves the layer, and saving empties undo; so they are written into a
 file beside the layer's own, window by window, which goes when the layer is saved or rolled back. What such a file holds
@@ -7,20 +7,26 @@ when a layer is opened is what a QGIS left that ended without either.
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable
+from typing import Any, Callable
 
 from osgeo import ogr
-from qgis.core import QgsFeature, QgsFeatureRequest, QgsProject, QgsVectorLayer
+from qgis.core import QgsFeature, QgsFeatureRequest, QgsGeometry, QgsProject, QgsVectorLayer, QgsVectorLayerUtils
 from qgis.PyQt.QtCore import QObject, pyqtBoundSignal, pyqtSignal
 
-from ....imagery.errors import SettingsError
-from ....imagery.gdal_calls import gdal_silenced
-from ....imagery.record_store import RecordKeeper, RecordStore
-from ....toolkit.desk.widgets import single_shot
-from ....toolkit.table_fields import whole_number
-from .restoring import UnsavedWindow, kept_values
+from ...imagery.errors import SettingsError, WindowLayerError
+from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.record_store import RecordKeeper, RecordStore
+from ...imagery.statistics import JUDGING_FIELDS
+from ...toolkit import messages as toolkit_messages
+from ...toolkit.desk.widgets import single_shot
+from ...toolkit.layer_editing import edit_step
+from ...toolkit.table_fields import is_known, whole_number
+from ...toolkit.translation import tr
+from .windows.window_watch import WindowWatch
 
 _KIND = "Seam Inspector: windows not saved yet, 3"
 _AT_ONCE = 25  # windows read and written in one step, some ms
@@ -28,6 +34,21 @@ _PATIENCE_S = 0.04  # with a disk that is busy
 _NUMBER = "window_id"
 _LARGEST = 2**63
 _OWNER, _NOBODY = "project", b"\0"
+_KEPT = (bool, int, float, str)
+_PRIMARY_KEY = "fid"  # of a GeoPackage, which gives it itself
+
+
+@dataclass(frozen=True)
+class UnsavedWindow:
+    """A window as it was."""
+
+    number: int
+    wkb: bytes | None
+    """Its outline; None when it was removed."""
+    values: Mapping[str, Any]
+    """By the fields' names, those that had one."""
+    is_stale: bool = False
+    """Whether its result was outdated."""
 
 
 class UnsavedWindows(QObject):
@@ -64,11 +85,6 @@ class UnsavedWindows(QObject):
         if layer.isModified():
             self._touch_all()
 
-    @property
-    def layer(self) -> QgsVectorLayer:
-        """What it follows."""
-        return self._layer
-
     def left(self) -> list[UnsavedWindow]:
         """What a QGIS left that ended without saving."""
         held = self._keeper.all()
@@ -89,12 +105,6 @@ class UnsavedWindows(QObject):
             with suppress(TypeError, RuntimeError):  # the layer is gone already
                 signal.disconnect(slot)
         self._keeper.close()
-
-    def flush(self) -> None:
-        """Wait until all is written."""
-        while self._touched:
-            self._write()
-        self._keeper.flush()
 
     def _touch(self, fid: int, *_: object) -> None:
         if not self._is_saving:
@@ -129,12 +139,10 @@ class UnsavedWindows(QObject):
 
     def _read_numbers(self) -> None:
         index = self._layer.fields().indexOf(_NUMBER)
-        if index < 0:
-            self._numbers = {}
-            return
         request = QgsFeatureRequest().setFlags(QgsFeatureRequest.Flag.NoGeometry).setSubsetOfAttributes([index])
-        numbers = ((one.id(), whole_number(one.attribute(index))) for one in self._layer.getFeatures(request))
-        self._numbers = {fid: number for fid, number in numbers if number is not None}
+        features = self._layer.getFeatures(request) if index >= 0 else ()
+        numbers = {feature.id(): whole_number(feature.attribute(index)) for feature in features}
+        self._numbers = {fid: number for fid, number in numbers.items() if number is not None}
 
     def _write(self) -> None:
         """In the keeper's thread, some ms later on the disk; only the next action waits for that."""
@@ -149,7 +157,8 @@ class UnsavedWindows(QObject):
                 self._keep(UnsavedWindow(before, None, {}))
             if feature is not None and number is not None:
                 self._numbers[fid] = number
-                self._keep(_window(number, feature, self._is_stale(self._layer, number)))
+                wkb, is_stale = bytes(feature.geometry().asWkb()), self._is_stale(self._layer, number)
+                self._keep(UnsavedWindow(number, wkb, kept_values(feature), is_stale))
         if self._touched:
             self._writer.start()
 
@@ -184,10 +193,6 @@ def _number_of(feature: QgsFeature) -> int | None:
     return whole_number(feature.attribute(index)) if index >= 0 else None
 
 
-def _window(number: int, feature: QgsFeature, is_stale: bool) -> UnsavedWindow:
-    return UnsavedWindow(number, bytes(feature.geometry().asWkb()), kept_values(feature), is_stale)
-
-
 def _read(payload: bytes) -> UnsavedWindow | None:
     try:
         held = json.loads(payload)
@@ -212,3 +217,54 @@ def _is_shape(wkb: bytes) -> bool:
 def _is_plain(value: object) -> bool:
     """Whether a field can hold it."""
     return type(value) in (bool, float, str) or (type(value) is int and abs(value) < _LARGEST)
+
+
+def restore(watch: WindowWatch, windows: Sequence[UnsavedWindow], levels: int) -> int:
+    """How many windows are other ones now. Raises WindowLayerError when the layer can't be edited."""
+    layer = watch.layer
+    assert layer is not None
+    there = {row.window_id: layer.getFeature(row.fid) for row in watch.rows()}
+    other = [one for one in windows if _is_other(one, there.get(one.number))]
+    if not other:
+        return 0
+    judging = {name for one in other for name in one.values if name in JUDGING_FIELDS}
+    with edit_step(layer, tr("Restore windows")):
+        watch.prepare([], levels, judging)
+        fids = {row.window_id: row.fid for row in watch.rows()}
+        layer.deleteFeatures([fids[one.number] for one in other if one.wkb is None])
+        for one in other:
+            if one.wkb is not None:
+                _bring_back(layer, fids.get(one.number), one)
+    watch.mark_stale([one.number for one in other if one.is_stale])
+    return len(other)
+
+
+def _is_other(window: UnsavedWindow, feature: QgsFeature | None) -> bool:
+    if feature is None or window.wkb is None:
+        return (feature is None) != (window.wkb is None)
+    return bytes(feature.geometry().asWkb()) != window.wkb or kept_values(feature) != dict(window.values)
+
+
+def kept_values(feature: QgsFeature) -> dict[str, Any]:
+    """By the fields' names: numbers and texts, as windows have them."""
+    named = zip(feature.fields().names(), feature.attributes())
+    return {name: value for name, value in named if type(value) in _KEPT and name != _PRIMARY_KEY}
+
+
+def _bring_back(layer: QgsVectorLayer, fid: int | None, window: UnsavedWindow) -> None:
+    outline = QgsGeometry()
+    outline.fromWkb(window.wkb)
+    fields = layer.fields()
+    values = {index: value for name, value in window.values.items() if (index := fields.indexOf(name)) >= 0}
+    if fid is None:
+        if not layer.addFeature(QgsVectorLayerUtils.createFeature(layer, outline, values)):
+            raise WindowLayerError(toolkit_messages.WINDOW_LAYER_READ_ONLY(name=layer.name()))
+        return
+    feature = layer.getFeature(fid)
+    if bytes(feature.geometry().asWkb()) != window.wkb:
+        layer.changeGeometry(fid, outline)
+    for index, held in enumerate(feature.attributes()):
+        value = values.get(index)
+        is_kept = fields.at(index).name() != _PRIMARY_KEY and (type(held) in _KEPT or not is_known(held))
+        if is_kept and (held if is_known(held) else None) != value:
+            layer.changeAttributeValue(fid, index, value)

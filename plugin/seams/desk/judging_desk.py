@@ -1,0 +1,358 @@
+"""Puts judging together: the model, its bar and keys, the table that follows it, and what is hidden while blind."""
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
+from typing import TYPE_CHECKING
+
+from qgis.core import (
+    QgsFillSymbol,
+    QgsLayerTreeNode,
+    QgsPalLayerSettings,
+    QgsProject,
+    QgsRuleBasedRenderer,
+    QgsSimpleLineSymbolLayer,
+    QgsTextBufferSettings,
+    QgsTextFormat,
+    QgsVectorLayer,
+    QgsVectorLayerSimpleLabeling,
+)
+from qgis.gui import QgsLayerTreeView, QgsMapCanvas, QgsMapTool
+from qgis.PyQt import sip
+from qgis.PyQt.QtCore import QEvent, QObject, Qt
+from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtWidgets import QApplication, QMessageBox, QToolBar, QWidget
+
+from ...imagery.statistics import Agreement, Operator, agreement
+from ...toolkit.desk.keyboard import FocusFilter, is_keyboard_free
+from ...toolkit.desk.widgets import is_confirmed
+from ...toolkit.translation import filled, percent, shown_number, tr
+from .judge_bar import JudgeBar
+from .judging import Judging
+from .mosaic_scans import worst_layer
+from .windows.windows_panel import WindowsPanel
+
+if TYPE_CHECKING:
+    from .session import Session
+if TYPE_CHECKING:
+    from ..measure.window_records import WindowRecord
+if TYPE_CHECKING:
+    from .session import Session
+
+_NUMBER = "window_id"  # the one column that tells nothing
+
+
+class JudgingDesk(QObject):
+    """``model`` and ``bar`` are for the dock to use."""
+
+    def __init__(
+        self, session: Session, windows: WindowsPanel, canvas: QgsMapCanvas, main_window: QWidget, dock: QWidget
+    ) -> None:
+        super().__init__(dock)
+        self._session = session
+        self._windows = windows
+        self._canvas = canvas
+        self._dock = dock
+        self._hidden: QgsVectorLayer | None = None  # the layer whose verdicts are hidden
+        self.model = Judging(session, windows.ordered_fids, partial(is_confirmed, dock), self)
+        self.bar = JudgeBar(session, self.model)
+        self._keys = JudgeKeys(dock, main_window, self._is_editing)
+        keys = self.bar.keys()
+        keys[Qt.Key.Key_S] = partial(toggle_seamlines, session)
+        self._keys.set_keys(keys, self.bar.REPEATING_KEYS)
+        self.model.changed.connect(self._follow)
+        self.bar.agreementAsked.connect(self.show_agreement)
+        windows.orderChanged.connect(self.bar.refresh)
+        windows.orderChosen.connect(self._choose_order)
+        windows.filterChosen.connect(self._keep_filter)
+        windows.judged.connect(self._judge)
+        session.inputsChanged.connect(self._hide_on_map)
+        session.loss_view.changed.connect(self._hide_loss)
+        dock.installEventFilter(self)
+        self._follow()
+
+    def close(self) -> None:
+        """Leave nothing behind."""
+        self._dock.removeEventFilter(self)
+        self._keys.close()
+        self._show_on_map()
+        self.model.close()
+        self.bar.close()
+
+    def show_agreement(self) -> None:
+        """How well both operators agree, and where they do not when that is wanted."""
+        if ask_for_disagreements(agreement_of(self._session.windows()), self._dock):
+            self.model.change(order="operators")
+            self._windows.set_filter("", "operators_differ")
+
+    def eventFilter(self, _watched: QObject | None, event: QEvent | None) -> bool:
+        """Keys judge while the desk is in sight."""
+        if event is not None and event.type() in (QEvent.Type.Show, QEvent.Type.Hide):
+            self._keys.listen(event.type() == QEvent.Type.Show)
+        return False
+
+    def _follow(self) -> None:
+        """The operator, the order or what is hidden changed."""
+        model, settings = self.model, self.model.settings
+        self._windows.operator = model.operator
+        own = frozenset((_NUMBER, *model.operator)) if model.is_blind else None
+        self._windows.set_blind(own)
+        self._windows.set_filter(settings.search, settings.shown)
+        self._windows.show_order(model.order)
+        self._hide_loss()
+        self._hide_on_map()
+        self.bar.refresh()
+
+    def _choose_order(self, name: str) -> None:
+        self.model.change(order=name)
+
+    def _keep_filter(self) -> None:
+        search, shown = self._windows.filter()
+        self.model.change(search=search, shown=shown)
+
+    def _judge(self, word: str) -> None:
+        """From the table's menu."""
+        if word:
+            self.model.judge(word)
+        else:
+            self.model.take_back()
+
+    def _is_editing(self) -> bool:
+        """Whether a tool of QGIS is editing on the map: letters are its then."""
+        tool = self._canvas.mapTool()
+        return tool is not None and bool(tool.flags() & QgsMapTool.Flag.EditTool)
+
+    # What the map tells
+
+    def _hide_loss(self, *_: object) -> None:
+        if self.model.is_blind:
+            self._session.loss_view.show(False)
+
+    def _hide_on_map(self) -> None:
+        layer = self._session.window_layer()
+        if self._hidden is not None and (layer is not self._hidden or not self.model.is_blind):
+            self._show_on_map()
+        if self.model.is_blind and layer is not None:
+            self._hidden = layer
+            hide_verdicts(layer, self.model.operator)
+        elif layer is not None:
+            show_verdicts(layer)  # a project that was saved blind
+
+    def _show_on_map(self) -> None:
+        layer, self._hidden = self._hidden, None
+        if layer is not None and not sip.isdeleted(layer):
+            show_verdicts(layer)
+
+
+_KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
+_OURS = (QgsMapCanvas, QgsLayerTreeView, QToolBar)  # beside the desk and the main window itself
+_PLAIN = (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
+
+
+class JudgeKeys(QObject):
+    """Takes its keys before anybody else does, so that no shortcut of QGIS on the same key is ambiguous with them.
+
+    It listens while the desk is in sight. Keys stay with a text field that has the focus, with menus and dialogs, with
+    other docks, whose lists find a row by its letter, with other windows than QGIS's main one and the desk's, and with
+    a tool of QGIS that is editing on the map.
+    """
+
+    def __init__(self, desk: QWidget, main_window: QWidget, is_editing: Callable[[], bool]) -> None:
+        super().__init__(desk)
+        self._desk = desk
+        self._main_window = main_window
+        self._is_editing = is_editing
+        self._actions: Mapping[int, Callable[[], bool]] = {}
+        self._repeating: frozenset[int] = frozenset()
+        self._keyboard = FocusFilter(self)
+
+    def set_keys(self, actions: Mapping[int, Callable[[], bool]], repeating: frozenset[int]) -> None:
+        """What each key does; an action that has nothing to do says so by False, and the key is somebody else's then.
+
+        ``repeating``: keys that go on while they are held.
+        """
+        self._actions, self._repeating = actions, repeating
+
+    def listen(self, listening: bool) -> None:
+        """While the desk is in sight."""
+        self._keyboard.listen(listening)
+
+    def close(self) -> None:
+        """Listen no more."""
+        self.listen(False)
+
+    def eventFilter(self, _receiver: QObject | None, event: QEvent | None) -> bool:
+        if event is None or event.type() not in _KEYS:
+            return False
+        key = event.key()
+        if key not in self._actions or event.modifiers() not in _PLAIN or not self._is_free():
+            return False
+        if event.type() == QEvent.Type.ShortcutOverride:
+            event.accept()  # so that it comes as a key press and not as somebody's shortcut
+            return True
+        if event.isAutoRepeat() and key not in self._repeating:
+            return True
+        return self._actions[key]()
+
+    def _is_free(self) -> bool:
+        focus = QApplication.focusWidget()
+        window = focus.window() if focus is not None else QApplication.activeWindow()
+        is_ours = window in (self._main_window, self._desk.window()) and self._is_ours(focus)
+        return is_ours and is_keyboard_free() and not self._is_editing()
+
+    def _is_ours(self, focus: QWidget | None) -> bool:
+        """Whether nobody else's widget has the focus."""
+        if focus is None or focus is self._main_window:
+            return True
+        widget: QWidget | None = focus
+        while widget is not None and widget is not self._desk and not isinstance(widget, _OURS):
+            widget = widget.parentWidget()
+        return widget is not None
+
+
+_NAME = "seam_inspector_blind"  # of the layer's style; its user's own one is kept beside it
+_BEFORE = "seam_inspector/style"  # custom property of the layer: the style that is to come back
+_CASING, _LINE = ("0,0,0,150", 1.0), ("255,255,255", 0.6)  # colour and width, mm
+_DONE = ("255,255,255,150", 0.2)
+
+
+def hide_verdicts(layer: QgsVectorLayer, operator: Operator) -> None:
+    """Show a window layer without what was found in it, and without what the other operator said."""
+    styles = layer.styleManager()
+    if styles.currentStyle() != _NAME:
+        layer.setCustomProperty(_BEFORE, styles.currentStyle())
+        styles.removeStyle(_NAME)
+        styles.addStyleFromLayer(_NAME)
+        styles.setCurrentStyle(_NAME)
+    layer.setRenderer(_renderer(operator))
+    layer.setLabeling(_labels())
+    layer.setLabelsEnabled(True)
+    layer.setMapTipTemplate("")
+    layer.setDisplayExpression('"window_id"')
+    layer.triggerRepaint()
+
+
+def show_verdicts(layer: QgsVectorLayer) -> None:
+    """Give a window layer the style back that it had before."""
+    styles = layer.styleManager()
+    if _NAME not in styles.styles():
+        return
+    if styles.currentStyle() == _NAME:
+        others = [name for name in styles.styles() if name != _NAME]
+        before = layer.customProperty(_BEFORE, "")
+        styles.setCurrentStyle(before if before in others else others[0])
+    styles.removeStyle(_NAME)
+    layer.triggerRepaint()
+
+
+def _renderer(operator: Operator) -> QgsRuleBasedRenderer:
+    root = QgsRuleBasedRenderer.Rule(None)
+    done = QgsRuleBasedRenderer.Rule(_outline(_DONE))
+    done.setFilterExpression(f"coalesce(attribute('{operator.observer}'), '') <> ''")
+    done.setLabel(tr("judged"))
+    root.appendChild(done)
+    rest = QgsRuleBasedRenderer.Rule(_outline(_CASING, _LINE))
+    rest.setIsElse(True)
+    rest.setLabel(tr("to be judged"))
+    root.appendChild(rest)
+    return QgsRuleBasedRenderer(root)
+
+
+def _outline(*lines: tuple[str, float]) -> QgsFillSymbol:
+    """Of lines alone: QGIS fills even an empty polygon with the selection's colour, and hides what is to be judged."""
+    symbol = QgsFillSymbol.createSimple({})
+    for colour, mm in lines:
+        symbol.appendSymbolLayer(QgsSimpleLineSymbolLayer.create({"line_color": colour, "line_width": str(mm)}))
+    symbol.deleteSymbolLayer(0)
+    return symbol
+
+
+def _labels() -> QgsVectorLayerSimpleLabeling:
+    halo = QgsTextBufferSettings()
+    halo.setEnabled(True)
+    halo.setSize(0.8)
+    halo.setColor(QColor(0, 0, 0, 180))
+    text = QgsTextFormat()
+    text.setSize(9)
+    text.setColor(QColor("#ffffff"))
+    text.setBuffer(halo)
+    settings = QgsPalLayerSettings()
+    settings.fieldName = "window_id"
+    settings.setFormat(text)
+    return QgsVectorLayerSimpleLabeling(settings)
+
+
+_BANDS = ((0.2, "slight"), (0.4, "fair"), (0.6, "moderate"), (0.8, "substantial"))
+"""Landis and Koch 1977 (Biometrics 33, 159-174): up to each kappa."""
+
+
+def agreement_of(windows: Iterable[WindowRecord]) -> Agreement:
+    """Of both operators."""
+    return agreement([(row.observer, row.observer_2) for row in windows])
+
+
+def agreement_sentences(found: Agreement) -> list[str]:
+    """How often they agreed, and how much of that is not chance."""
+    if not found.count:
+        return [tr("No window was judged by both operators yet; who is not sure did not judge.")]
+    share = percent(found.agreed / found.count)
+    said = [
+        filled(tr("Both judged {count} windows and said the same of {agreed} ({percent} %)."),
+            count=found.count, agreed=found.agreed, percent=share
+        ),
+        filled(tr("Only the first saw a loss: {first}. Only the second: {second}."),
+            first=found.first_alone, second=found.second_alone
+        ),
+    ]
+    if found.kappa is None:
+        return [*said, tr("One of them said one word only, so agreement can't be told from chance.")]
+    kappa = tr("Cohen's kappa: {value} ({low} to {high} by 95 %), {word}.")
+    values = (shown_number(value) for value in (found.kappa.value, found.kappa.low, found.kappa.high))
+    value, low, high = values
+    return [*said, filled(kappa, value=value, low=low, high=high, word=_strength(found.kappa.value))]
+
+
+def _strength(kappa: float) -> str:
+    words = {
+        "slight": tr("slight agreement"), "fair": tr("fair agreement"), "moderate": tr("moderate agreement"),
+        "substantial": tr("substantial agreement"),
+    }  # fmt: skip
+    if kappa <= 0:
+        return tr("no more than chance")
+    return next((words[word] for most, word in _BANDS if kappa <= most), tr("almost perfect agreement"))
+
+
+def ask_for_disagreements(found: Agreement, parent: QWidget) -> bool:
+    """Tell the agreement; whether the operator wants to see the windows where they disagree."""
+    box = QMessageBox(QMessageBox.Icon.Information, tr("Agreement of both operators"), "", parent=parent)
+    box.setText("\n\n".join(agreement_sentences(found)))
+    show = None
+    if found.count > found.agreed:
+        show = box.addButton(tr("Show where they differ"), QMessageBox.ButtonRole.ActionRole)
+    box.addButton(QMessageBox.StandardButton.Close)
+    box.exec()
+    return show is not None and box.clickedButton() is show
+
+
+def toggle_seamlines(session: Session) -> bool:
+    """Take the seamlines and what a scan found off the map, or put them on it again; False where there are none."""
+    nodes = list(_covering(session))
+    is_shown = any(node.isVisible() for node in nodes)
+    for node in nodes:
+        if is_shown:
+            node.setItemVisibilityChecked(False)
+        else:
+            node.setItemVisibilityCheckedParentRecursive(True)
+    return bool(nodes)
+
+
+def _covering(session: Session) -> Iterator[QgsLayerTreeNode]:
+    """The seamlines, and the group that the last scan of the mosaic left."""
+    project = QgsProject.instance()
+    root = project.layerTreeRoot()
+    if (seamlines := root.findLayer(session.inputs.seamlines)) is not None:
+        yield seamlines
+    worst = worst_layer(project, session.inputs.mosaic)
+    node = None if worst is None else root.findLayer(worst.id())
+    if node is not None and node.parent() not in (None, root):
+        yield node.parent()
