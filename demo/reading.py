@@ -20,7 +20,7 @@ from seam_inspector.plugin.imagery import limits as imagery_limits
 from seam_inspector.plugin.imagery.clips import read_clip
 from seam_inspector.plugin.seams.charts.curve_chart import draw_curves
 from seam_inspector.plugin.seams.charts.window_curves import window_curves
-from seam_inspector.plugin.seams.loss_colours import LOSS_OPACITY, loss_rgba
+from seam_inspector.plugin.seams.words import LOSS_OPACITY, loss_rgba
 
 from demo import block
 from demo.findings import Profile, ProfilePoint

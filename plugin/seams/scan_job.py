@@ -1,4 +1,4 @@
-"""The scan of a whole mosaic as a job of the desk: news on the way, and what it left in the end."""
+"""The scan of a whole mosaic as a job of the desk: news and a picture on the way, and what it left in the end."""
 from __future__ import annotations
 
 import os
@@ -10,18 +10,95 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Callable
 
+import numpy as np
+
+from ..imagery import messages as imagery_messages
 from ..imagery.errors import Message
+from ..imagery.gdal_calls import gdal_writing
 from ..imagery.rasters import Raster
 from ..toolkit.background_tasks import Cancelled, Job
+from ..toolkit.translation import filled, tr
+from .measure.profile.ground import grounds
+from .measure.scan.blocks.block_grid import BLOCK_PX
+from .measure.scan.blocks.scan_block import BlockScan
 from .measure.scan.inputs.scan_request import ScanRequest, scan_request
 from .measure.scan.lines.given_seams import given_seams
 from .measure.scan.lines.seam_features import SeamFeature
 from .measure.scan.results.gathering import ScanResult
+from .measure.scan.results.loss_raster import BANDS, NODATA, created_cells, loss_cells
 from .measure.scan.scan_settings import ScanSettings
 from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
 from .measure.source_images import Source
-from .scan_picture import PictureSoFar
-from .tables.scan_file import write_scan_file
+from .tables.scan_layers import write_scan_file
+
+_MINUTE_S, _HOUR_S = 60, 3600
+
+
+def time_left(seconds: float) -> str:
+    """As precise as it can be told."""
+    if seconds < _MINUTE_S:
+        return tr("less than a minute left")
+    if seconds < 1.5 * _HOUR_S:
+        return filled(tr("some {count} min left"), count=round(seconds / _MINUTE_S))
+    return filled(tr("some {count} h left"), count=round(seconds / _HOUR_S))
+
+
+MOST_CELLS = 16_000_000  # of the picture, so that it is drawn in a moment, without overviews
+_LARGEST_CELL_PX = 256
+_FLUSH_S = 0.5
+
+
+class PictureSoFar:
+    """kept_1 of each block by its own ground; the final one knows the ground of neighbours, too.
+
+    Uncompressed and whole from the start, so that whoever reads it meanwhile finds every pixel in its place.
+    """
+
+    def __init__(self, path: Path, mosaic: Raster, cell_px: int) -> None:
+        """Makes the file, or makes it anew. Raises RasterError where none can be."""
+        while mosaic.columns * mosaic.rows > MOST_CELLS * cell_px**2 and cell_px < _LARGEST_CELL_PX:
+            cell_px *= 2
+        self._cell_px, self._side = cell_px, BLOCK_PX // cell_px
+        self._failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
+        dataset = created_cells(str(path), mosaic, cell_px, BANDS[:1], self._failure)
+        with gdal_writing(self._failure):
+            dataset.GetRasterBand(1).Fill(NODATA)
+            dataset.FlushCache()
+        self.has_content = False
+        """Whether something was filled in."""
+        self._dataset, self._flushed = dataset, -_FLUSH_S  # so that the first block is seen at once
+
+    def add(self, scan: BlockScan) -> None:
+        """Fill in what was measured in a block. Raises RasterError when the disk is full."""
+        found = loss_cells(
+            scan, np.zeros(scan.labels.shape, np.int32), grounds(scan.cells), self._cell_px
+        )[0]
+        row, column = (one * self._side for one in scan.key)
+        dataset = self._dataset
+        width, height = (min(self._side, size - start) for size, start in (
+            (dataset.RasterXSize, column), (dataset.RasterYSize, row),
+        ))
+        found = found[:height, :width]
+        if not (found != NODATA).any():
+            return
+        with gdal_writing(self._failure):
+            before = dataset.GetRasterBand(1).ReadAsArray(column, row, width, height)
+            dataset.GetRasterBand(1).WriteArray(np.where(found != NODATA, found, before), column, row)
+            self.has_content = True
+            if time.monotonic() - self._flushed > _FLUSH_S:
+                self.flush()
+
+    def flush(self) -> None:
+        """Let others see what is there. Raises RasterError when the disk is full."""
+        with gdal_writing(self._failure):
+            self._dataset.FlushCache()
+        self._flushed = time.monotonic()
+
+    def close(self) -> None:
+        """Let go of the file; the last of it is written."""
+        self.flush()
+        self._dataset = None
+
 
 _NEWS_S = 0.2
 _AHEAD = 2  # blocks under way per thread

@@ -1,20 +1,190 @@
-"""What was found in a window, in plain words: how much detail is left, and which step of production explains it."""
+"""What was found in a window, in plain words: how much detail is left, and which step of production explains it.
+
+Also what the verdict was taken by, as a number that orders windows by their loss.
+"""
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
+from ..imagery.limits import MAX_SIGNIFICANT_RATIO
 from ..toolkit.translation import filled, percent, shown_number, tr
-from .cause_words import cause_clause, judged_change
-from .judged_value import judged_kept
-from .measure.window_records import SEAM
-from .verdict_words import verdict_sentence, verdict_word
-from .what_happened import Happening, as_sentence, by_mixture, what_happened
+from .measure.causes import ALONG_THE_SEAM, Cause, causes_taken
+from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED
+from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
+from .measure.window_records import COMPOSITE, SEAM
+from .words import cause_clause, causes_words, judged_change, took_words, verdict_sentence, verdict_word
 
 if TYPE_CHECKING:
     from .measure.explanation import Explanation
     from .measure.window.window_result import WindowResult
     from .measure.window_records import WindowRecord
+
+
+def judged_value(row: WindowRecord) -> float | None:
+    """Relative to the standard limit of a significant loss, so the smaller the worse; None where there is none.
+
+    By the seam, the lesser of what is kept along it and of the sharpness of the whole.
+    """
+    if row.reference == SEAM:
+        kept = None if row.kept_1 is None else row.kept_1 / MAX_SIGNIFICANT_KEPT
+        sharpness = None if row.sharpness is None else row.sharpness**2 / MAX_SIGNIFICANT_SHARPNESS_SQUARED
+        return min((value for value in (kept, sharpness) if value is not None), default=None)
+    ratio = row.composite_ratio if row.reference == COMPOSITE else row.ratio
+    return None if ratio is None else ratio / MAX_SIGNIFICANT_RATIO
+
+
+def judged_kept(row: WindowRecord) -> float | None:
+    """kept_1 where the verdict was taken by it; None where the sharpness of the whole told the loss."""
+    if row.reference != SEAM or row.kept_1 is None or row.kept_high is None:
+        return None
+    sharpness_squared = 1.0 if row.sharpness is None else row.sharpness**2
+    by_sharpness = {
+        "significant": row.kept_high >= 1 or sharpness_squared <= MAX_SIGNIFICANT_SHARPNESS_SQUARED,
+        "reduced": row.kept_high >= 1,
+        "preserved": False,
+    }
+    return None if by_sharpness.get(row.verdict, True) else row.kept_1
+
+
+def judged_words(row: WindowRecord) -> list[str]:
+    """Each number that the verdict looks at; empty where nothing was measured."""
+    if row.reference == SEAM:
+        return [*_kept_words(row), *_number_words(tr("sharpness 1: {value:.2f}"), row.sharpness)]
+    composite = _number_words(tr("composite: {value:.2f}"), row.composite_ratio)
+    return [*_number_words(tr("ratio 1: {value:.2f}"), row.ratio), *composite]
+
+
+def _kept_words(row: WindowRecord) -> list[str]:
+    if row.kept_1 is None:
+        return []
+    if row.kept_low is None or row.kept_high is None:
+        return _number_words(tr("kept 1: {value:.2f}"), row.kept_1)
+    text = tr("kept 1: {value:.2f} ({low:.2f} to {high:.2f})")
+    return [filled(text, value=row.kept_1, low=row.kept_low, high=row.kept_high)]
+
+
+def _number_words(text: str, value: float | None) -> list[str]:
+    return [] if value is None else [filled(text, value=value)]
+
+
+_TOLD_BEFORE = ("", Cause.NONE, Cause.MISSING_SOURCE)  # no sentence of their own beside the seam's
+_LEAST_WIDTH_M = 0.05  # less is 0.0 m
+_LEAST_TAKEN = 0.005  # of the window's finest detail
+_MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
+
+
+class Happening(NamedTuple):
+    """What is said of the causes of a window that is judged by its seam."""
+
+    along_the_seam: str
+    """What took detail there, to go on a sentence with; empty for nothing."""
+    in_the_whole: str
+    """A sentence on what took detail all over the window, and how much; empty where that is not known."""
+    besides: str
+    """A sentence on the rest; empty for none."""
+
+
+def what_happened(row: WindowRecord, found: Explanation | None) -> Happening:
+    """``found``: the explanation behind what the row holds; None where that is not at hand."""
+    left = [cause for cause in (row.causes or row.cause).split("; ") if cause not in _TOLD_BEFORE]
+    main = left[0] if left else ""
+    at_seam = [cause for cause in left if cause in ALONG_THE_SEAM or _is_softened_seam(cause, found)]
+    seam = _seam_clause(at_seam, row, _is_endless(found)) + _mixing_alone(found) if at_seam else ""
+    taken = {} if found is None else {cause.value: share for cause, share in causes_taken(found.evidence)}
+    took = [
+        (cause, words) for cause in left
+        if cause not in at_seam and taken.get(cause, 0) >= _LEAST_TAKEN and (words := took_words(cause, taken[cause]))
+    ]
+    by_seam = sum(taken.get(cause, 0) for cause in at_seam)
+    whole = _in_the_whole([words for _, words in took], by_seam, row.sharpness or 0.0) if took else ""
+    rest = [cause for cause in left if cause not in at_seam and cause not in [one for one, _ in took]]
+    return Happening(seam, whole, _besides(rest, found, main in rest or not (seam or whole)))
+
+
+def as_sentence(clause: str) -> list[str]:
+    """A clause that stands alone."""
+    return [f"{clause[:1].upper()}{clause[1:]}."] if clause else []
+
+
+def by_mixture(found: Explanation | None) -> list[str]:
+    """That what is kept was told by the images' mixture alone, and why."""
+    profile = None if found is None else found.profile
+    if profile is None or profile.measure is not Measure.MIXTURE:
+        return []
+    if profile.by_energy is None:
+        return [tr("This is told by the mixture of the images, as there is too little unmixed ground around.")]
+    if profile.added_beside >= _MUCH_ADDED:
+        return [tr("This is told by the mixture of the images, as other detail was added along the seam.")]
+    return [tr("This is told by the mixture of the images, as the ground around is mixed too.")]
+
+
+def _in_the_whole(took: list[str], by_seam: float, sharpness: float) -> str:
+    """What is left in all of the window and what took the rest, of the energy of detail; sharpness is its root."""
+    if by_seam >= _LEAST_TAKEN:
+        took = [*took, filled(tr("the seam took {value} %"), value=percent(by_seam))]
+    text = tr("In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.")
+    return filled(text, left=percent(sharpness**2), sharpness=percent(sharpness), took=", ".join(took))
+
+
+def _is_softened_seam(cause: str, found: Explanation | None) -> bool:
+    return cause == Cause.BLUR and found is not None and found.evidence.is_smoothed_seam
+
+
+def _is_endless(found: Explanation | None) -> bool:
+    """Whether a feather does not end as far as one is looked for."""
+    profile = None if found is None else found.profile
+    return profile is not None and (profile.feather_width_px or 0.0) >= WIDEST_FEATHER_PX
+
+
+def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
+    """What took detail there; whether images fit is told of those that are mixed."""
+    metres = row.feather_width or 0.0
+    width = shown_number(metres, 1) if metres >= _LEAST_WIDTH_M else ""
+    if width and is_endless:
+        width = filled(tr("more than {width}"), width=width)
+    apart = shown_number(row.misfit, 1) if Cause.MISREGISTRATION in causes and row.misfit is not None else ""
+    if Cause.BLUR in causes:
+        text = tr("it is softened along the seam")
+    elif Cause.OTHER_MIXTURE in causes:
+        text = tr("images are mixed by another rule than weights")
+        if width:
+            text = tr("images are mixed over {width} m by another rule than weights")
+        if apart:
+            text = tr("images {apart} px apart are mixed by another rule than weights")
+    elif Cause.FEATHERING in causes and apart:
+        text = tr("images {apart} px apart are feathered over {width} m") if width else tr(
+            "images {apart} px apart are feathered"
+        )
+        if causes[0] == Cause.MISREGISTRATION:
+            text += tr(", and most of that is their misfit")
+    elif Cause.FEATHERING in causes:
+        text = tr("images are feathered over {width} m") if width else tr("images are feathered")
+    else:
+        return cause_clause(Cause.MISREGISTRATION, None, False) if not apart else filled(
+            tr("images lie {value} px apart where they meet"), value=apart
+        )
+    return filled(text, width=width, apart=apart)
+
+
+def _mixing_alone(found: Explanation | None) -> str:
+    """What the mixture would leave where the mosaic has less."""
+    profile = None if found is None else found.profile
+    if profile is None or profile.measure is not Measure.ENERGY or (profile.by_mixture or 0) <= profile.high:
+        return ""
+    return filled(tr(", where mixing alone would leave {percent} %"), percent=percent(profile.by_mixture or 0))
+
+
+def _besides(causes: list[str], found: Explanation | None, has_main: bool) -> str:
+    """``has_main``: whether the first of them is told in a clause of its own."""
+    if not causes:
+        return ""
+    if not has_main:
+        return filled(tr("Besides: {others}."), others=causes_words("; ".join(causes)))
+    (main,) = as_sentence(cause_clause(causes[0], found, is_loss=False)) or [""]
+    others = causes_words("; ".join(causes[1:]))
+    return filled(tr("{cause}; besides: {others}."), cause=main[:-1], others=others) if others else main
+
 
 _APART = 0.05  # a ratio to the composite that differs by less from the one to the sources is not told beside it
 _AS_SHARP = 0.03  # of the sharpness: less is not told

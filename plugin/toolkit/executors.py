@@ -17,8 +17,6 @@ from . import messages
 
 if TYPE_CHECKING:
     from distributed import Client
-if TYPE_CHECKING:
-    from distributed import Client
 
 _ANSWER_SECONDS = 10
 _FORGET = f"""

@@ -112,7 +112,7 @@ def window_geometry(feature: QgsFeature, transform: QgsCoordinateTransform) -> Q
         raise WindowError(messages.WINDOW_EMPTY())
     if not geometry.isGeosValid():
         raise WindowError(messages.WINDOW_SELF_CROSSING())
-    return _transformed(geometry, transform)
+    return transformed(geometry, transform)
 
 
 def has_numbers(geometry: QgsGeometry) -> bool:
@@ -133,7 +133,7 @@ def outline_extent(feature: QgsFeature, transform: QgsCoordinateTransform | None
     geometry = feature.geometry()
     if geometry.isEmpty():
         return None
-    bounds = extent(geometry if transform is None else _transformed(QgsGeometry(geometry), transform))
+    bounds = extent(geometry if transform is None else transformed(QgsGeometry(geometry), transform))
     if not all(map(math.isfinite, bounds)):
         raise WindowError(messages.WINDOW_EMPTY())
     return bounds
@@ -149,7 +149,7 @@ def line_wkb(feature: QgsFeature, transform: QgsCoordinateTransform) -> bytes | 
     geometry = QgsGeometry(feature.geometry())
     if geometry.isNull() or geometry.isEmpty():
         return None
-    return bytes(_transformed(geometry, transform).asWkb())
+    return bytes(transformed(geometry, transform).asWkb())
 
 
 def transformed_extent(
@@ -158,10 +158,10 @@ def transformed_extent(
     """The bounding box of an extent in another reference system. Raises WindowError when there is none."""
     if crs == target:
         return bounds
-    return extent(_transformed(rectangle(bounds), QgsCoordinateTransform(crs, target, project.transformContext())))
+    return extent(transformed(rectangle(bounds), QgsCoordinateTransform(crs, target, project.transformContext())))
 
 
-def _transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) -> QgsGeometry:
+def transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) -> QgsGeometry:
     try:
         geometry.transform(transform)
     except QgsCsException:

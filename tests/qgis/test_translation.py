@@ -10,7 +10,7 @@ from seam_inspector.plugin.noise.noise_summary import VERDICT_WORDS
 from seam_inspector.plugin.photos.measure import messages as photos_messages
 from seam_inspector.plugin.seams.algorithms.inspectwindows import InspectWindows
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.verdict_words import VERDICTS
+from seam_inspector.plugin.seams.words import VERDICTS
 from seam_inspector.plugin.toolkit.translation import Translation, sentence, tr
 
 ENGLISH, POLISH = "Inspect windows", "Skontroluj okna"

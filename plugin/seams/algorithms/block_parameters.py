@@ -66,13 +66,13 @@ def _indexed_sources(run: Run, given: GivenSources, crs: QgsCoordinateReferenceS
     Raises SettingsError when the layer is no such index.
     """
     from ...toolkit import layers as layers
-    from ..tables import source_index
+    from ..tables.input_layers import indexed_sources
 
     if not run.parameters.get(common.SOURCE_INDEX):
         return []
     index = run.source(common.SOURCE_INDEX)
     transform = run.transform(index, crs)
-    return source_index.indexed_sources(layers.features(index), index.fields().names(), given.index_path, transform)
+    return indexed_sources(layers.features(index), index.fields().names(), given.index_path, transform)
 
 
 def given_block(run: Run, mosaic: Raster, given: GivenSources, cells: Iterable[Cell] = ()) -> Block:

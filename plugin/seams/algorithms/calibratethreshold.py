@@ -93,7 +93,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ..measure.threshold_calibration import calibrate
-        from ..tables import calibration_table
+        from ..tables.result_tables import calibration_features, calibration_fields
 
         run.check_chart()
         found = []
@@ -101,9 +101,9 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             most = float("inf") if verdicts.measure in _UNBOUNDED else _HIGHEST_RATIO
             found.append(calibrate(verdicts, most))
             run.tell(*found[-1].notices)
-        output, output_id = run.sink(OUTPUT, calibration_table.calibration_fields())
+        output, output_id = run.sink(OUTPUT, calibration_fields())
         for one in found:
-            run.write(output, calibration_table.calibration_features(one))
+            run.write(output, calibration_features(one))
         chart = run.save(common.CHART, lambda path: _save_chart(path, found))
         return {OUTPUT: output_id, **_numbers(found[0]), **chart}
 

@@ -26,7 +26,6 @@ from ...toolkit.translation import tr
 from ..measure import messages
 from ..measure.limits import MAX_SIGNIFICANT_KEPT
 from ..measure.window_records import REFERENCES
-from ..verdict_words import verdict_word
 from .block_parameters import check_sources, given_block, given_sources
 
 if TYPE_CHECKING:
@@ -153,6 +152,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ..measure.verdicts import Verdict
         from ..measure.window_runs import inspect_windows
         from ..tables import result_tables
+        from ..words import verdict_word
 
         settings = self._settings(run)
         settings.check()
@@ -210,7 +210,7 @@ class InspectWindows(SeamInspectorAlgorithm):
 
     def _cells(self, run: Run) -> list[Cell]:
         from ...toolkit import layers as layers
-        from ..tables import seam_cell_layer
+        from ..tables.input_layers import seam_cells
 
         if not run.parameters.get(CELLS):
             return []
@@ -218,7 +218,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         if "source" not in cells.fields().names():
             raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
         transform = run.transform(cells, layers.mosaic_crs(self._mosaic))
-        return seam_cell_layer.seam_cells(layers.features(cells), transform)
+        return seam_cells(layers.features(cells), transform)
 
     @staticmethod
     def _requests(drawn: WindowFeatures, block: Block, settings: InspectionSettings) -> Iterator[WindowRequest]:

@@ -28,7 +28,6 @@ from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import limits
 from ..measure.scan import messages
-from ..scan_words import time_left
 from .block_parameters import gathered_sources, given_sources
 
 if TYPE_CHECKING:
@@ -199,7 +198,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         """What the seamlines say; None without them."""
         from ...toolkit import layers as layers
         from ..measure.scan.lines.given_seams import given_seams
-        from ..tables.given_seam_layer import seam_features
+        from ..tables.input_layers import seam_features
 
         if not run.parameters.get(SEAMLINES):
             return None
@@ -213,6 +212,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
 
     def _scan_blocks(self, run: Run, scan: WholeScan) -> None:
         from ...toolkit.executors import open_executor
+        from ..scan_job import time_left
 
         told_at = time.monotonic()
         with open_executor(run.text(common.SCHEDULER)) as (executor, ahead):

@@ -14,7 +14,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ...imagery.statistics import DECIDED, OPERATORS, Operator
 from ...toolkit.project_settings import load_settings, save_settings
 from ...toolkit.translation import filled, tr
-from ..verdict_words import observer_word
+from ..words import observer_word
 from .windows.filter_boxes import WindowOrder, order_named
 
 if TYPE_CHECKING:

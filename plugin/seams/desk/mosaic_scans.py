@@ -31,8 +31,7 @@ from ...toolkit.layer_styles import load_style
 from ...toolkit.translation import filled, sentence, shown_number, tr
 from ..measure.scan import messages
 from ..measure.scan.whole_scan import JOURNAL_ENDING
-from ..scan_job import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job
-from ..scan_words import time_left
+from ..scan_job import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job, time_left
 from ..tables import scan_layers
 from ..tables.scan_layers import ScanLayer
 

@@ -9,13 +9,12 @@ from itertools import repeat
 from ...imagery.errors import Message
 from ...imagery.limits import judged_band
 from ...toolkit.translation import filled, formatted, percent, sentence, tr
-from ..cause_words import cause_sentence, cause_word
 from ..measure import messages
 from ..measure.inspection import Block
 from ..measure.profile.loss_picture import LossPicture
 from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, ProfileRecord, WindowRecord, contrast_of
-from ..verdict_words import observer_word, verdict_word
 from ..window_summary import LOSSES, by_the_paper, window_sentence
+from ..words import cause_sentence, cause_word, observer_word, verdict_word
 from .clip_parts import ClipJob, PartPicture, WindowParts, window_parts
 from .curve_pictures import CurveDrawer, curve_legend
 from .profile_picture import ProfilePicture, profile_picture

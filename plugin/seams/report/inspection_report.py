@@ -23,15 +23,13 @@ from ...toolkit.pages.how_measured import HowMeasured, each_raster, measured_ras
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import save_page, sentences_once
 from ...toolkit.translation import filled, shown_number, tr
-from ..cause_words import cause_sentence, cause_word
 from ..clip_pictures import bytes_picture
-from ..judged_value import judged_value, judged_words
-from ..loss_colours import loss_legend
 from ..measure import limits, messages
 from ..measure.inspection import Block
 from ..measure.profile.loss_picture import LossPicture
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
-from ..verdict_words import VERDICTS, verdict_colour, verdict_word
+from ..window_summary import judged_value, judged_words
+from ..words import VERDICTS, cause_sentence, cause_word, loss_legend, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, WindowSection, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
 from .profile_picture import HEIGHT, WIDTH

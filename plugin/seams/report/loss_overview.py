@@ -7,9 +7,9 @@ import numpy as np
 
 from ...imagery.grids import PixelWindow
 from ...toolkit.pages.picture_files import encoded
-from ..loss_colours import LOSS_OPACITY, loss_rgba
 from ..measure.inspection import Block, InspectionSettings, inspect_window, window_request
 from ..measure.profile.loss_picture import LossPicture
+from ..words import LOSS_OPACITY, loss_rgba
 
 _SIDE_PX = 300  # of the picture at most
 _QUALITY = 75

@@ -5,11 +5,9 @@ from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 
 from ...toolkit.translation import filled, shown_number, tr
-from ..cause_words import causes_words
-from ..judged_value import judged_words
 from ..measure.window_records import COMPOSITE, SEAM, CurveRecord, WindowRecord
-from ..verdict_words import observer_word, verdict_colour, verdict_word
-from ..window_summary import LOSSES
+from ..window_summary import LOSSES, judged_words
+from ..words import causes_words, observer_word, verdict_colour, verdict_word
 
 _ROLES = ("mosaic", "source", COMPOSITE)
 

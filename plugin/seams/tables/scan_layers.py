@@ -1,13 +1,28 @@
-"""What a scan found as rows of layers: its pieces of seam, the parts of its sources, its worst places."""
+"""What a scan found as rows of layers, in one GeoPackage: pieces of seam, parts of the sources, the worst places."""
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Callable
 
-from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsLineString, QgsRasterLayer, QgsWkbTypes
+from qgis.core import (
+    QgsCoordinateTransformContext,
+    QgsFeature,
+    QgsFeatureSink,
+    QgsFields,
+    QgsGeometry,
+    QgsLineString,
+    QgsRasterLayer,
+    QgsVectorFileWriter,
+    QgsWkbTypes,
+)
 
+from ...imagery import messages as imagery_messages
+from ...imagery.atomic_files import whole_file
+from ...imagery.errors import SettingsError
 from ...toolkit import layers as layers
+from ...toolkit.layers import mosaic_crs
 from ...toolkit.table_fields import column_features, column_fields, column_values, feature
 from ..measure.scan.results.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from .result_tables import PLACED_COLUMNS
@@ -80,3 +95,30 @@ SCAN_LAYERS = (WORST, SEAMS, CELLS)
 def is_picture(layer: QgsRasterLayer) -> bool:
     """Whether a raster is a picture of losses, which lies where its mosaic does, and is no source of it."""
     return layer.bandCount() > 0 and ": kept_1" in layer.bandName(1)
+
+
+def write_scan_file(path: Path, result: ScanResult, request: ScanRequest) -> None:
+    """Write the file, whole or not at all, with a table for each of ``SCAN_LAYERS``.
+
+    Raises SettingsError when it can't be written.
+    """
+    crs, writers = mosaic_crs(request.mosaic), QgsVectorFileWriter
+    with whole_file(path) as unfinished:
+        for layer in SCAN_LAYERS:
+            options = writers.SaveVectorOptions()
+            options.driverName, options.layerName, options.fileEncoding = "GPKG", layer.name, "UTF-8"
+            if unfinished.exists():
+                options.actionOnExistingFile = writers.ActionOnExistingFile.CreateOrOverwriteLayer
+            writer = writers.create(
+                str(unfinished), layer.fields(request.settings.levels), layer.geometry, crs,
+                QgsCoordinateTransformContext(), options,
+            )
+            failed = writer.hasError() != writers.WriterError.NoError
+            if not failed:
+                rows = layer.rows(result, request)
+                failed = not all(writer.addFeature(row, QgsFeatureSink.Flag.FastInsert) for row in rows)
+                failed = not writer.flushBuffer() or failed
+            error = writer.errorMessage()
+            del writer  # closes the file
+            if failed:
+                raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error))

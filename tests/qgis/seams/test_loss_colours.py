@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 from qgis.core import QgsRasterLayer
-from seam_inspector.plugin.seams.loss_colours import LOSS_CLASSES, loss_legend, loss_rgba
+from seam_inspector.plugin.seams.words import LOSS_CLASSES, loss_legend, loss_rgba
 from seam_inspector.plugin.toolkit.resources import style_path
 
 from tests.numbers.synthetic import write_raster

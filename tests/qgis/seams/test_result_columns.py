@@ -12,7 +12,7 @@ from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verd
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, PairResult, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.tables import record_tables, result_tables, window_fields, window_layer
-from seam_inspector.plugin.seams.verdict_words import VERDICTS, verdict_sentence, verdict_word
+from seam_inspector.plugin.seams.words import VERDICTS, verdict_sentence, verdict_word
 from seam_inspector.plugin.toolkit.table_fields import column_fields
 
 from tests.qgis.scenes import BLURRED, SHARP, layer, outline, windows

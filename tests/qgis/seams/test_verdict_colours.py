@@ -5,7 +5,7 @@ from itertools import combinations
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.verdict_words import VERDICTS
+from seam_inspector.plugin.seams.words import VERDICTS
 
 from tests.colour_sight import DICHROMATS, Lab, ciede2000, seen_colour
 

@@ -8,9 +8,7 @@ import pytest
 from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams import cause_words
-from seam_inspector.plugin.seams.cause_words import CAUSES, cause_sentence, cause_word
-from seam_inspector.plugin.seams.judged_value import judged_kept
+from seam_inspector.plugin.seams import words as seam_words
 from seam_inspector.plugin.seams.measure.causes import Cause, CauseEvidence, Misfit, SourceTone, Texture
 from seam_inspector.plugin.seams.measure.changes import Change
 from seam_inspector.plugin.seams.measure.explanation import Explanation
@@ -20,7 +18,8 @@ from seam_inspector.plugin.seams.measure.tone import Tone
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
-from seam_inspector.plugin.seams.window_summary import cause_numbers, explanation_of, window_sentence
+from seam_inspector.plugin.seams.window_summary import cause_numbers, explanation_of, judged_kept, window_sentence
+from seam_inspector.plugin.seams.words import CAUSES, cause_sentence, cause_word
 from seam_inspector.plugin.toolkit.translation import sentence
 
 from tests.qgis.seams.desk.windows_session import window
@@ -121,7 +120,7 @@ def test_every_cause_has_its_entry() -> None:
 def test_all_causes_are_told(qgis_app: QgsApplication, monkeypatch: pytest.MonkeyPatch, cause: Cause) -> None:
     assert ";" in window_sentence(row(cause.value))
     assert cause_sentence(cause.value)
-    monkeypatch.setattr(cause_words, "tr", str.upper)  # an unknown word is not translated but told as it is
+    monkeypatch.setattr(seam_words, "tr", str.upper)  # an unknown word is not translated but told as it is
     assert cause_word(cause.value) == cause.value.upper()
 
 

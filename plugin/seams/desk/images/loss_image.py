@@ -5,8 +5,8 @@ from qgis.PyQt.QtCore import QPointF, QRectF
 from qgis.PyQt.QtGui import QPainter
 
 from ....imagery.grids import PixelWindow
-from ...loss_colours import LOSS_OPACITY, loss_rgba
 from ...measure.profile.loss_picture import LossPicture
+from ...words import LOSS_OPACITY, loss_rgba
 from ..map.picture_overlay import rgba_image
 from .viewport import Viewport
 

@@ -37,7 +37,8 @@ from ...measure.scan.scan_settings import ScanSettings
 from ...measure.seam_cells import Cell
 from ...measure.window_records import WindowRecord
 from ...scan_job import ScanOrder
-from ...tables import given_seam_layer, seam_cell_layer, source_index, window_layer
+from ...tables import input_layers
+from ...tables import window_layer
 from .project_inputs import Inputs
 
 
@@ -260,7 +261,7 @@ def _requests(
 def _read_seams(
     seamlines: LayerFeatures, transform: QgsCoordinateTransform
 ) -> tuple[list[SeamFeature], Message | None]:
-    return given_seam_layer.seam_features(seamlines.source.getFeatures(), seamlines.names, transform)
+    return input_layers.seam_features(seamlines.source.getFeatures(), seamlines.names, transform)
 
 
 def _geometries(source: QgsVectorLayerFeatureSource, transform: QgsCoordinateTransform) -> Iterator[bytes | None]:
@@ -346,12 +347,12 @@ def opening_job(project: QgsProject, inputs: Inputs, files: BlockFiles) -> Job:
         known: list[Cell] = []
         if index is not None:
             transform = QgsCoordinateTransform(index.crs, crs, context)
-            indexed = source_index.indexed_sources(index.source.getFeatures(), index.names, index.path, transform)
+            indexed = input_layers.indexed_sources(index.source.getFeatures(), index.names, index.path, transform)
         if cells is not None:
-            if seam_cell_layer.CELL_FIELD not in cells.names:
+            if input_layers.CELL_FIELD not in cells.names:
                 raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
             transform = QgsCoordinateTransform(cells.crs, crs, context)
-            known = seam_cell_layer.seam_cells(cells.source.getFeatures(), transform)
+            known = input_layers.seam_cells(cells.source.getFeatures(), transform)
         return OpenedFiles(mosaic, tuple(indexed), tuple(known))
 
     def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:

@@ -18,7 +18,7 @@ from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
 from ...measure.inputs.source_use import source_doubts
 from ...measure.placing.window_sides import fitting_side_m, window_side_px
-from ...tables.source_index import LOCATION_FIELD
+from ...tables.input_layers import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value
 from .source_list import SourceList
 from .source_suggestions import Suggesting

@@ -15,7 +15,7 @@ from ....toolkit.translation import tr
 from ...measure import limits
 from ...measure.scan.scan_settings import DENSITIES
 from ...measure.window_records import REFERENCES
-from ...tables.seam_cell_layer import CELL_FIELD
+from ...tables.input_layers import CELL_FIELD
 
 if TYPE_CHECKING:
     from .project_inputs import Inputs

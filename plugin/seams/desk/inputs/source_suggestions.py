@@ -39,8 +39,8 @@ from ...measure.inputs.raster_facts import (
     suitable_by_header,
 )
 from ...measure.scan.lines.seam_fields import seam_fields
+from ...tables.input_layers import LOCATION_FIELD
 from ...tables.scan_layers import is_picture
-from ...tables.source_index import LOCATION_FIELD
 from .project_inputs import Inputs, load_inputs
 
 if TYPE_CHECKING:

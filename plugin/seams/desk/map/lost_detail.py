@@ -17,7 +17,7 @@ from ....toolkit.desk.widgets import single_shot
 from ....toolkit.layers import transformed_point
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
-from ...loss_colours import LOSS_OPACITY, loss_legend, loss_rgba
+from ...words import LOSS_OPACITY, loss_legend, loss_rgba
 from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 if TYPE_CHECKING:

@@ -13,9 +13,8 @@ from qgis.PyQt.QtGui import QFontMetrics
 from qgis.PyQt.QtWidgets import QMenu, QStyle, QStyleOptionHeader, QTableView, QWidget
 
 from ....toolkit.translation import filled, tr
-from ...cause_words import cause_word
 from ...measure.causes import Cause
-from ...verdict_words import VERDICTS, observer_word, verdict_word
+from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import CAUSE, PAPER, TableColumn
 
 _KEY = "SeamInspector/window_columns"

@@ -12,9 +12,9 @@ from qgis.PyQt.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from ....imagery.statistics import FIRST, SECOND, UNSURE, VISIBLE
 from ....toolkit.translation import tr
-from ...judged_value import judged_value
 from ...measure.window_records import WindowRecord
-from ...verdict_words import VERDICTS, verdict_word
+from ...window_summary import judged_value
+from ...words import VERDICTS, verdict_word
 from .window_columns import verdict_chip
 
 if TYPE_CHECKING:

@@ -20,11 +20,10 @@ from qgis.core import (
 
 from ....imagery.errors import Message, SettingsError
 from ....toolkit.version_differences import field
-from ...cause_words import cause_word
 from ...measure import messages
 from ...measure.causes import Cause
 from ...tables.window_fields import in_filter
-from ...verdict_words import VERDICTS, observer_word, verdict_word
+from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import JUDGING_COLUMNS, all_columns, columns_of
 
 if TYPE_CHECKING:

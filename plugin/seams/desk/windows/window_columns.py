@@ -13,11 +13,9 @@ from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.translation import filled, percent, shown_number, tr
-from ...cause_words import cause_sentence, cause_word
-from ...judged_value import judged_kept
 from ...tables.window_fields import MEASURED, PLACED, SAID, WindowField
-from ...verdict_words import VERDICTS, observer_word, verdict_colour, verdict_word
-from ...window_summary import cause_numbers, explanation_of, window_sentence
+from ...window_summary import cause_numbers, explanation_of, judged_kept, window_sentence
+from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult

@@ -8,8 +8,7 @@ from qgis.PyQt.QtCore import QModelIndex, QObject, QSortFilterProxyModel, Qt
 
 from ....imagery.errors import Message, SettingsError
 from ....imagery.statistics import DECIDED, FIRST, UNSURE
-from ...cause_words import cause_word
-from ...verdict_words import observer_word, verdict_word
+from ...words import cause_word, observer_word, verdict_word
 from .number_filter import hidden_message, is_expression, window_test
 from .windows_model import WindowsModel
 

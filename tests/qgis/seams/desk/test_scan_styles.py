@@ -9,7 +9,7 @@ from qgis.core import QgsApplication, QgsMapRendererSequentialJob, QgsMapSetting
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QColor
 from seam_inspector.plugin.seams.tables.scan_layers import CELLS, SCAN_LAYERS, SEAMS
-from seam_inspector.plugin.seams.verdict_words import VERDICTS
+from seam_inspector.plugin.seams.words import VERDICTS
 from seam_inspector.plugin.toolkit.resources import style_path
 
 from tests.numbers.synthetic import write_raster

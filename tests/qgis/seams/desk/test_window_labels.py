@@ -20,8 +20,8 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QSize
-from seam_inspector.plugin.seams.judged_value import judged_kept
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
+from seam_inspector.plugin.seams.window_summary import judged_kept
 
 from tests.qgis.seams.desk.selections import selection_scope
 from tests.qgis.seams.desk.session_desk import wait_until

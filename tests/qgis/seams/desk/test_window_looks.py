@@ -21,7 +21,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QSize
 from qgis.PyQt.QtGui import QColor, QImage
-from seam_inspector.plugin.seams.verdict_words import VERDICTS
+from seam_inspector.plugin.seams.words import VERDICTS
 from seam_inspector.plugin.toolkit.layer_styles import load_style
 
 from tests.qgis.scenes import SHARP, windows

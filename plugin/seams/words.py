@@ -1,4 +1,8 @@
-"""How people meet a cause: its word, what it means, and what is said of a window where it was found."""
+"""Words and colours of what tables hold, for people: verdicts, the observer's words, causes, lost detail.
+
+A cause has its word, what it means, and what is said of a window where it was found. Lost detail has one fixed scale of
+colours for the windows' pictures, the map and the scan, so that all compare.
+"""
 from __future__ import annotations
 
 from collections.abc import Callable
@@ -11,8 +15,61 @@ from ..toolkit.translation import filled, percent, shown_number, tr
 from .measure.causes import MIN_BALANCED_GAIN, Cause
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from .measure.changes import Change
     from .measure.explanation import Explanation
+
+
+class ShownVerdict(NamedTuple):
+    """How people meet a verdict."""
+
+    word: str
+    colour: str
+    """The one on the map, too (resources/styles/windows.qml)."""
+    sentence: str = ""
+    """What is said of such a window, where that is more than the word."""
+
+
+VERDICTS = {
+    "significant": ShownVerdict(
+        QT_TRANSLATE_NOOP("@default", "significant"), "#d55e00", QT_TRANSLATE_NOOP("@default", "Significant loss.")
+    ),
+    "reduced": ShownVerdict(QT_TRANSLATE_NOOP("@default", "reduced"), "#f0c800"),
+    "preserved": ShownVerdict(QT_TRANSLATE_NOOP("@default", "preserved"), "#0072b2"),
+    "not_comparable": ShownVerdict(
+        QT_TRANSLATE_NOOP("@default", "not comparable"),
+        "#8a8a8a",
+        QT_TRANSLATE_NOOP("@default", "The mosaic could not be compared with a source here."),
+    ),
+    "": ShownVerdict(
+        QT_TRANSLATE_NOOP("@default", "not inspected"), "#c8c8c8", QT_TRANSLATE_NOOP("@default", "Not inspected yet.")
+    ),
+}
+"""By the word that tables hold, the worst first; the empty one is that of a window not inspected."""
+
+
+def verdict_word(verdict: str) -> str:
+    """A verdict for the user."""
+    return tr(VERDICTS[verdict].word) if verdict in VERDICTS else verdict
+
+
+def verdict_sentence(verdict: str) -> str:
+    """What a verdict says of a window."""
+    told = VERDICTS[verdict].sentence if verdict in VERDICTS else ""
+    return tr(told) if told else f"{verdict_word(verdict).capitalize()}."
+
+
+def verdict_colour(verdict: str) -> str:
+    """The colour of a verdict, that of ``not_comparable`` for an unknown one."""
+    return VERDICTS[verdict if verdict in VERDICTS else "not_comparable"].colour
+
+
+def observer_word(observer: str) -> str:
+    """The observer's word for the user."""
+    words = {"visible": tr("visible"), "invisible": tr("invisible"), "unsure": tr("not sure")}
+    return words.get(observer, observer)
+
 
 MIN_SHOWN_PX = 0.05  # sources that lie less apart lie 0.0 px apart
 
@@ -233,3 +290,33 @@ def cause_clause(cause: str, found: Explanation | None, is_loss: bool) -> str:
     if not text:
         return ""
     return filled(tr(text), value=shown.shown(number)) if number else tr(text)
+
+
+Rgba = tuple[int, int, int, int]
+
+LOSS_CLASSES: tuple[tuple[float, Rgba, str], ...] = (
+    (0.5, (163, 0, 38, 255), QT_TRANSLATE_NOOP("@default", "50 % kept, or less")),
+    (0.6, (220, 47, 28, 255), QT_TRANSLATE_NOOP("@default", "50 to 60 %")),
+    (0.7, (244, 109, 31, 255), QT_TRANSLATE_NOOP("@default", "60 to 70 %")),
+    (0.8, (253, 174, 51, 235), QT_TRANSLATE_NOOP("@default", "70 to 80 %")),
+    (0.9, (255, 225, 77, 215), QT_TRANSLATE_NOOP("@default", "80 to 90 %")),
+)
+"""Share of the detail that is kept at most, its colour, its words, as in ``resources/styles/loss.qml``. What keeps more
+is even ground and has none."""
+LOSS_OPACITY = 0.6
+"""With which pictures of lost detail are painted: what lies beneath is what is judged."""
+_NO_COLOUR = (0, 0, 0, 0)
+
+
+def loss_rgba(kept: np.ndarray) -> np.ndarray:
+    """The colours of shares that are kept, (rows, columns) -> (rows, columns, 4) uint8, alpha not multiplied in;
+    transparent where the ground is even or nothing can be told (NaN)."""
+    import numpy as np  # not when QGIS starts
+
+    colours = np.array([*(colour for _, colour, _ in LOSS_CLASSES), _NO_COLOUR], np.uint8)
+    return np.asarray(colours[np.searchsorted([limit for limit, _, _ in LOSS_CLASSES], kept)])  # NaN after all limits
+
+
+def loss_legend() -> list[tuple[str, Rgba]]:
+    """Words and colour of each class, the greatest loss first."""
+    return [(tr(words), colour) for _, colour, words in LOSS_CLASSES]
