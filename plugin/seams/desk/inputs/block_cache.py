@@ -37,8 +37,7 @@ from ...measure.scan.scan_settings import ScanSettings
 from ...measure.seam_cells import Cell
 from ...measure.window_records import WindowRecord
 from ...scan_job import ScanOrder
-from ...tables import input_layers
-from ...tables import window_layer
+from ...tables import input_layers, window_layer
 from .project_inputs import Inputs
 
 
