@@ -7,7 +7,7 @@ from .plugin.seams.measure.source_images import Source as Source
 
 # Windows
 from .plugin.seams.measure.inspection import inspect_window as inspect_window
-from .plugin.seams.measure.window_runs import inspect_windows as inspect_windows
+from .plugin.seams.measure.inspection import inspect_windows as inspect_windows
 from .plugin.seams.measure.window.window_request import InspectionSettings as InspectionSettings
 from .plugin.seams.measure.window.window_request import WindowRequest as WindowRequest
 from .plugin.seams.measure.window.window_result import WindowResult as WindowResult
@@ -25,17 +25,17 @@ from .plugin.seams.measure.window.window_result import PairResult as PairResult
 # A whole mosaic
 from .plugin.seams.measure.scan.whole_scan import scan as scan
 from .plugin.seams.measure.scan.scan_settings import ScanSettings as ScanSettings
-from .plugin.seams.measure.scan.results.gathering import ScanResult as ScanResult
-from .plugin.seams.measure.scan.results.judged_pieces import JudgedPiece as JudgedPiece
+from .plugin.seams.measure.scan.gathering import ScanResult as ScanResult
+from .plugin.seams.measure.scan.judged_pieces import JudgedPiece as JudgedPiece
 from .plugin.seams.measure.scan.lines.seam_pieces import SeamPiece as SeamPiece
-from .plugin.seams.measure.placing.window_placing import PlacedWindow as PlacedWindow
+from .plugin.seams.measure.window_placing import PlacedWindow as PlacedWindow
 
 # Tables
 from .plugin.seams.measure.window.window_tables import window_rows as window_rows
 from .plugin.seams.measure.window.window_tables import profile_rows as profile_rows
 from .plugin.seams.measure.window.window_tables import curve_rows as curve_rows
 from .plugin.seams.measure.window.window_tables import pair_rows as pair_rows
-from .plugin.seams.measure.scan.results.scan_tables import seam_rows as seam_rows
+from .plugin.seams.measure.scan.scan_tables import seam_rows as seam_rows
 
 # The decision on a delivery
 from .plugin.acceptance.measure.delivered_rows import make_delivery as make_delivery

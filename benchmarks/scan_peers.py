@@ -14,13 +14,9 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.limits import LUMINANCE_WEIGHTS
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import (
-    Block,
-    InspectionSettings,
-    Source,
-    WindowRequest,
-    inspect_window,
-)
+from seam_inspector.plugin.seams.measure.inspection import Block, inspect_window
+from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 
 READ_PX, WINDOW_PX = 2048, 1024
 """Side of what is read at a time, and of a standard window of 0.10 m pixels."""

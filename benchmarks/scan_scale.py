@@ -22,9 +22,9 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal
-from seam_inspector.plugin.seams.measure.scan.blocks.block_records import record_of
+from seam_inspector.plugin.seams.measure.scan.block_runs import record_of
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import scan_block
-from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import open_journal
+from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 
 from .large_mosaic import FORMATS_SCANNED, LargeMosaic, make_large_mosaic

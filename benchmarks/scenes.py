@@ -21,7 +21,8 @@ from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, desc
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve, measure_clip
 from seam_inspector.plugin.seams.measure.causes import Cause
-from seam_inspector.plugin.seams.measure.explanation import Explanation, MeasuredClip, explain
+from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
+from seam_inspector.plugin.seams.measure.explanation import Explanation, explain
 from seam_inspector.plugin.seams.measure.inspection import Block, make_block
 
 STEP_PX = 24

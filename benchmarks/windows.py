@@ -22,15 +22,9 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.wavelets import Curve, measure_clip
 from seam_inspector.plugin.seams.measure.compared_image import MeasuredClip
 from seam_inspector.plugin.seams.measure.explanation import Explanation, explain
-from seam_inspector.plugin.seams.measure.inspection import (
-    InspectionSettings,
-    Source,
-    WindowRequest,
-    inspect_window,
-    make_block,
-    window_request,
-)
-from seam_inspector.plugin.seams.measure.window_runs import inspect_windows
+from seam_inspector.plugin.seams.measure.inspection import inspect_window, inspect_windows, make_block, window_request
+from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 
 from .ground import COMPRESSED, FORMATS, SIDE, Ground
 from .timing import Goal, Spread, Timing, interleaved, print_table, say

@@ -28,8 +28,8 @@ from ..toolkit.picture_stretch import (
     thinned,
     to_bytes,
 )
-from .measure.inspection import WindowRequest
 from .measure.window.explained_window import WindowComposite
+from .measure.window.window_request import WindowRequest
 from .measure.window_records import COMPOSITE
 
 LEAST_SIDE_PX = 384  # of a picture: smaller windows are shown with the ground around them

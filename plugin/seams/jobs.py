@@ -11,13 +11,13 @@ from ..imagery.rasters import Raster, RasterRef
 from ..toolkit.background_tasks import Ahead, Cancelled, Job
 from .clip_pictures import PictureRequest, WindowPictureSet, composite_picture, make_pictures
 from .measure.inputs.candidate_look import SourceCandidate, look_at_candidates
-from .measure.inspection import InspectionSettings, WindowRequest
+from .measure.inspection import inspect_one, inspect_windows
 from .measure.nearest_seam import SeamIndex
-from .measure.placing.window_placing import place_windows
 from .measure.window.explained_window import WindowComposite, window_composite
 from .measure.window.measured_window import MeasureWindow, measure_window
+from .measure.window.window_request import InspectionSettings, WindowRequest
 from .measure.window.window_result import WindowClips
-from .measure.window_runs import inspect_one, inspect_windows
+from .measure.window_placing import place_windows
 
 
 def inspection_job(requests: Iterable[WindowRequest], count: int, measure: MeasureWindow = measure_window) -> Job:

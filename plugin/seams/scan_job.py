@@ -21,11 +21,11 @@ from ..toolkit.translation import filled, tr
 from .measure.profile.ground import grounds
 from .measure.scan.blocks.block_grid import BLOCK_PX
 from .measure.scan.blocks.scan_block import BlockScan
-from .measure.scan.inputs.scan_request import ScanRequest, scan_request
+from .measure.scan.gathering import ScanResult
 from .measure.scan.lines.given_seams import given_seams
 from .measure.scan.lines.seam_features import SeamFeature
-from .measure.scan.results.gathering import ScanResult
-from .measure.scan.results.loss_raster import BANDS, NODATA, created_cells, loss_cells
+from .measure.scan.loss_raster import BANDS, NODATA, created_cells, loss_cells
+from .measure.scan.scan_request import ScanRequest, scan_request
 from .measure.scan.scan_settings import ScanSettings
 from .measure.scan.whole_scan import MEASURED, WholeScan, whole_scan
 from .measure.source_images import Source
@@ -205,7 +205,7 @@ def _measured(scan: WholeScan, files: ScanFiles, cancelled: Cancelled) -> Iterat
         workers, thread_name_prefix="seam-inspector"
     ) as executor:
         for step in scan.steps(executor, _AHEAD * workers, cancelled):
-            if step.scan is not None:
+            if request.sources:
                 picture.add(step.scan)
             share = max(share, MEASURED * step.share)  # a second look adds blocks
             fresh = tuple(notice for notice in step.notices if str(notice) not in told)

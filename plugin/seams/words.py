@@ -17,7 +17,7 @@ from .measure.causes import MIN_BALANCED_GAIN, Cause
 if TYPE_CHECKING:
     import numpy as np
 
-    from .measure.changes import Change
+    from .measure.compared_image import Change
     from .measure.explanation import Explanation
 
 

@@ -10,13 +10,9 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import (
-    Block,
-    InspectionSettings,
-    Source,
-    inspect_window,
-    window_request,
-)
+from seam_inspector.plugin.seams.measure.inspection import Block, inspect_window, window_request
+from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.toolkit.executors import measuring_modules
 

@@ -170,8 +170,8 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     @staticmethod
     def _measured(measure: str, values: _Values, run: Run) -> Verdicts:
         """The windows where the measure has a value, by the observer's word, and their neighbourhoods."""
+        from ..measure.neighbourhoods import find_neighbourhoods
         from ..measure.threshold_calibration import Verdicts
-        from ..measure.verdict_statistics.neighbourhoods import find_neighbourhoods
 
         known = [(window, value) for window, value in values if value is not None]
         if len(known) < len(values):

@@ -29,8 +29,9 @@ from ..measure.window_records import REFERENCES
 from .block_parameters import check_sources, given_block, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.inspection import Block, InspectionSettings, WindowRequest
+    from ..measure.inspection import Block
     from ..measure.seam_cells import Cell
+    from ..measure.window.window_request import InspectionSettings, WindowRequest
 
 WINDOWS, CELLS, REFERENCE, DIRECTIONS = "WINDOWS", "CELLS", "REFERENCE", "DIRECTIONS"
 MIN_KEPT = "MIN_KEPT"
@@ -149,8 +150,8 @@ class InspectWindows(SeamInspectorAlgorithm):
         from ...toolkit import layers as layers
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_fields
+        from ..measure.inspection import inspect_windows
         from ..measure.verdicts import Verdict
-        from ..measure.window_runs import inspect_windows
         from ..tables import result_tables
         from ..words import verdict_word
 
@@ -201,7 +202,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         }
 
     def _settings(self, run: Run) -> InspectionSettings:
-        from ..measure.inspection import InspectionSettings
+        from ..measure.window.window_request import InspectionSettings
 
         return InspectionSettings(
             *run.decomposition(), run.real(common.MAX_RATIO), run.text(REFERENCE), run.real(MIN_KEPT),
@@ -222,7 +223,8 @@ class InspectWindows(SeamInspectorAlgorithm):
 
     @staticmethod
     def _requests(drawn: WindowFeatures, block: Block, settings: InspectionSettings) -> Iterator[WindowRequest]:
-        from ..measure.inspection import WindowRequest, window_request
+        from ..measure.inspection import window_request
+        from ..measure.window.window_request import WindowRequest
 
         for window in drawn.windows():
             if window.extent is None:

@@ -62,7 +62,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         )
 
     def check(self, run: Run) -> None:
-        from ..measure.placing.window_sides import window_side_px
+        from ..measure.window_placing import window_side_px
 
         window_side_px(run.mosaic().grid, *self._measures(run))
 
@@ -74,7 +74,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         from ...imagery.open_raster import OpenRaster
         from ...toolkit import layers as layers
         from ...toolkit.table_fields import column_fields, column_values, feature
-        from ..measure.placing.window_placing import place_windows
+        from ..measure.window_placing import place_windows
         from ..tables.result_tables import PLACED_COLUMNS
 
         seamlines, mosaic = run.source(SEAMLINES), self._mosaic

@@ -28,7 +28,7 @@ from ..measure.limits import COSINE, RAMPS
 from .block_parameters import check_sources, gathered_sources, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.feathers.seam_places import Seamlines
+    from ..measure.feather_prediction import Seamlines
     from ..measure.loss_forecast import ForecastRequest, ForecastSettings
     from ..measure.source_images import Source
 
@@ -111,8 +111,8 @@ class PredictLoss(SeamInspectorAlgorithm):
         from ...toolkit import layers as layers
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_fields, column_values, feature
+        from ..measure.inspection import in_order
         from ..measure.loss_forecast import forecast_window, not_foretold
-        from ..measure.window_runs import in_order
         from ..tables.result_tables import FORECAST_COLUMNS, FORECAST_PAIR_COLUMNS, forecast_pair_features
 
         self.check(run)
@@ -170,8 +170,8 @@ class PredictLoss(SeamInspectorAlgorithm):
 
     def _seamlines(self, run: Run, crs: QgsCoordinateReferenceSystem) -> Seamlines | None:
         """Those that are known, in the windows' reference system; None where the parameter is not given."""
-        from ...toolkit import layers as layers
-        from ..measure.feathers.seam_places import Seamlines
+        from ...toolkit import layers
+        from ..measure.feather_prediction import Seamlines
 
         if not run.parameters.get(SEAMLINES):
             return None

@@ -31,8 +31,8 @@ from ..measure.scan import messages
 from .block_parameters import gathered_sources, given_sources
 
 if TYPE_CHECKING:
+    from ..measure.scan.gathering import ScanResult
     from ..measure.scan.lines.given_seams import GivenSeams
-    from ..measure.scan.results.gathering import ScanResult
     from ..measure.scan.scan_settings import ScanSettings
     from ..measure.scan.whole_scan import WholeScan
     from ..measure.source_images import Source
@@ -155,8 +155,8 @@ class ScanMosaic(SeamInspectorAlgorithm):
         self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import layers as layers
-        from ..measure.scan.inputs.scan_request import scan_request
+        from ...toolkit import layers
+        from ..measure.scan.scan_request import scan_request
         from ..measure.scan.whole_scan import whole_scan
 
         settings, mosaic = self._settings(run), self._mosaic

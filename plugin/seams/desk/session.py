@@ -23,7 +23,7 @@ from ...toolkit.layer_editing import edit_step
 from ...toolkit.translation import sentence, tr
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.inspection import WindowRequest
-from ..measure.live.live_window import LiveWindow
+from ..measure.live_window import LiveWindow
 from ..measure.window.window_result import WindowCurves, WindowResult
 from ..tables import window_layer
 from ..tables.window_looks import style_if_plain

@@ -12,17 +12,15 @@ import numpy as np
 
 from ...imagery.shifts import Shift, farthest_apart, find_shift
 from ...imagery.wavelets import Curve, correlation, measure_bands
-from .cause_evidence import grey_unit, measure_texture, measure_tones, range_factor
+from .cause_evidence import grey_unit, measure_texture, measure_tones, misfit_of, placed_misfit, range_factor
 from .causes import Cause, CauseEvidence, Misfit, Texture, find_causes
-from .changes import Change, gains_of_colours, measure_changes
-from .compared_image import ComparedImage, MeasuredClip
+from .compared_image import Change, ComparedImage, MeasuredClip, gains_of_colours, measure_changes
 from .feather_prediction import expected_ratios, feathers
 from .following.boxes import enlarged, near_border
 from .following.followed_source import FollowedSource
 from .following.hard_cut import Composite, HardCut, cut_hard, follows_at
 from .following.levelling import left_by_curve, left_over
 from .following.source_filters import present
-from .misfit import misfit_of, placed_misfit
 from .profile.cell_table import CELL_PX, CellTable
 from .profile.loss_picture import LossPicture, loss_picture
 from .profile.seam_profile import SeamProfile

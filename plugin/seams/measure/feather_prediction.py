@@ -2,17 +2,31 @@
 
 A 50:50 blend of two images has the detail variance (1 + rho) / 2 of their mean, with rho = 2 cov / (v_a + v_b) of
 their detail coefficients: images that do not fit, or whose noise differs, cancel each other.
+
+Of a feather of some width the two are mixed along every place where the seam may run,
+
+    kept = sum |(1 - a) p + a q|^2 / sum |the one that is followed|^2
+
+with p and q their own details: what a cut adds, its edge, is detail of neither. Texture is not even, so it is summed
+where it lies: over the window, and over the feather's own strip.
 """
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
+from osgeo import gdal, ogr
+from scipy import ndimage
 
 from ...imagery import limits as imagery_limits
-from ...imagery.wavelets import component_products
+from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.grids import Extent, Grid, PixelWindow
+from ...imagery.rasters import Raster
+from ...imagery.reference_systems import geometry_on
+from ...imagery.wavelets import component_products, placed_components
+from .limits import GAUSSIAN, LINEAR
 
 
 @dataclass(frozen=True)
@@ -52,3 +66,167 @@ def expected_ratios(found: Sequence[Feather], levels: int) -> tuple[float | None
         min((ratio for ratio in (feather.ratios[level] for feather in found) if ratio is not None), default=None)
         for level in range(levels)
     )
+
+
+SIGMAS_PER_WIDTH = 4.0  # a Gaussian has no end; over two sigmas to either side the weights go from 0.02 to 0.98
+
+
+@dataclass(frozen=True, eq=False)
+class PlacedFeather:
+    """A feather between two sources at one place in a window; its arrays are (rows, columns)."""
+
+    weight: np.ndarray
+    """Share of the second source, 0 to 1, float32."""
+    strip: np.ndarray
+    """The feather's full width, bool."""
+
+
+def place_feather(distance: np.ndarray, ramp: str, width_m: float, pixel_m: tuple[float, float]) -> PlacedFeather:
+    """The feather of a full width along a seam.
+
+    ``distance``: (rows, columns) m from the seam, negative on one side. ``ramp``: one of ``limits.RAMPS``.
+    ``pixel_m``: height and width of a pixel.
+    """
+    if ramp == GAUSSIAN:
+        weight = _smoothed(distance > 0, width_m / SIGMAS_PER_WIDTH / np.array(pixel_m))
+    else:
+        across = np.clip(distance / width_m, -0.5, 0.5)
+        weight = 0.5 + (across if ramp == LINEAR else np.sin(np.pi * across) / 2)
+    return PlacedFeather(weight.astype(np.float32), abs(distance) <= width_m / 2)
+
+
+@dataclass(frozen=True)
+class KeptDetail:
+    """Detail variance of the feathered sources over their own, levels 1..R; None where there is none."""
+
+    window: tuple[float | None, ...]
+    """In the whole window."""
+    strip: tuple[float | None, ...]
+    """In the feather's full width."""
+
+
+def kept_detail(
+    first: np.ndarray, second: np.ndarray, feathers: Sequence[PlacedFeather], wavelet: str, levels: int
+) -> KeptDetail:
+    """What feathers leave of two sources' planes, (rows, columns) each.
+
+    Detail is summed over all places where the seam may run, and over both ways of sharing the sides out to the sources.
+    """
+    planes = np.stack([first, second]).astype(np.float32)
+    energies = np.zeros((2, 2, levels))  # feathered and cut; window and strip
+    for level, details in enumerate(placed_components(planes, wavelet, levels)):
+        own, both = (details**2).sum(axis=(0, 1)), 2 * (details[:, 0] * details[:, 1]).sum(axis=0)
+        for feather in feathers:
+            # Of (1 - a) p + a q and a p + (1 - a) q together.
+            apart = 2 * feather.weight * (1 - feather.weight)
+            lost, strip = (_square_means(one, 2 ** (level + 1)) for one in (apart, feather.strip))
+            for row, energy in enumerate(((1 - lost) * own + lost * both, own)):
+                energies[row, 0, level] += float(energy.sum(dtype=np.float64))
+                energies[row, 1, level] += float((energy * strip).sum(dtype=np.float64))
+    least = imagery_limits.MIN_SHARE * planes.size * float(planes.var(axis=(1, 2), dtype=np.float64).sum())
+    feathered, cut = energies
+    window, strip = (
+        tuple(float(a / b) if b > least else None for a, b in zip(*both)) for both in zip(feathered, cut)
+    )
+    return KeptDetail(window, strip)
+
+
+def least_kept(found: Sequence[KeptDetail]) -> KeptDetail:
+    """The smallest over several pairs of sources, level by level: where feathering will hurt most."""
+    return KeptDetail(*(
+        tuple(min((one for one in values if one is not None), default=None) for values in zip(*pairs))
+        for pairs in ([one.window for one in found], [one.strip for one in found])
+    ))
+
+
+def _smoothed(mask: np.ndarray, sigma_px: np.ndarray) -> np.ndarray:
+    """A mask smoothed by a Gaussian.
+
+    A wide one is smoothed on a coarser grid, off by up to 0.02 at the window's edge and by 0.0005 in the mean.
+    """
+    fits = (side for side in (8, 4, 2) if 4 * side <= sigma_px.min() and not any(size % side for size in mask.shape))
+    side = next(fits, 1)
+    smooth = ndimage.gaussian_filter(_square_means(mask, side), sigma_px / side, mode="nearest")
+    return np.asarray(ndimage.zoom(smooth, side, order=1, grid_mode=True, mode="nearest")) if side > 1 else smooth
+
+
+def _square_means(values: np.ndarray, side: int) -> np.ndarray:
+    """Over each coefficient's square of ``side`` px; of a mask the share that lies in it."""
+    rows, columns = values.shape
+    return values.reshape(rows // side, side, columns // side, side).mean(axis=(1, 3))
+
+
+_DIRECTIONS = np.pi / 4 * (np.arange(4) + 0.5)
+"""Of the seams that are assumed. All are 8 % longer than a window's side; the mean of all directions is 12 %."""
+_MIN_SIDE_SHARE = 0.01  # of the window: smaller pieces are what is left between a line's steps and the pixels
+
+
+class Seamlines:
+    """Lines along which images are to be joined, or polygons with such borders, in the windows' reference system."""
+
+    def __init__(self, geometries: Iterable[bytes]) -> None:
+        """``geometries``: WKB of each."""
+        self._geometries = list(geometries)
+        boxes = [ogr.CreateGeometryFromWkb(wkb).GetEnvelope() for wkb in self._geometries]
+        self._xmin, self._xmax, self._ymin, self._ymax = np.array(boxes, float).reshape(-1, 4).T
+
+    def over(self, extent: Extent) -> tuple[bytes, ...]:
+        """Those whose bounding box meets a rectangle."""
+        xmin, ymin, xmax, ymax = extent
+        meets = (self._xmin <= xmax) & (self._xmax >= xmin) & (self._ymin <= ymax) & (self._ymax >= ymin)
+        return tuple(self._geometries[number] for number in np.flatnonzero(meets))
+
+
+def assumed_seams(rows: int, columns: int, pixel_m: tuple[float, float]) -> list[np.ndarray]:
+    """Straight seams through the middle of a window, in four directions: (rows, columns) m from each of them.
+
+    Windows lie along seams, and a seam runs through its window in any direction. ``pixel_m``: height and width of a
+    pixel.
+    """
+    y, x = np.ogrid[:rows, :columns]
+    y, x = (y - (rows - 1) / 2) * pixel_m[0], (x - (columns - 1) / 2) * pixel_m[1]
+    return [x * np.cos(direction) + y * np.sin(direction) for direction in _DIRECTIONS]
+
+
+def drawn_seam(
+    lines: Sequence[bytes], wkt: str, mosaic: Raster, window: PixelWindow, pixel_m: tuple[float, float]
+) -> np.ndarray | None:
+    """Distance from the seamlines of a window, (rows, columns) m; None where they do not divide it.
+
+    ``lines``: WKB in the reference system ``wkt``. One side is the largest part of the window, the other all the rest.
+
+    Raises RasterError when the lines can't be transformed to the mosaic's reference system.
+    """
+    borders = [_border(line, wkt, mosaic.wkt) for line in lines]
+    parts, _ = ndimage.label(~_burnt(borders, mosaic.grid, window))
+    sizes = np.bincount(parts.ravel())
+    sizes[0] = 0
+    sides = np.flatnonzero(sizes >= _MIN_SIDE_SHARE * parts.size)
+    if len(sides) < 2:
+        return None
+    nearest = ndimage.distance_transform_edt(~np.isin(parts, sides), return_distances=False, return_indices=True)
+    largest = parts[tuple(nearest)] == sizes.argmax()
+    inside, outside = (ndimage.distance_transform_edt(side, pixel_m) for side in (largest, ~largest))
+    half = min(pixel_m) / 2  # the seam runs between two pixels
+    return np.where(largest, inside - half, half - outside)
+
+
+def _border(line: bytes, wkt: str, target_wkt: str) -> ogr.Geometry:
+    geometry = geometry_on(ogr.CreateGeometryFromWkb(line).GetLinearGeometry(), wkt, target_wkt)
+    return geometry.Boundary() if geometry.GetDimension() == 2 else geometry
+
+
+def _burnt(lines: Sequence[ogr.Geometry], grid: Grid, window: PixelWindow) -> np.ndarray:
+    """Pixels that a line runs through, (rows, columns) bool."""
+    xmin, _, _, ymax = grid.window_extent(window)
+    with gdal_silenced():
+        target = gdal.GetDriverByName("MEM").Create("", window.width, window.height, 1, gdal.GDT_Byte)
+        target.SetGeoTransform((xmin, grid.pixel_width, 0, ymax, 0, -grid.pixel_height))
+        vector = ogr.GetDriverByName("Memory").CreateDataSource("")
+        layer = vector.CreateLayer("seams")
+        for line in lines:
+            feature = ogr.Feature(layer.GetLayerDefn())
+            feature.SetGeometry(line)
+            layer.CreateFeature(feature)
+        gdal.RasterizeLayer(target, [1], layer, burn_values=[1], options=["ALL_TOUCHED=TRUE"])
+        return target.ReadAsArray() > 0

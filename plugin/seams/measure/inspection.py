@@ -1,20 +1,23 @@
-"""A mosaic with its sources, and one window of it: request -> result."""
+"""A mosaic with its sources, and windows of it: request -> result, one by one or many on any executor."""
 from __future__ import annotations
 
 import os
 import warnings
+from collections import deque
 from collections.abc import Iterable, Iterator
+from concurrent.futures import Executor, Future, wait
 from dataclasses import dataclass, replace
-from typing import Union
+from typing import Callable, TypeVar, Union
 
 from ...imagery import limits as imagery_limits
-from ...imagery.errors import Message, SeamInspectorWarning, WindowError
+from ...imagery.errors import Message, SeamInspectorWarning, WindowError, WorkersLostError
 from ...imagery.grids import Extent, PixelWindow, snap_window, standard_side_px, standard_window
 from ...imagery.open_raster import describe_mosaic
+from ...imagery.raster_pool import own_threads
 from ...imagery.rasters import Raster, RasterRef
 from . import messages
 from .inputs.mosaic_copies import leave_out_copies
-from .scan.lines.seam_files import read_cells
+from .scan.lines.seam_features import read_cells
 from .seam_cells import Cell, cells_over, source_stem
 from .source_images import Source, gather_sources, sources_in
 from .window.explained_window import explain_window
@@ -148,3 +151,88 @@ def inspect_in_stages(
         yield explain_window(measured)
     else:
         yield not_comparable(request, measured)
+
+
+Request = TypeVar("Request")
+Result = TypeVar("Result")
+
+_PATIENCE_SECONDS = 0.2  # between two looks at whether the run was cancelled
+
+
+def inspect_windows(
+    requests: Iterable[WindowRequest],
+    executor: Executor | None = None,
+    ahead: int = 0,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Iterator[WindowResult]:
+    """``inspect_window`` for many, in their order, each as soon as it is ready.
+
+    ``executor``: where they are measured, a thread per core where None; ``ahead``: how many it should have under way,
+    twice this machine's cores where 0. A window that fails in a way nobody foresaw is ``not_comparable`` for that
+    reason.
+    """
+    with own_threads(executor, ahead) as opened:
+        yield from in_order(requests, inspect_window, not_comparable, *opened, cancelled)
+
+
+def inspect_one(request: WindowRequest, measure: MeasureWindow) -> Iterator[WindowClips | WindowResult]:
+    """``inspect_in_stages`` for a window that somebody waits for; what nobody foresaw becomes the reason likewise."""
+    try:
+        yield from inspect_in_stages(request, measure)
+    except Exception as error:  # as an executor keeps it for ``in_order``
+        yield not_comparable(request, _unforeseen(error))
+
+
+def in_order(
+    requests: Iterable[Request],
+    measure: Callable[[Request], Result],
+    failed: Callable[[Request, Message], Result],
+    executor: Executor,
+    ahead: int,
+    cancelled: Callable[[], bool] = lambda: False,
+) -> Iterator[Result]:
+    """Results in the order of the requests, each as soon as it and those before it are ready.
+
+    At most ``ahead`` windows are under way or waiting to be taken, so memory does not grow with their number.
+    ``failed`` makes the result of a request whose measurement raised an error that nobody foresaw. Stops when
+    ``cancelled`` says so, with the results that are ready by then, within a fraction of a second even while a window
+    is under way. Raises WorkersLostError when nobody is left to measure.
+    """
+    waiting: deque[tuple[Request, Future[Result]]] = deque()
+    try:
+        for request in requests:
+            if cancelled():
+                break
+            waiting.append((request, executor.submit(measure, request)))
+            if len(waiting) >= ahead:
+                yield from _ready(*waiting.popleft(), failed, cancelled)
+        while waiting:
+            yield from _ready(*waiting.popleft(), failed, cancelled)
+    finally:
+        for _, future in waiting:
+            future.cancel()
+
+
+def _ready(
+    request: Request,
+    future: Future[Result],
+    failed: Callable[[Request, Message], Result],
+    cancelled: Callable[[], bool],
+) -> Iterator[Result]:
+    """The result as soon as it is there; nothing when ``cancelled`` says so before."""
+    while not future.done():
+        if cancelled():
+            future.cancel()
+            return
+        wait([future], timeout=_PATIENCE_SECONDS)
+    error = future.exception()
+    if error is None:
+        yield future.result()
+    elif isinstance(error, Exception) and not isinstance(error, WorkersLostError):
+        yield failed(request, _unforeseen(error))
+    else:
+        raise error
+
+
+def _unforeseen(error: Exception) -> Message:
+    return messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}")

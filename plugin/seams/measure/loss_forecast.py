@@ -23,9 +23,18 @@ from ...imagery.reference_systems import extent_on, metres_per_unit
 from ...imagery.shifts import Shift, Spectra, find_shift
 from ...imagery.wavelets import check_decomposition, judged_plane
 from . import messages
-from .feather_prediction import Feather, expected_ratios, feathers
-from .feathers.feathered_detail import KeptDetail, kept_detail, least_kept, place_feather
-from .feathers.seam_places import Seamlines, assumed_seams, drawn_seam
+from .feather_prediction import (
+    Feather,
+    KeptDetail,
+    Seamlines,
+    assumed_seams,
+    drawn_seam,
+    expected_ratios,
+    feathers,
+    kept_detail,
+    least_kept,
+    place_feather,
+)
 from .limits import COSINE, RAMPS
 from .source_images import Source, covers, sources_over
 

@@ -18,9 +18,8 @@ from ...imagery import limits as imagery_limits
 from ...imagery.errors import Message
 from ...imagery.statistics import Interval
 from . import limits, messages
-from .verdict_statistics.neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods
-from .verdict_statistics.roc_area import MIN_VERDICTS, roc_area, wanted_verdicts
-from .verdict_statistics.smoothed_youden import smoothed_threshold
+from .neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods
+from .verdict_statistics import MIN_VERDICTS, roc_area, smoothed_threshold, wanted_verdicts
 
 STANDARD_LIMITS = {
     "kept_1": limits.MAX_SIGNIFICANT_KEPT, "ratio_1": imagery_limits.MAX_SIGNIFICANT_RATIO,

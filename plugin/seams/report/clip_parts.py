@@ -15,8 +15,9 @@ from ...imagery.open_raster import OpenRaster
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
 from ..measure.greatest_loss import greatest_loss
-from ..measure.inspection import Block, Source
+from ..measure.inspection import Block
 from ..measure.profile.loss_picture import LossPicture
+from ..measure.source_images import Source
 from .loss_overview import PlacedLoss, loss_overview, measured_loss, most_lost
 
 REPORT_CLIP_PX = 160  # a side of the part that is shown at 2x: two of them fit beside each other on A4

@@ -15,10 +15,17 @@ from ...toolkit.table_fields import column_features, column_fields, column_value
 from ...toolkit.translation import sentence
 from ...toolkit.version_differences import field
 from ..measure.loss_forecast import Forecast, ForecastPair
-from ..measure.placing.window_placing import PlacedWindow
 from ..measure.threshold_calibration import STANDARD_LIMITS, Step, ThresholdCalibration, step_at
 from ..measure.window.window_result import WindowResult
-from ..measure.window.window_tables import CURVE_COLUMNS, PAIR_COLUMNS, PROFILE_COLUMNS, bins_of, curves_of, pairs_of
+from ..measure.window.window_tables import (
+    CURVE_COLUMNS,
+    PAIR_COLUMNS,
+    PROFILE_COLUMNS,
+    bins_of,
+    curves_of,
+    pairs_of,
+)
+from ..measure.window_placing import PlacedWindow
 from .window_fields import MEASURED
 
 FORECAST_COLUMNS: tuple[Column[Forecast], ...] = (

@@ -24,12 +24,12 @@ from ...imagery.errors import SettingsError
 from ...toolkit import layers as layers
 from ...toolkit.layers import mosaic_crs
 from ...toolkit.table_fields import column_features, column_fields, column_values, feature
-from ..measure.scan.results.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
+from ..measure.scan.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from .result_tables import PLACED_COLUMNS
 
 if TYPE_CHECKING:
-    from ..measure.scan.inputs.scan_request import ScanRequest
-    from ..measure.scan.results.gathering import ScanResult
+    from ..measure.scan.gathering import ScanResult
+    from ..measure.scan.scan_request import ScanRequest
 
 
 @dataclass(frozen=True)

@@ -13,13 +13,15 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import geometry_on
-from seam_inspector.plugin.seams.measure.feathers.feathered_detail import (
+from seam_inspector.plugin.seams.measure.feather_prediction import (
     KeptDetail,
+    Seamlines,
+    assumed_seams,
+    drawn_seam,
     kept_detail,
     least_kept,
     place_feather,
 )
-from seam_inspector.plugin.seams.measure.feathers.seam_places import Seamlines, assumed_seams, drawn_seam
 from seam_inspector.plugin.seams.measure.limits import COSINE, GAUSSIAN, LINEAR, RAMPS
 
 from tests.numbers.synthetic import luminance, placed_wavedec, read_pixels, texture, wkt

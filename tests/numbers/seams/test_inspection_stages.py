@@ -5,15 +5,15 @@ import pytest
 from seam_inspector.plugin.imagery.grids import Extent
 from seam_inspector.plugin.seams.measure.inspection import (
     Block,
-    InspectionSettings,
     inspect_in_stages,
+    inspect_one,
     inspect_window,
     window_request,
 )
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 from seam_inspector.plugin.seams.measure.window.window_result import WindowClips, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import REFERENCES
-from seam_inspector.plugin.seams.measure.window_runs import inspect_one
 
 from tests.numbers.seams.inspecting import FAR_AWAY, SIZE, WINDOW, MakeRaster, block_of, mosaic_of, softened
 from tests.numbers.synthetic import orthoimage

@@ -15,13 +15,8 @@ from seam_inspector.plugin.imagery.errors import Message, SettingsError
 from seam_inspector.plugin.imagery.grids import Extent, PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.feathers.seam_places import Seamlines
-from seam_inspector.plugin.seams.measure.inspection import (
-    InspectionSettings,
-    inspect_window,
-    make_block,
-    window_request,
-)
+from seam_inspector.plugin.seams.measure.feather_prediction import Seamlines
+from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.loss_forecast import (
     Forecast,
     ForecastRequest,
@@ -30,6 +25,7 @@ from seam_inspector.plugin.seams.measure.loss_forecast import (
     forecast_window,
 )
 from seam_inspector.plugin.seams.measure.source_images import gather_sources
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.synthetic import ORIGIN, UTM33, decompose, luminance, orthoimage, texture, wkt
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.shifts import Shift
-from seam_inspector.plugin.seams.measure.explanation import Change
+from seam_inspector.plugin.seams.measure.compared_image import Change
 from seam_inspector.plugin.seams.measure.tone import Tone
 
 from benchmarks.campaign import outcomes, spread

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from seam_inspector.plugin.seams.measure.verdict_statistics.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.verdict_statistics.smoothed_youden import smoothed_threshold
+from seam_inspector.plugin.seams.measure.neighbourhoods import Neighbourhoods
+from seam_inspector.plugin.seams.measure.verdict_statistics import smoothed_threshold
 
 from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, coverage
 from tests.examples import at_most

@@ -7,9 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.grids import Extent
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure import messages, source_tree
-from seam_inspector.plugin.seams.measure.source_images import Source, gather_sources, sources_in
-from seam_inspector.plugin.seams.measure.source_tree import SourceTree
+from seam_inspector.plugin.seams.measure import messages, source_images
+from seam_inspector.plugin.seams.measure.source_images import Source, SourceTree, gather_sources, sources_in
 
 from tests.work import calls_of
 
@@ -54,14 +53,14 @@ def test_of_a_hundred_thousand_footprints_few_are_looked_at(monkeypatch: pytest.
     sources = [source(n, (x, y, x + 1200, y + 1200)) for n, (x, y) in enumerate(corners.tolist())]
     sources += [source(100_000 + n, (-1e4, -1e4, 2e5, 2e5)) for n in range(10)]
     assert calls_of(lambda: SourceTree(sources)) < 10_000  # packed together, not one by one
-    tree, looked_at, meet = SourceTree(sources), 0, source_tree._meet
+    tree, looked_at, meet = SourceTree(sources), 0, source_images._meet
 
     def counted(rectangles: np.ndarray, extent: Extent) -> np.ndarray:
         nonlocal looked_at
         looked_at += rectangles.size // 4
         return meet(rectangles, extent)
 
-    monkeypatch.setattr(source_tree, "_meet", counted)
+    monkeypatch.setattr(source_images, "_meet", counted)
     places = rng.uniform((0, 0), (160_000, 100_000), (1000, 2)).tolist()
     found = [tree.numbers_meeting((x, y, x + 512, y + 512)) for x, y in places]
     assert [tree.sources[n] for n in found[0]] == list(sources_in(sources, (*places[0], *(p + 512 for p in places[0]))))

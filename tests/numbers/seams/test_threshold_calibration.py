@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.polynomial import Polynomial
 from scipy import stats
+from seam_inspector.plugin.seams.measure.neighbourhoods import Neighbourhoods
 from seam_inspector.plugin.seams.measure.threshold_calibration import Verdicts, calibrate, step_at
-from seam_inspector.plugin.seams.measure.verdict_statistics.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.verdict_statistics.roc_area import area_interval, roc_area, wanted_verdicts
+from seam_inspector.plugin.seams.measure.verdict_statistics import area_interval, roc_area, wanted_verdicts
 
 VALUES = st.lists(st.integers(0, 40).map(lambda number: number / 20), min_size=5, max_size=30)
 

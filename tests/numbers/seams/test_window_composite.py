@@ -3,8 +3,9 @@ from __future__ import annotations
 
 import numpy as np
 from seam_inspector.plugin.imagery.errors import Message
-from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, window_request
+from seam_inspector.plugin.seams.measure.inspection import window_request
 from seam_inspector.plugin.seams.measure.window.explained_window import WindowComposite, window_composite
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.seams.inspecting import MakeRaster, block_of, mosaic_of
 from tests.numbers.seams.made_seams import BORDER, WHOLE, as_bytes, blended, three_images

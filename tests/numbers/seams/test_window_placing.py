@@ -14,8 +14,7 @@ from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import Seam, find_seams
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.placing.window_placing import Placement, place_windows
-from seam_inspector.plugin.seams.measure.placing.window_sides import fitting_side_m, window_side_px
+from seam_inspector.plugin.seams.measure.window_placing import Placement, fitting_side_m, place_windows, window_side_px
 
 KILOMETRE = Grid(left=576000, top=5188000, pixel_width=0.5, pixel_height=0.5, columns=4000, rows=2000)
 """2000 m x 1000 m; a window of 100 m has 256 px, that is 128 m."""

@@ -15,7 +15,8 @@ from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture, PictureRequest, WindowPictureSet, with_ground
 from seam_inspector.plugin.seams.clip_pictures import make_pictures as make_picture_set
-from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, WindowRequest, make_block
+from seam_inspector.plugin.seams.measure.inspection import make_block
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 from seam_inspector.plugin.toolkit import picture_stretch
 from seam_inspector.plugin.toolkit.picture_stretch import Stretch
 

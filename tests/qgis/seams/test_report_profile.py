@@ -13,8 +13,9 @@ from scipy.ndimage import gaussian_filter
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import Block, Source
+from seam_inspector.plugin.seams.measure.inspection import Block
 from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
+from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.seams.measure.window_records import ProfileRecord, WindowRecord
 from seam_inspector.plugin.seams.report.inspection_report import ReportRequest, write_report
 from seam_inspector.plugin.seams.report.loss_overview import PlacedLoss, loss_overview, most_lost

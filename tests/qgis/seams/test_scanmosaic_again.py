@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import ogr
-from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import open_journal
-from seam_inspector.plugin.seams.measure.scan.results import loss_raster
+from seam_inspector.plugin.seams.measure.scan import loss_raster
+from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
 from seam_inspector.plugin.toolkit.algorithms import feature_sinks
 from seam_inspector.plugin.toolkit.algorithms.run import Run as AlgorithmRun
 

@@ -10,7 +10,7 @@ from seam_inspector.plugin.imagery.shifts import Shift
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams import words as seam_words
 from seam_inspector.plugin.seams.measure.causes import Cause, CauseEvidence, Misfit, SourceTone, Texture
-from seam_inspector.plugin.seams.measure.changes import Change
+from seam_inspector.plugin.seams.measure.compared_image import Change
 from seam_inspector.plugin.seams.measure.explanation import Explanation
 from seam_inspector.plugin.seams.measure.messages import MAY_BE_SIGNIFICANT, VERDICT_OF_THE_REST
 from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure, ProfileBin, SeamProfile

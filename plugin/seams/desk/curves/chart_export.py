@@ -16,7 +16,7 @@ from ...tables.result_tables import curve_features
 
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult
-    from .curves_chart import Chart
+    from .curves_painter import Chart
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # isort: skip
 from matplotlib.figure import Figure  # isort: skip

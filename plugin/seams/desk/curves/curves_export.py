@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from ...measure.window.window_result import WindowResult
-    from .curves_chart import Chart
+    from .curves_painter import Chart
 
 
 class CurvesExport(ExportButton):

@@ -205,8 +205,9 @@ class CurvesPanel(MatplotlibPanel):
         return tuple(window_curves(results[0], band, self._colours, self._session.inputs.reference))
 
     def _draw(self, results: list[WindowCurves], curves: tuple[ChartCurve, ...]) -> None:
+        from ....toolkit.desk.theme import chart_style
         from ...measure.window.window_result import WindowResult
-        from .curves_chart import Chart, chart_style
+        from .curves_painter import Chart
 
         assert self._chart is not None
         assert self._legend is not None

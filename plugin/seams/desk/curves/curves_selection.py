@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from ....toolkit.translation import band_title, filled, sentence, tr
 
 if TYPE_CHECKING:
-    from ...measure.live.live_window import LiveWindow
+    from ...measure.live_window import LiveWindow
     from ...measure.window.window_result import WindowCurves
     from ..session import Session
 

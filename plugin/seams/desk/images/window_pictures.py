@@ -10,7 +10,7 @@ from ....toolkit.picture_stretch import GreyRanges, Stretch
 from ....toolkit.translation import tr
 from ... import jobs
 from ...clip_pictures import ClipPicture, PictureRequest, WindowPictureSet
-from ...measure.inspection import WindowRequest
+from ...measure.window.window_request import WindowRequest
 from ...measure.window_records import COMPOSITE, WindowRecord
 from ..inputs.block_cache import BlockCache
 from ..windows.window_watch import WindowWatch

@@ -31,10 +31,12 @@ from ....toolkit import messages as toolkit_messages
 from ....toolkit.background_tasks import BackgroundTasks, Cancelled, Job, Outcome
 from ....toolkit.translation import tr
 from ...measure import messages
-from ...measure.inspection import Block, InspectionSettings, Source, WindowRequest, make_block, window_request
+from ...measure.inspection import Block, make_block, window_request
 from ...measure.scan.lines.seam_features import SeamFeature
 from ...measure.scan.scan_settings import ScanSettings
 from ...measure.seam_cells import Cell
+from ...measure.source_images import Source
+from ...measure.window.window_request import InspectionSettings, WindowRequest
 from ...measure.window_records import WindowRecord
 from ...scan_job import ScanOrder
 from ...tables import input_layers, window_layer

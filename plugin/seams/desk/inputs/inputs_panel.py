@@ -16,8 +16,8 @@ from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.widgets import SummaryBox, single_shot
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import messages
-from ...measure.inputs.source_use import source_doubts
-from ...measure.placing.window_sides import fitting_side_m, window_side_px
+from ...measure.inputs.raster_facts import source_doubts
+from ...measure.window_placing import fitting_side_m, window_side_px
 from ...tables.input_layers import LOCATION_FIELD
 from .more_box import MoreBox, add_field, metres_box, show_value
 from .source_list import SourceList

@@ -13,7 +13,7 @@ from ....imagery import limits as imagery_limits
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.translation import tr
 from ...measure import limits
-from ...measure.scan.scan_settings import DENSITIES
+from ...measure.limits import DENSITIES
 from ...measure.window_records import REFERENCES
 from ...tables.input_layers import CELL_FIELD
 

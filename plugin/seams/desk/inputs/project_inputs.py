@@ -14,7 +14,7 @@ from ....toolkit.desk.widgets import single_shot
 from ....toolkit.picture_stretch import Stretch
 from ....toolkit.project_settings import load_settings, save_settings
 from ...measure import limits
-from ...measure.scan.scan_settings import DENSITIES
+from ...measure.limits import DENSITIES
 from ...measure.window_records import REFERENCES
 
 _KEY = "inputs"

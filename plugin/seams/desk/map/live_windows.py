@@ -11,9 +11,10 @@ from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import ReadingLanes
 from ....toolkit.background_tasks import LatestOnly
 from ....toolkit.desk.widgets import single_shot
-from ...measure.inspection import WindowRequest, window_request
-from ...measure.live.live_window import LivePixels, LiveWindow, live_profile, read_live
+from ...measure.inspection import window_request
+from ...measure.live_window import LivePixels, LiveWindow, live_profile, read_live
 from ...measure.window.measured_window import MeasuredAhead
+from ...measure.window.window_request import WindowRequest
 
 if TYPE_CHECKING:
     from ...measure.profile.seam_profile import SeamProfile

@@ -11,8 +11,8 @@ from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import raster_writer
 from ....imagery.rasters import RasterRef
 from ....toolkit.background_tasks import Cancelled, Job
-from ...measure.inspection import WindowRequest
 from ...measure.window.explained_window import WindowComposite, window_composite
+from ...measure.window.window_request import WindowRequest
 from .swiped_layer import private_layer
 
 

@@ -17,7 +17,8 @@ from ....toolkit.layers import box_extent, transformed_box
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
-from ...measure.inspection import Block, WindowRequest
+from ...measure.inspection import Block
+from ...measure.window.window_request import WindowRequest
 from .swipe import Swipe
 from .swiped_layer import SwipeChoice, source_layers
 

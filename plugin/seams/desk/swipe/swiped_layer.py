@@ -17,7 +17,7 @@ from qgis.PyQt.QtXml import QDomDocument
 from ....imagery import messages as imagery_messages
 from ....imagery.rasters import RasterRef
 from ....toolkit.background_tasks import Cancelled, Job
-from ...measure.inspection import WindowRequest
+from ...measure.window.window_request import WindowRequest
 
 
 @dataclass(frozen=True)

@@ -24,7 +24,7 @@ from ....toolkit.translation import tr
 from ... import jobs
 from ...measure import messages
 from ...measure.inspection import Block
-from ...measure.placing.window_placing import Placement
+from ...measure.window_placing import Placement
 from ...tables import window_layer
 from .. import messages as keeping_messages
 from ..inputs.block_cache import BlockCache

@@ -8,7 +8,7 @@ from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
-from typing import Callable, Protocol
+from typing import Callable
 
 from ....imagery.atomic_files import drop_unfinished
 from ....imagery.errors import Message
@@ -16,14 +16,13 @@ from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.rasters import Raster
 from ..inspection import Block, PathLike
 from .block_runs import BlockRun, ScanStep
-from .inputs.scan_request import ScanRequest, scan_request
-from .journal.scan_fingerprint import fingerprint_of
-from .journal.scan_journal import ScanJournal, open_journal
+from .gathering import Gathering, ScanResult
+from .judged_pieces import dated
 from .lines.given_seams import GivenSeams, given_seams
-from .lines.seam_files import read_seam_features
-from .lone.lone_scan import LoneScanning
-from .results.gathering import Gathering, ScanResult
-from .results.judged_pieces import dated
+from .lines.seam_features import read_seam_features
+from .lone_scan import LoneScanning
+from .scan_journal import ScanJournal, fingerprint_of, open_journal
+from .scan_request import ScanRequest, scan_request
 from .scan_settings import ScanSettings
 
 JOURNAL_ENDING = ".scan"
@@ -36,16 +35,6 @@ GoesOn = Callable[[float], bool]
 """Takes the share that is done, and says whether more is wanted."""
 
 
-class Scanning(Protocol):
-    """With orthoimages or without."""
-
-    def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
-        """Measures all blocks."""
-
-    def result(self, loss_path: str, goes_on: GoesOn) -> ScanResult | None:
-        """What they tell together."""
-
-
 class WholeScan:
     """One scan, which may have begun in an earlier run."""
 
@@ -54,34 +43,30 @@ class WholeScan:
         self.notice = notice
         """What became of an earlier run: goes on, or starts anew and why."""
         self._journal = journal
-        self._scanning: Scanning = _BySources(request, journal) if request.sources else LoneScanning(request, journal)
+        if request.sources:
+            self._steps, self._result = BlockRun(request, journal).steps, Gathering(request, journal).result
+        else:
+            alone = LoneScanning(request, journal)
+            self._steps, self._result = alone.steps, alone.result
 
     def steps(
         self, executor: Executor, ahead: int, cancelled: Callable[[], bool] = lambda: False
     ) -> Iterator[ScanStep]:
         """Scans all blocks, as many of them ``ahead`` as an executor should have under way."""
         with rasters_kept():
-            yield from self._scanning.steps(executor, ahead, cancelled)
+            yield from self._steps(executor, ahead, cancelled)
 
     def result(self, loss_path: str = "", goes_on: GoesOn = lambda share: True) -> ScanResult | None:
         """What all blocks together tell, the picture of losses as a file where a path is given; None when ``goes_on``,
         which is asked with the share that is done, says no."""
         with rasters_kept():
-            found = self._scanning.result(loss_path, goes_on)
+            found = self._result(loss_path, goes_on)
         dates = self.request.dates
         return found and replace(found, pieces=tuple(dated(piece, dates) for piece in found.pieces))
 
     def finish(self) -> None:
         """All results are where they belong: nothing is left to go on from."""
         self._journal.remove()
-
-
-class _BySources:
-    """A scan by orthoimages."""
-
-    def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
-        self.steps = BlockRun(request, journal).steps
-        self.result = Gathering(request, journal).result
 
 
 @contextmanager

@@ -10,8 +10,7 @@ from ....imagery.errors import Message
 from ....imagery.wavelets import Curve, correlation
 from .. import messages
 from ..causes import Cause
-from ..changes import Change
-from ..compared_image import MeasuredClip
+from ..compared_image import Change, MeasuredClip
 from ..explanation import Explanation, explain
 from ..following.hard_cut import cut_hard
 from ..seam_cells import UNKNOWN, cell_labels

@@ -8,7 +8,7 @@ from ....imagery.errors import Message
 from ....imagery.grids import PixelWindow
 from ....imagery.wavelets import Curve, Directions
 from ..causes import Cause
-from ..changes import Change
+from ..compared_image import Change
 from ..explanation import Explanation
 from ..profile.loss_picture import LossPicture
 from ..profile.seam_profile import SeamProfile

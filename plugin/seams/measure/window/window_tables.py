@@ -15,7 +15,7 @@ from ....imagery.records import Column, NotUnderstoodError, Row, record_of, rows
 from ....imagery.shifts import Shift
 from ....imagery.wavelets import DIRECTIONS, Curve
 from .. import messages
-from ..changes import Change
+from ..compared_image import Change
 from ..profile.seam_profile import ProfileBin
 from ..tone import Tone
 from .window_result import ClipResult, PairResult, WindowResult

@@ -12,6 +12,7 @@ from seam_inspector.plugin.imagery.clips import Clip
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import Raster
 from seam_inspector.plugin.imagery.shifts import Shift
+from seam_inspector.plugin.seams.measure.cause_evidence import misfit_of, placed_misfit
 from seam_inspector.plugin.seams.measure.causes import (
     ALONG_THE_SEAM,
     MIN_CUT_MISFIT_SHARE,
@@ -20,7 +21,6 @@ from seam_inspector.plugin.seams.measure.causes import (
     causes_taken,
 )
 from seam_inspector.plugin.seams.measure.explanation import Explanation
-from seam_inspector.plugin.seams.measure.misfit import misfit_of, placed_misfit
 
 from benchmarks.scenes import Scene, explained, whole_values
 from tests.numbers.synthetic import orthoimage, texture

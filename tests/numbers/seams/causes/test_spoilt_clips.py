@@ -17,13 +17,9 @@ from seam_inspector.plugin.imagery.wavelets import luminance
 from seam_inspector.plugin.seams.measure.causes import Cause, causes_taken
 from seam_inspector.plugin.seams.measure.explanation import Explanation
 from seam_inspector.plugin.seams.measure.following.followed_source import follow, high_pass
-from seam_inspector.plugin.seams.measure.inspection import (
-    InspectionSettings,
-    inspect_window,
-    make_block,
-    window_request,
-)
+from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
 from seam_inspector.plugin.seams.measure.verdicts import Verdict, judge_by_seam
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from benchmarks import aftermaths
 from benchmarks.detail import details

@@ -11,12 +11,8 @@ from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosai
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.imagery.reference_systems import extent_on
 from seam_inspector.plugin.seams.measure.inputs.valid_cells import CellGrid, ValidCells, nearest_judgeable, valid_cells
-from seam_inspector.plugin.seams.measure.inspection import (
-    InspectionSettings,
-    inspect_window,
-    make_block,
-    window_request,
-)
+from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.synthetic import ORIGIN, orthoimage

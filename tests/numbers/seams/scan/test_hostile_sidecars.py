@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.scan.journal import scan_fingerprint
+from seam_inspector.plugin.seams.measure.scan import scan_journal
 
 from tests.numbers.synthetic import write_raster
 
@@ -16,6 +16,6 @@ def test_an_entity_bomb_beside_a_raster_is_not_lit(tmp_path: Path) -> None:
     entities = "".join(f'<!ENTITY a{i + 1} "{f"&a{i};" * 20}">' for i in range(12))
     declared = f'<!DOCTYPE x [<!ENTITY a0 "boom"><!ENTITY f SYSTEM "/etc/passwd">{entities}]>'
     (tmp_path / "a.tif.aux.xml").write_text(f"{declared}<PAMDataset>&a12;&f;</PAMDataset>")
-    said = list(scan_fingerprint._states(RasterRef(str(path)).path, False))
+    said = list(scan_journal._states(RasterRef(str(path)).path, False))
     assert said
     assert sum(map(len, said)) < 1000

@@ -12,10 +12,16 @@ from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import cut_in_pieces
-from seam_inspector.plugin.seams.measure.scan.lone.lone_kept import COLOURLESS, LoneKept, LoneSeams
-from seam_inspector.plugin.seams.measure.scan.lone.lone_stretches import LoneStretches, lone_stretches
-from seam_inspector.plugin.seams.measure.scan.lone.lone_table import LoneTable, lone_cells
-from seam_inspector.plugin.seams.measure.scan.lone.lone_verdicts import judge_pieces, runs_of, verdict_of
+from seam_inspector.plugin.seams.measure.scan.lone_blocks import LoneTable, lone_cells
+from seam_inspector.plugin.seams.measure.scan.lone_kept import (
+    COLOURLESS,
+    LoneKept,
+    LoneSeams,
+    judge_pieces,
+    runs_of,
+    verdict_of,
+)
+from seam_inspector.plugin.seams.measure.scan.lone_stretches import LoneStretches, lone_stretches
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
 
 from benchmarks.aftermaths import jpeg, nothing, unsharp

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.scan.journal import scan_fingerprint
-from seam_inspector.plugin.seams.measure.scan.journal.scan_fingerprint import MOST_ASKED, fingerprint_of, what_changed
+from seam_inspector.plugin.seams.measure.scan import scan_journal
+from seam_inspector.plugin.seams.measure.scan.scan_journal import MOST_ASKED, fingerprint_of, what_changed
 from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.source_images import Source
 
@@ -67,6 +67,11 @@ def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dic
     assert str(what_changed(before, taken(files))) == what
 
 
+def test_the_version_is_that_in_the_package(repository: Path) -> None:
+    lines = (repository / "metadata.txt").read_text(encoding="utf-8").splitlines()
+    assert f"version={scan_journal._version()}" in lines
+
+
 def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     files: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -78,7 +83,7 @@ def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     refs = [Source(RasterRef(files[name]), EXTENT) for name in ("plain", "part")]
     first, second = (fingerprint_of(RasterRef(files["mosaic"]), some, None) for some in (refs, refs[::-1]))
     assert str(what_changed(first, second)) == "the sources or one of their files"
-    monkeypatch.setattr(scan_fingerprint, "_version", lambda: "0")
+    monkeypatch.setattr(scan_journal, "_version", lambda: "0")
     assert str(what_changed(before, taken(files))) == "the plugin's version"
 
 

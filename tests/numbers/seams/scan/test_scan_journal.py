@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.imagery.errors import INFO, WARNING, Message, SettingsError
 from seam_inspector.plugin.seams.measure.scan import messages
-from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import ScanJournal, open_journal
+from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanJournal, open_journal
 
 from tests.numbers.disks import full_disk
 
@@ -158,7 +158,7 @@ def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> N
 WRITER = """
 import sys
 from pathlib import Path
-from seam_inspector.plugin.seams.measure.scan.journal.scan_journal import open_journal
+from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
 journal, _ = open_journal(Path(sys.argv[1]), sys.argv[2])
 print("open", flush=True)
 done = len(journal.keys)

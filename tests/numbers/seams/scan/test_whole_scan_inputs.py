@@ -9,7 +9,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.atomic_files import drop_unfinished, replacing
 from seam_inspector.plugin.imagery.errors import Message
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.scan.journal.scan_fingerprint import fingerprint_of
+from seam_inspector.plugin.seams.measure.scan.scan_journal import fingerprint_of
 
 from tests.numbers.synthetic import orthoimage, write_raster
 

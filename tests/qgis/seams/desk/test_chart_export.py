@@ -4,7 +4,7 @@ from __future__ import annotations
 import pytest
 from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
 from seam_inspector.plugin.seams.desk.curves.chart_export import picture
-from seam_inspector.plugin.seams.desk.curves.curves_chart import Chart
+from seam_inspector.plugin.seams.desk.curves.curves_painter import Chart
 
 NAMES = ("_mosaic.tif", "__a$b$.tif", "<b>c</b>.tif", "\u202egnp.tif", "_.tif")
 

@@ -24,7 +24,7 @@ from seam_inspector.plugin.seams.charts.window_curves import point_words
 from seam_inspector.plugin.seams.desk.curves.curves_chart import CurvesChart
 from seam_inspector.plugin.seams.desk.curves.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
-from seam_inspector.plugin.seams.measure.live.live_window import LiveWindow
+from seam_inspector.plugin.seams.measure.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict, judge
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowClips, WindowCurves, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord

@@ -13,8 +13,8 @@ from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.desk.swipe.composite_layer import write_composite
 from seam_inspector.plugin.seams.desk.swipe.swiped_layer import looks_alike
-from seam_inspector.plugin.seams.measure.inspection import InspectionSettings, WindowRequest
 from seam_inspector.plugin.seams.measure.window.explained_window import WindowComposite
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
 
 from tests.numbers.synthetic import orthoimage, write_raster
 

@@ -15,12 +15,10 @@ from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
 from ..scan_settings import ScanSettings
-from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey
+from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey, rectangles
+from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
 from .block_pixels import BlockPixels, thin_valid
-from .dense_part import DensePart, measure_part
 from .patches import SquareLook, look_at_squares, middle_sources, spread_out
-from .plain_part import MARGIN_PX, measure_plain
-from .rectangles import rectangles
 from .seam_sides import SeamSides
 
 WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
@@ -101,7 +99,7 @@ def _scanned(request: BlockRequest) -> BlockScan:
     is_full = request.settings.density == FULL and wanted is None
     whole = wanted is None or wanted.mean() >= WHOLE_SHARE
     refs, settings = [one.ref for one in request.sources], request.settings
-    pixels = BlockPixels(request.mosaic, refs, _widened(request.window), whole, MARGIN_PX if is_full else 0,
+    pixels = BlockPixels(request.mosaic, refs, _widened(request.window), whole, BLOCK_MARGIN_PX if is_full else 0,
                          request.grey_factor)
     made = _Block(request)
     look = _look(pixels, request) if every else None

@@ -12,9 +12,14 @@ from seam_inspector.plugin.imagery.wavelets import placed_components
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, EDGES_PX, FARTHEST, CellTable
 from seam_inspector.plugin.seams.measure.profile.detail_sums import detail_sums
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, UNIT_PX
-from seam_inspector.plugin.seams.measure.scan.blocks.dense_part import DensePart, guesses, measure_part
+from seam_inspector.plugin.seams.measure.scan.blocks.block_parts import (
+    BLOCK_MARGIN_PX,
+    DensePart,
+    guesses,
+    measure_part,
+    measure_plain,
+)
 from seam_inspector.plugin.seams.measure.scan.blocks.patches import look_at_squares
-from seam_inspector.plugin.seams.measure.scan.blocks.plain_part import MARGIN_PX, measure_plain
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.seams.scan.blocks.scenes import (
@@ -169,7 +174,7 @@ def test_parts_that_are_clear_almost_nowhere_are_guesses() -> None:
 
 
 def plain_of(one: Scene, dense: np.ndarray | None = None, levels: int = LEVELS) -> CellTable:
-    pixels = one.pixels(margin_px=MARGIN_PX)
+    pixels = one.pixels(margin_px=BLOCK_MARGIN_PX)
     look = look_at_squares(pixels, WAVELET, levels)
     wanted = np.zeros((SIDE // UNIT_PX, SIDE // UNIT_PX), bool) if dense is None else dense
     return measure_plain(pixels, look, wanted, WAVELET, levels)

@@ -15,6 +15,7 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
     PRODUCTS,
     CellTable,
 )
+from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     BLOCK_PX,
     LABEL_PX,
@@ -25,7 +26,6 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     UNITS,
     BlockGrid,
 )
-from seam_inspector.plugin.seams.measure.scan.blocks.block_records import record_of, scan_of
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS, BlockScan, called_for, scan_block
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.source_images import Source

@@ -4,9 +4,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.piece_sides import sides_of
-from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, Side, cut_in_pieces
-from seam_inspector.plugin.seams.measure.scan.lines.source_names import source_numbers
+from seam_inspector.plugin.seams.measure.scan.lines.seam_fields import source_numbers
+from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sides_of
 
 from tests.numbers.seams.scan.lines.labelled import estimated, strips_of
 

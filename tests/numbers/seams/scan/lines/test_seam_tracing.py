@@ -12,8 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.label_borders import LabelBorder, label_borders
-from seam_inspector.plugin.seams.measure.scan.lines.label_cleaning import cleaned
+from seam_inspector.plugin.seams.measure.scan.lines.label_borders import LabelBorder, cleaned, label_borders
 from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import TracedSeam, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import (

@@ -6,8 +6,7 @@ import pytest
 from osgeo import ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import seams_of, trace_borders
-from seam_inspector.plugin.seams.measure.scan.lines.source_polygons import polygons_of
+from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import polygons_of, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import LABEL_PX, estimated, strips_of
 

@@ -9,7 +9,7 @@ from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDeta
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, LABELS, SQUARES, UNITS
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS, BlockScan
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
-from seam_inspector.plugin.seams.measure.scan.results.piece_sums import PieceSums
+from seam_inspector.plugin.seams.measure.scan.piece_sums import PieceSums
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, Blend

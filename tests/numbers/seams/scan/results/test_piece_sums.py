@@ -19,7 +19,7 @@ from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, M
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS
-from seam_inspector.plugin.seams.measure.scan.results.piece_sums import NOTHING, PieceSums
+from seam_inspector.plugin.seams.measure.scan.piece_sums import NOTHING, PieceSums
 from seam_inspector.plugin.seams.measure.visibility import window_visibility
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend, spread

@@ -17,7 +17,7 @@ from seam_inspector.plugin.seams.desk.profile.profile_export import COLUMNS, tab
 from seam_inspector.plugin.seams.desk.profile.profile_painter import bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.profile.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
-from seam_inspector.plugin.seams.measure.live.live_window import LiveWindow
+from seam_inspector.plugin.seams.measure.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowClips
 from seam_inspector.plugin.toolkit.desk.theme import chart_style

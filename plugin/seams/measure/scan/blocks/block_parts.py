@@ -1,0 +1,259 @@
+"""Parts of a block: pixel by pixel along its seams, and all of the ground between them, whose source patches tell."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy import ndimage
+
+from .....imagery.grids import PixelWindow
+from .....imagery.wavelets import placed_components
+from ...compared_image import ComparedImage
+from ...following.boxes import enlarged
+from ...following.expected_mosaic import expected_mosaic
+from ...following.followed_source import follow_planes, high_pass
+from ...following.levelling import SQUARE_PX as TONE_PX
+from ...following.levelling import gain_field, square_means
+from ...following.likely_source import QUICK, filled_in
+from ...following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, clearer_by_parts, follow_sources
+from ...following.source_filters import Filters
+from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
+from ...profile.detail_sums import compared_planes, detail_sums, numbers_of
+from ...seam_cells import UNKNOWN
+from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
+from .block_pixels import BlockPixels, Planes
+from .patches import PATCH_PX, SquareLook
+from .seam_sides import SeamSides
+
+_BAND = ("judged",)
+
+MIN_CLEAR = 0.9  # of a window: with more there is no part that is guessed
+MIN_SURE = 0.3  # of a part of one source; true ones have 0.56 or more after JPEG 75, guessed ones 0.25 or less
+MIN_VALID = 0.02  # of a part's pixels: with less there is nothing to be measured
+
+
+@dataclass(frozen=True, eq=False)
+class DensePart:
+    """What was measured in a rectangle of whole squares."""
+
+    window: PixelWindow
+    """On the mosaic's grid, without margins."""
+    labels: np.ndarray
+    """(rows, columns) uint8, one in ``LABEL_PX`` pixels: number of the source that is followed, or ``UNKNOWN``."""
+    mixture: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: share of the pixels that are a mixture of two sources."""
+    clear: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: share of the pixels in which one source is followed for sure."""
+    grey: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: mean of the mosaic."""
+    cells: CellTable
+    beside: MixtureTable
+    """What is mixed of what along its seams."""
+    unexplained: float
+    """Share of the mosaic's valid pixels that no source explains."""
+
+
+def measure_part(
+    pixels: BlockPixels, window: PixelWindow, numbers: tuple[int, ...], wavelet: str, levels: int,
+    filters: Filters | None = None, sides: SeamSides | None = None,
+) -> DensePart:
+    """A window, on the mosaic's grid, by some of the sources of its block.
+
+    ``filters``: what came over the mosaic, where that is known of all of them. ``sides``: the seams that are given.
+
+    Raises RasterError where the mosaic can't be read.
+    """
+    around = window.with_margin(MARGIN_PX)
+    planes = pixels.part(around, numbers)
+    own = np.s_[MARGIN_PX : MARGIN_PX + window.height, MARGIN_PX : MARGIN_PX + window.width]
+    present = tuple(planes.sources)
+    known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
+    if not present or known[own].mean() < MIN_VALID:
+        return _nothing(window, levels, float(known[own].any()))
+    image = ComparedImage(planes.mosaic[np.newaxis], _BAND, {}, {}, pixels.mosaic)
+    images = [
+        ComparedImage(planes.sources[i][np.newaxis], _BAND, {}, {}, planes.rasters[i], planes.offsets[i],
+                      planes.valid.get(i))
+        for i in present
+    ]
+    known_filters = None if filters is None else _of_planes(filters, present)
+    if known_filters is not None and known_filters.taps:
+        followed = _follow_filtered(image, images, known_filters)
+    else:
+        followed = follow_sources(image, images, without_copies=False)  # which a scan leaves out as a whole
+        if sides is not None and followed.following.unclear_share >= MIN_UNCLEAR_SHARE:
+            followed = clearer_by_parts(followed, sides.parts(around))
+    valid = {k: mask for k, of in enumerate(followed.source_of) if (mask := images[of].valid) is not None}
+    # What fills the mosaic where it has no pixels must tell nothing of tones and filters.
+    following = replace(followed.following, clear=followed.following.clear & known)
+    moved = [k for k, of in enumerate(followed.source_of) if followed.planes[k] is not images[of].plane]
+    expected = expected_mosaic(
+        image.plane, followed.planes, followed.fine, following, valid, None, None if moved else known_filters,
+        QUICK, PATCH_PX, bool(planes.resampled),
+    )
+    expected = expected.of_sources([present[of] for of in followed.source_of])
+    labels = expected.labels
+    labels[~known] = UNKNOWN
+    guessed = known & guesses(labels, following.clear | following.mixed)
+    if guessed.any() and expected.is_filtered:  # sources on other pixels than the mosaic are hardly told apart as such
+        seen = follow_planes([followed.fine[0], *map(high_pass, expected.shown.values())])
+        guessed = known & guesses(labels, seen.clear | seen.mixed)
+    labels[guessed] = UNKNOWN
+    details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
+    masks = {number: planes.valid[number] for number in present if number in planes.valid}
+    cells, beside = detail_sums(details, labels, numbers_of(expected), masks, expected.is_filtered)
+    labels = filled_in(labels, guessed)
+    margin = MARGIN_PX // CELL_PX
+    place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
+    first = around.row // CELL_PX, around.column // CELL_PX
+    mixed, clear, grey = (
+        one[own].reshape(window.height // CELL_PX, CELL_PX, window.width // CELL_PX, CELL_PX)
+        .mean(axis=(1, 3), dtype=np.float32)
+        for one in (following.mixed, following.clear, image.plane)
+    )
+    return DensePart(
+        window,
+        labels[own][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
+        mixed,
+        clear,
+        grey,
+        cells.within(place).moved(*first),
+        beside.within(place).moved(*first),
+        float((labels[own][known[own]] == UNKNOWN).mean()),
+    )
+
+
+def guesses(labels: np.ndarray, told: np.ndarray) -> np.ndarray:
+    """Parts that follow a source for sure almost nowhere: compression or smooth ground left nothing to tell it by.
+    (rows, columns) bool."""
+    found = np.zeros(labels.shape, bool)
+    if np.count_nonzero(told) >= MIN_CLEAR * told.size:
+        return found
+    coarse, sure = labels[::LABEL_PX, ::LABEL_PX], told[::LABEL_PX, ::LABEL_PX]
+    unsure = np.zeros(coarse.shape, bool)
+    for number in np.unique(coarse[coarse != UNKNOWN]).tolist():
+        parts, count = ndimage.label(coarse == number)
+        shares = [1.0, *ndimage.mean(sure, parts, np.arange(1, count + 1))]
+        unsure |= (np.array(shares) < MIN_SURE)[parts]
+    return enlarged(unsure, LABEL_PX)
+
+
+def _follow_filtered(image: ComparedImage, images: Sequence[ComparedImage], filters: Filters) -> PlacedSources:
+    """What the mosaic follows when what came over it was done to its sources, too."""
+    planes = tuple(one.plane for one in images)
+    fine = tuple(high_pass(plane) for plane in (image.plane, *planes))
+    following = follow_planes([fine[0], *(filters.applied(k, one) for k, one in enumerate(fine[1:]))])
+    return PlacedSources(following, planes, fine, tuple(range(len(planes))))
+
+
+def _of_planes(filters: Filters, numbers: Sequence[int]) -> Filters:
+    """By the number of a plane instead of its source's."""
+    if not filters.taps:
+        return filters
+    return replace(filters, taps={k: filters.taps[number] for k, number in enumerate(numbers)})
+
+
+def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
+    nothing = np.zeros((window.height // CELL_PX, window.width // CELL_PX), np.float32)
+    return DensePart(
+        window,
+        np.full((window.height // LABEL_PX, window.width // LABEL_PX), UNKNOWN, np.uint8),
+        nothing,
+        nothing,
+        nothing,
+        CellTable.empty(levels),
+        MixtureTable.empty(levels),
+        unexplained,
+    )
+
+
+BLOCK_MARGIN_PX = 32
+"""Around a block: the finest details of its outermost cells need to know so much."""
+
+
+def measure_plain(
+    pixels: BlockPixels, look: SquareLook, dense: np.ndarray, wavelet: str, levels: int
+) -> CellTable:
+    """The cells of a block but for its ``dense`` units, (rows, columns) bool, in cells of the mosaic.
+
+    Every square is measured by the source that its patch follows. Raises RasterError where the mosaic can't be read.
+    """
+    own = pixels.window
+    rows, columns = -(-own.height // SQUARE_PX) * SQUARE_PX, -(-own.width // SQUARE_PX) * SQUARE_PX
+    window = replace(own, width=columns, height=rows).with_margin(BLOCK_MARGIN_PX)
+    source = np.where(np.isin(look.source, list(look.learned_of)), look.source, np.uint8(UNKNOWN))
+    numbers = np.unique(source[source != UNKNOWN]).tolist()
+    if not numbers or look.filters is None:
+        return CellTable.empty(levels)
+    planes = pixels.part(window, numbers)
+    labels = np.pad(enlarged(source, SQUARE_PX), BLOCK_MARGIN_PX, mode="edge")
+    for number in numbers:
+        if number not in planes.sources:
+            labels[labels == number] = UNKNOWN
+        elif number in planes.valid:
+            labels[(labels == number) & ~planes.valid[number]] = UNKNOWN
+    if planes.mosaic_valid is not None:
+        labels[~planes.mosaic_valid] = UNKNOWN
+    made, gain = _composite(planes, labels, list(planes.sources), look.filters)
+    inside = np.s_[BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX, BLOCK_MARGIN_PX:-BLOCK_MARGIN_PX]
+    known = _by_cell((labels[inside] != UNKNOWN).astype(np.float32), CELL_PX) == CELL_PX**2
+    measured = enlarged(dense, UNIT_PX // CELL_PX)
+    known[: measured.shape[0], : measured.shape[1]] &= ~measured
+    sums = np.zeros((3, levels, *known.shape), np.float32)
+    for level, one in enumerate(placed_components(np.stack([planes.mosaic, made]), wavelet, levels)):
+        step = 2 ** (level + 1)
+        first, last = BLOCK_MARGIN_PX // step, ((BLOCK_MARGIN_PX + rows) // step, (BLOCK_MARGIN_PX + columns) // step)
+        m, c = (one[:, k, first : last[0], first : last[1]] for k in (0, 1))
+        for number, (a, b) in enumerate(((m, m), (c, c), (m, c))):
+            sums[number, level] = _by_cell(np.einsum("dij,dij->ij", a, b), CELL_PX // step)
+    # The gain is even within a cell, and what evens out the background has no detail.
+    sums[1] *= gain**2
+    sums[2] *= gain
+    cell_rows, cell_columns = (
+        first // CELL_PX + np.arange(length) for first, length in zip((own.row, own.column), known.shape)
+    )
+    return CellTable.far(cell_rows, cell_columns, known, sums, levels)
+
+
+def _composite(
+    planes: Planes, labels: np.ndarray, numbers: list[int], filters: Filters
+) -> tuple[np.ndarray, np.ndarray]:
+    """The sources as sharp as the mosaic shows them, the mosaic itself where none is followed; and by cells, without
+    the margin, what their detail is multiplied by in its tones."""
+    made = planes.mosaic.copy()
+    means = square_means(planes.mosaic)
+    gain = np.ones(means.shape, np.float32)
+    for number in numbers:
+        own = labels == number
+        if not own.any():
+            continue
+        place = _around(own)
+        squares = tuple(slice(part.start // TONE_PX, part.stop // TONE_PX) for part in place)
+        plane = planes.sources[number][place]
+        whole = own[place][TONE_PX // 2 :: TONE_PX, TONE_PX // 2 :: TONE_PX]
+        found = gain_field(means[squares], square_means(plane), whole, PATCH_PX // TONE_PX)
+        np.copyto(gain[squares], found, where=whole)
+        np.copyto(made[place], filters.applied(number, plane), where=own[place])
+    margin, per_cell = BLOCK_MARGIN_PX // TONE_PX, CELL_PX // TONE_PX
+    inside = gain[margin:-margin, margin:-margin]
+    return made, _by_cell(inside, per_cell) / per_cell**2
+
+
+def _around(mask: np.ndarray) -> tuple[slice, slice]:
+    """Rows and columns in which a mask is set, in whole squares of tone."""
+    rows, columns = (np.flatnonzero(mask.any(axis=axis)) for axis in (1, 0))
+    down, across = (
+        slice(int(one[0]) // TONE_PX * TONE_PX, -(-(int(one[-1]) + 1) // TONE_PX) * TONE_PX) for one in (rows, columns)
+    )
+    return down, across
+
+
+def _by_cell(values: np.ndarray, side: int) -> np.ndarray:
+    """Sums over cells of ``side`` values a side, (rows, columns) float32."""
+    rows, columns = values.shape
+    down = values.reshape(rows // side, side, columns)
+    summed = down[:, 0].copy()
+    for row in range(1, side):
+        summed += down[:, row]
+    return np.asarray(summed.reshape(rows // side, columns // side, side).sum(axis=2))

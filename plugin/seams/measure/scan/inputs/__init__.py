@@ -1,1 +1,0 @@
-"""What of the inputs of a scan can be used."""

@@ -1,0 +1,237 @@
+"""The mosaic's own detail in cells along its seams, with what tells ground from ground: all that can be known of a seam
+where no orthoimage is given. Block by block, from the request to the cells' record."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from ....imagery.clips import read_clip
+from ....imagery.errors import Message, NotCoveredError, RasterError
+from ....imagery.grids import PixelWindow
+from ....imagery.raster_pool import open_raster
+from ....imagery.records import packed, understanding, unpacked
+from ....imagery.remote_files import remote_settings
+from ....imagery.wavelets import judged_plane, placed_components
+from ..profile.cell_table import CELL_PX
+from .block_runs import BlockLook
+from .blocks.block_grid import BlockKey, rectangles
+from .blocks.scan_block import BlockRequest
+from .lines.piece_index import PieceIndex
+
+REACH_PX = 128.0
+"""Cells whose middle lies farther than this from any seam are left out."""
+ZONES_PX = (0, 4, 8, 12, 16, 24, 32, 48, 64, 96, 128)
+"""Edges of the zones of distance."""
+BEYOND = len(ZONES_PX) - 1
+"""The zone of what lies farther off than all of them, which only cells on the outer edge have a part in."""
+MARGIN_PX = 64
+"""So much more than the cells' window has to be given on all sides, or up to the mosaic's edge (mirrored there)."""
+
+_GRID_PX = 2  # of the finest coefficients
+_SPLIT_PX = 36.0  # cells nearer than this are split by zone, others lie in that of their middle
+_UNKNOWN_MARGIN_CELLS = 1  # beside pixels that are not valid
+_COLOURS = 3
+
+
+@dataclass(frozen=True, eq=False)
+class LoneTable:
+    """Cells of 16 px, and the parts of them in each zone of distance. Some 40 bytes for each pixel of seam."""
+
+    row: np.ndarray
+    """(cells,) int32: of the mosaic's cells."""
+    column: np.ndarray
+    """(cells,) int32"""
+    colour: np.ndarray
+    """(cells, 1 or 3) float32: mean of the measured plane, then what the bands beside the second differ from it."""
+    cell: np.ndarray
+    """(parts,) int32: number of the cell that the part is of."""
+    zone: np.ndarray
+    """(parts,) uint8: of ``ZONES_PX``, by the distance from the nearest seam."""
+    area: np.ndarray
+    """(parts,) float32: pixels."""
+    energy: np.ndarray
+    """(parts,) float32: of the details at level 1, DN squared, summed."""
+
+    def __len__(self) -> int:
+        """How many cells."""
+        return len(self.row)
+
+    @classmethod
+    def empty(cls, colours: int = _COLOURS) -> LoneTable:
+        """Without cells."""
+        place, number = np.zeros(0, np.int32), np.zeros(0, np.float32)
+        return cls(place, place, np.zeros((0, colours), np.float32), place, np.zeros(0, np.uint8), number, number)
+
+    @classmethod
+    def joined(cls, tables: Sequence[LoneTable]) -> LoneTable:
+        """Those of several windows that share no cell; at least one table, all of one mosaic."""
+        some = [one for one in tables if len(one)] or list(tables[:1])
+        firsts = np.cumsum([0, *(len(one) for one in some[:-1])])
+        cells = [one.cell + np.int32(first) for one, first in zip(some, firsts)]
+        parts = {
+            name: np.concatenate([getattr(one, name) for one in some])
+            for name in ("row", "column", "colour", "zone", "area", "energy")
+        }
+        return cls(cell=np.concatenate(cells), **parts)
+
+
+def lone_cells(
+    plane: np.ndarray,
+    bands: np.ndarray,
+    valid: np.ndarray | None,
+    around: PixelWindow,
+    window: PixelWindow,
+    pieces: PieceIndex,
+    wavelet: str,
+) -> LoneTable:
+    """The cells of a window that lie along seams and have all their pixels.
+
+    ``around``: the pixels that are given, on the mosaic's grid, ``window`` with ``MARGIN_PX`` on all sides where the
+    mosaic goes on; both start at multiples of 16 and have sides that are multiples of 16. ``plane``: (rows, columns)
+    of ``around``, what is measured. ``bands``: (bands, rows, columns), the first three of which are taken as colours,
+    fewer as none. ``valid``: (rows, columns) bool; None: everywhere. ``pieces``: those near the window.
+    """
+    first_row, first_column = window.row // CELL_PX, window.column // CELL_PX
+    rows, columns = window.height // CELL_PX, window.width // CELL_PX
+    down, across = np.mgrid[first_row : first_row + rows, first_column : first_column + columns]
+    _, distance = pieces.nearest((across + 0.5) * CELL_PX, (down + 0.5) * CELL_PX, REACH_PX)
+    top, left = (window.row - around.row) // CELL_PX, (window.column - around.column) // CELL_PX
+    place = np.s_[top : top + rows, left : left + columns]
+    near = np.isfinite(distance)
+    if valid is not None:
+        near &= _whole(valid)[place]
+    if not near.any():
+        return LoneTable.empty(_COLOURS if len(bands) >= _COLOURS else 1)
+    finest = _finest(plane, valid, around.margins_of(window), wavelet)
+    colours = [_by_cell(plane)[place]]
+    if len(bands) >= _COLOURS:
+        second = _by_cell(bands[1])[place]
+        colours += [_by_cell(bands[i])[place] - second for i in (0, 2)]
+    row, column = down[near].astype(np.int32), across[near].astype(np.int32)
+    parts = _parts(_blocks(finest)[place][near], row, column, distance[near], pieces)
+    return LoneTable(row, column, np.stack([one[near] for one in colours], axis=1).astype(np.float32), *parts)
+
+
+def _finest(
+    plane: np.ndarray, valid: np.ndarray | None, margins: tuple[tuple[int, int], tuple[int, int]], wavelet: str
+) -> np.ndarray:
+    """Energies of the finest details, as if the mosaic went on as in a mirror where there is no margin."""
+    if valid is not None:
+        plane = np.where(valid, plane, plane[valid].mean(dtype=np.float64).astype(plane.dtype))
+    missing = [[max(MARGIN_PX - there, 0) for there in axis] for axis in margins]
+    padded = np.pad(plane, missing, mode="symmetric") if any(map(any, missing)) else plane
+    (details,) = placed_components(padded[np.newaxis], wavelet, 1)
+    own = tuple(
+        slice(before // _GRID_PX, (before + length) // _GRID_PX)
+        for (before, _), length in zip(missing, plane.shape)
+    )
+    return np.einsum("dij,dij->ij", details[:, 0], details[:, 0])[own]
+
+
+def _parts(
+    finest: np.ndarray, row: np.ndarray, column: np.ndarray, distance: np.ndarray, pieces: PieceIndex
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Cell, zone, area and energy of the parts, from the finest energies (cells, 8, 8) and the middles' distances."""
+    count, per_cell = len(row), CELL_PX // _GRID_PX
+    split = distance < _SPLIT_PX
+    at = (np.arange(per_cell) + 0.5) * _GRID_PX
+    shape = (np.count_nonzero(split), per_cell, per_cell)
+    x = np.broadcast_to(column[split, np.newaxis, np.newaxis] * CELL_PX + at, shape)
+    y = np.broadcast_to(row[split, np.newaxis, np.newaxis] * CELL_PX + at[:, np.newaxis], shape)
+    _, exact = pieces.nearest(x, y, REACH_PX)
+    zones = np.empty((count, per_cell, per_cell), np.intp)
+    zones[split] = np.digitize(exact, ZONES_PX) - 1
+    zones[~split] = (np.digitize(distance[~split], ZONES_PX) - 1)[:, np.newaxis, np.newaxis]
+    np.minimum(zones, BEYOND, out=zones)
+    key = (zones + np.arange(count)[:, np.newaxis, np.newaxis] * (BEYOND + 1)).ravel()
+    samples = np.bincount(key, minlength=count * (BEYOND + 1))
+    sums = np.bincount(key, finest.ravel(), count * (BEYOND + 1))
+    there = np.flatnonzero(samples)
+    return (
+        (there // (BEYOND + 1)).astype(np.int32), (there % (BEYOND + 1)).astype(np.uint8),
+        (samples[there] * _GRID_PX**2).astype(np.float32), sums[there].astype(np.float32),
+    )
+
+
+def _blocks(values: np.ndarray) -> np.ndarray:
+    """Finest coefficients by cell, (rows, columns, 8, 8)."""
+    side = CELL_PX // _GRID_PX
+    rows, columns = (length // side for length in values.shape)
+    return values[: rows * side, : columns * side].reshape(rows, side, columns, side).swapaxes(1, 2)
+
+
+def _by_cell(values: np.ndarray) -> np.ndarray:
+    """Means over the cells, (rows, columns)."""
+    side = CELL_PX
+    return np.asarray(values.reshape(values.shape[0] // side, side, values.shape[1] // side, side).mean(axis=(1, 3)))
+
+
+def _whole(valid: np.ndarray) -> np.ndarray:
+    """Cells that have all their pixels and whose neighbours have, (rows, columns) bool."""
+    rows, columns = (length // CELL_PX for length in valid.shape)
+    full = valid.reshape(rows, CELL_PX, columns, CELL_PX).all(axis=(1, 3))
+    padded = np.pad(full, _UNKNOWN_MARGIN_CELLS, constant_values=True)
+    return np.asarray(np.logical_and.reduce([
+        padded[i : i + rows, j : j + columns]
+        for i in range(2 * _UNKNOWN_MARGIN_CELLS + 1) for j in range(2 * _UNKNOWN_MARGIN_CELLS + 1)
+    ]))
+
+
+@dataclass(frozen=True, eq=False)
+class LoneScan:
+    """What was measured along the seams of one block."""
+
+    key: BlockKey
+    table: LoneTable
+    notices: tuple[Message, ...] = ()
+    """What could not be read; the block then lacks it."""
+
+    @classmethod
+    def nothing(cls, request: BlockRequest, notices: tuple[Message, ...]) -> LoneScan:
+        """A block of which nothing could be measured."""
+        return cls(request.key, LoneTable.empty(), notices)
+
+
+def scan_lone_block(request: BlockRequest) -> LoneScan:
+    """The cells along the seams of a block, which are its ``sides``. What can't be read is told in its notices."""
+    assert request.wanted is not None
+    tables, notices = [LoneTable.empty(3 if len(request.mosaic.band_names) >= 3 else 1)], []
+    for part in rectangles(request.wanted):
+        window = part.moved_by(request.window.column, request.window.row)
+        try:
+            with remote_settings({}):
+                tables.append(_cells(request, window))
+        except NotCoveredError:
+            continue
+        except RasterError as error:
+            notices.append(error.message.as_warning())
+    return LoneScan(request.key, LoneTable.joined(tables), tuple(dict.fromkeys(notices)))
+
+
+def _cells(request: BlockRequest, window: PixelWindow) -> LoneTable:
+    around = window.with_margin(MARGIN_PX)
+    clip = read_clip(open_raster(request.mosaic.ref), request.mosaic, around, partly=True, holes=True)
+    bands = clip.bands if request.grey_factor == 1 else clip.bands * np.float32(request.grey_factor)
+    plane = judged_plane(bands, clip.raster.band_names)
+    assert request.sides is not None
+    near = request.sides.pieces.near(around, REACH_PX)
+    return lone_cells(plane, bands, clip.valid, around, window, near, request.settings.wavelet)
+
+
+def lone_record_of(scan: LoneScan) -> bytes:
+    """All but the notices, which are told once."""
+    arrays = {one.name: getattr(scan.table, one.name) for one in fields(LoneTable)}
+    return packed({"key": np.array(scan.key), **arrays})
+
+
+def lone_scan_of(record: bytes) -> LoneScan:
+    """What ``lone_record_of`` made bytes of. Raises NotUnderstoodError for anything else."""
+    with understanding():
+        kept = unpacked(record)
+        row, column = kept["key"].tolist()
+        return LoneScan((row, column), LoneTable(**{one.name: kept[one.name] for one in fields(LoneTable)}))
+
+
+LONE_LOOK = BlockLook("lone", scan_lone_block, LoneScan.nothing, lone_record_of, lone_scan_of)

@@ -1,0 +1,309 @@
+"""What pieces of seam kept where no orthoimage is given, with intervals; which length of seam can be judged; verdicts.
+
+kept_1 is the finest detail in the strip beside the seam over that of the ground on both sides, each over what ground
+like that is expected to have. The figures behind the constants below: docs/method/seams_without_sources.md.
+
+A verdict is given only where the interval allows one. A piece is judged by itself. Where its interval is too wide for
+that, the run of pieces of the same seam that it belongs to may still tell, and the verdict says so."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import stdtrit
+
+from ....imagery.errors import Message
+from ..limits import MAX_SIGNIFICANT_KEPT
+from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
+from ..verdicts import Verdict
+from . import messages
+from .lone_blocks import ZONES_PX
+from .lone_stretches import RANGES_PX, STRETCH_PX, STRIP_PX, LoneStretches
+
+EXCESS, DECAY = 1.5, 0.75
+"""The variance of the mean of n stretches is that of one of them, times the first, over n to the power of the second:
+ground changes slowly along a seam, so stretches are not independent of each other."""
+SELECTION = 0.75
+"""Seams are led through smooth ground. Of what the look of the ground explains of the difference between strip and
+ground, over all seams, so much again may be there that it does not see."""
+COLOURLESS = 0.17
+"""Where there is one band only, so much is added to the upper end of log kept: brightness alone can't tell meadow from
+bitumen, and seams are led along the smoother one."""
+LEAST_ERROR = 0.03
+"""Of the logarithm of kept, however long the seam."""
+MOST_TOO_HIGH = 0.12
+"""Of kept: sources that are cut hard make edges of their own, which the ground beside them has not."""
+
+_CONFIDENCE = 0.95
+_RUN = 8  # stretches whose scatter is taken together
+_BORROWED = 8.0  # stretches that the scatter of all seams counts as, beside that of a run
+_FEWEST_RUNS = 6  # that tell how much runs differ
+_LEAST_AREA = 0.4  # of the strip, and of the ground on either side: with less a stretch takes no part
+
+
+@dataclass(frozen=True)
+class LoneKept:
+    """What a piece, a run of pieces or all seams kept."""
+
+    kept: float
+    low: float
+    high: float
+    """95 % interval."""
+    band_width_px: float
+    """Full width of the band in which less than 0.9 is kept; 0 where none shows for sure."""
+    length_px: float
+    """Of the seam that was measured."""
+
+    @property
+    def tells_loss(self) -> bool:
+        """Whether less is kept than all, for sure."""
+        return self.high < 1
+
+    @property
+    def tells_sound(self) -> bool:
+        """Whether more is kept than a significant loss would leave, and nothing says that it is less than all."""
+        return self.low > MAX_SIGNIFICANT_KEPT and not self.tells_loss
+
+
+class LoneSeams:
+    """All seams of a mosaic, by their stretches."""
+
+    def __init__(self, stretches: LoneStretches, seam_ids: Sequence[int]) -> None:
+        """``seam_ids``: of each piece; the pieces of a seam follow one another."""
+        self.seam_ids = tuple(seam_ids)
+        order = np.argsort(stretches.piece, kind="stable")
+        self._stretches = stretches.chosen(order)
+        self._seam = np.asarray(seam_ids, dtype=np.intp)[self._stretches.piece]
+        self._run = _runs(self._seam)
+        self.range = 0
+        """Of ``RANGES_PX``: what the strips are compared with."""
+        self._prepare()
+        if self._reaches_beyond():
+            self.range = 1
+            self._prepare()
+
+    def kept(self, pieces: Sequence[int] | None = None) -> LoneKept | None:
+        """Of some pieces together, or of all; None where too little of them or of the ground can be measured."""
+        if pieces is None:
+            return self._kept(np.flatnonzero(self._usable))
+        spans = [self._span(number) for number in sorted(set(pieces))]
+        return self._kept(np.concatenate([np.zeros(0, np.intp), *spans]))
+
+    def by_piece(self, count: int) -> list[LoneKept | None]:
+        """Of every piece for itself."""
+        return [self._kept(self._span(number)) for number in range(count)]
+
+    def _span(self, piece: int) -> np.ndarray:
+        """The stretches of a piece that take part."""
+        first, last = (int(np.searchsorted(self._stretches.piece, piece, side)) for side in ("left", "right"))
+        return np.arange(first, last)[self._usable[first:last]]
+
+    @property
+    def judgeable_px(self) -> float | None:
+        """From which length of seam on a significant loss shows for sure, as the ground of this mosaic is."""
+        if self._scatter is None:
+            return None
+        shift = -np.log(MAX_SIGNIFICANT_KEPT) - self._raised
+        room = (shift / _quantile(np.inf)) ** 2 - LEAST_ERROR**2
+        if room <= 0 or shift <= 0:
+            return None
+        return float(STRETCH_PX * max(1.0, (EXCESS * self._scatter / room) ** (1 / DECAY)))
+
+    @property
+    def _raised(self) -> float:
+        """By how much the upper end of log kept is raised for seams that are led through smooth ground."""
+        return max(-self._selection, 0.0) + (0.0 if self._stretches.has_colour.all() else COLOURLESS)
+
+    def _prepare(self) -> None:
+        """Which stretches take part, and what the intervals of all pieces follow from."""
+        s, (near, far) = self._stretches, RANGES_PX[self.range]
+        self._usable = (s.strip_area >= _LEAST_AREA * 2 * STRIP_PX * s.length_px) & (
+            s.ground_area[self.range] >= _LEAST_AREA * (far - near) * s.length_px
+        ).all(axis=0) & (s.ground_plain[self.range] > 0).all(axis=0)
+        self._selection, self._scatter = 0.0, None
+        self._variance = np.zeros(len(s))
+        used = np.flatnonzero(self._usable)
+        if not len(used):
+            return
+        self._selection = SELECTION * (self._compared(used, plain=True)[0] - self._compared(used)[0])
+        runs, first = np.unique(self._run[used], return_index=True)
+        sums, counts = np.zeros(self._run[-1] + 1), np.zeros(self._run[-1] + 1)
+        for run, own in zip(runs, np.split(used, first[1:])):
+            if len(own) > 1:
+                influence = self._compared(own)[1]
+                sums[run] = len(own) ** 2 * (influence**2).sum()  # of one stretch, times their number less one
+                counts[run] = len(own) - 1
+        if counts.any():
+            self._scatter = float(sums.sum() / counts.sum())
+            self._variance = ((sums + self._scatter * _BORROWED) / (counts + _BORROWED))[self._run]
+
+    def _kept(self, own: np.ndarray) -> LoneKept | None:
+        """Of some stretches."""
+        if not len(own) or self._scatter is None:
+            return None
+        log_kept, influence = self._compared(own)
+        error = self._error(own, influence)
+        factor = np.exp(_quantile(_BORROWED + len(own) - 1) * error)
+        kept = float(np.exp(log_kept))
+        low = kept / factor * np.exp(-max(self._selection, 0.0)) * (1 - MOST_TOO_HIGH)
+        high = kept * factor * np.exp(self._raised)
+        width = self._width_px(own) if high < 1 and kept < BAND_KEPT else 0.0
+        return LoneKept(kept, float(low), float(high), width, float(self._stretches.length_px[own].sum()))
+
+    def _compared(
+        self, own: np.ndarray, plain: bool = False, beyond: bool = False
+    ) -> tuple[float, np.ndarray]:
+        """Logarithm of the strip over the ground on both sides, and what each stretch adds to it.
+
+        ``plain``: as the detail is; ``beyond``: not of the strip but of the nearer ground, over that farther off.
+        """
+        s, range_ = self._stretches, 1 if beyond else self.range
+        strip, ground = (s.strip_plain, s.ground_plain) if plain else (s.strip_matched, s.ground_matched)
+        above = zip(s.ground_area[0], ground[0]) if beyond else [(s.strip_area, strip)]
+        influence, logs = np.zeros(len(own)), []
+        for sign, parts in ((1.0, list(above)), (-1.0, list(zip(s.ground_area[range_], ground[range_])))):
+            means = []
+            for area, values in parts:
+                weights = area[own] / area[own].sum()
+                means.append((weights, values[own], float(weights @ values[own])))
+            level = max(float(np.mean([mean for _, _, mean in means])), 1e-12)
+            logs.append(sign * np.log(level))
+            influence += sign * sum(w * (one - mean) for w, one, mean in means) / (level * len(means))
+        return float(sum(logs)), influence
+
+    def _error(self, own: np.ndarray, influence: np.ndarray) -> float:
+        """Standard error of the logarithm of kept."""
+        weights = self._stretches.strip_area[own] / self._stretches.strip_area[own].sum()
+        squares = weights**2
+        scatter = float(squares @ self._variance[own]) / float(squares.sum())
+        variance = EXCESS * scatter * float(squares.sum()) ** DECAY
+        runs = np.unique(self._run[own], return_inverse=True)[1]
+        count = int(runs.max()) + 1
+        if count >= _FEWEST_RUNS:  # many differ by what they are, too
+            between = float((np.bincount(runs, influence) ** 2).sum()) * count / (count - 1)
+            variance = max(variance, between)
+        return float(np.sqrt(variance + LEAST_ERROR**2))
+
+    def _reaches_beyond(self) -> bool:
+        """Whether, beside a loss along the seams, the nearer ground has lost detail itself."""
+        s, (near, far) = self._stretches, RANGES_PX[1]
+        whole = self.kept()
+        if whole is None or not whole.tells_loss:
+            return False
+        own = np.flatnonzero(
+            self._usable & (s.ground_area[1] >= _LEAST_AREA * (far - near) * s.length_px).all(axis=0)
+            & (s.ground_plain[1] > 0).all(axis=0)
+        )
+        if len(np.unique(self._run[own])) < _FEWEST_RUNS:
+            return False
+        log_kept, influence = self._compared(own, beyond=True)
+        plain, _ = self._compared(own, plain=True, beyond=True)
+        error = self._error(own, influence)
+        return bool(log_kept + _quantile(_BORROWED) * error + SELECTION * max(log_kept - plain, 0.0) < 0)
+
+    def _width_px(self, own: np.ndarray) -> float:
+        """Of the band along some stretches."""
+        s = self._stretches
+        areas = s.ground_area[self.range][:, own]
+        level = (areas * s.ground_matched[self.range][:, own]).sum(axis=1) / areas.sum(axis=1)
+        bins = []
+        for zone, (near, far) in enumerate(zip(ZONES_PX, ZONES_PX[1:])):
+            area = s.zone_area[zone, own]
+            if area.any():
+                kept = float((area * s.zone_matched[zone, own]).sum() / area.sum() / level.mean())
+                bins.append(ProfileBin(1, near, far, kept, np.nan, np.nan, np.nan, float(area.sum())))
+        return band_width_px(bins)
+
+
+def _runs(seam: np.ndarray) -> np.ndarray:
+    """Numbers of runs of consecutive stretches of one seam, ``_RUN`` or a few more in each."""
+    if not len(seam):
+        return np.zeros(0, np.intp)
+    starts = np.flatnonzero(np.diff(seam, prepend=seam[0] - 1))
+    run, number = np.empty(len(seam), np.intp), 0
+    for start, stop in zip(starts, [*starts[1:], len(seam)]):
+        count = max(1, (stop - start) // _RUN)
+        run[start:stop] = number + np.arange(stop - start) * count // (stop - start)
+        number += count
+    return run
+
+
+def _quantile(freedom: float) -> float:
+    """How many standard errors the interval reaches to either side."""
+    return float(stdtrit(freedom, (1 + _CONFIDENCE) / 2))
+
+
+RUNS_LENGTHS = (1.0, 2.0, 4.0)
+"""Runs are tried that are so many times as long as what can be judged on this mosaic."""
+
+
+@dataclass(frozen=True)
+class LoneJudgement:
+    """What is said of one piece."""
+
+    kept: LoneKept | None
+    """Of the piece itself; None where there is too little to be measured."""
+    verdict: Verdict
+    reason: Message | None
+    """Why there is none, or that it is that of a longer run."""
+
+
+def judge_pieces(seams: LoneSeams, lengths_px: Sequence[float], pixel_m: float) -> list[LoneJudgement]:
+    """Every piece, in their order. ``pixel_m``: side of a pixel on the ground."""
+    own = seams.by_piece(len(lengths_px))
+    told: dict[int, tuple[Verdict, Message]] = {}
+    least = seams.judgeable_px
+    for length in [] if least is None else [factor * least for factor in RUNS_LENGTHS]:
+        wanted = {n for n, kept in enumerate(own) if n not in told and kept is not None and verdict_of(kept) is None}
+        for run in runs_of(seams.seam_ids, lengths_px, length) if wanted else ():
+            if len(run) < 2 or wanted.isdisjoint(run):
+                continue
+            kept = seams.kept(run)
+            verdict = None if kept is None else verdict_of(kept)
+            if kept is not None and verdict is not None:
+                reason = messages.JUDGED_WITH_RUN(
+                    length=kept.length_px * pixel_m, low=100 * kept.low, high=100 * kept.high
+                )
+                told.update((number, (verdict, reason)) for number in run if number in wanted)
+    return [_judged(kept, told.get(number), least, pixel_m) for number, kept in enumerate(own)]
+
+
+def verdict_of(kept: LoneKept) -> Verdict | None:
+    """None where the interval is too wide for one."""
+    if kept.tells_loss:
+        return Verdict.SIGNIFICANT if kept.kept <= MAX_SIGNIFICANT_KEPT else Verdict.REDUCED
+    return Verdict.PRESERVED if kept.tells_sound else None
+
+
+def runs_of(seam_ids: Sequence[int], lengths_px: Sequence[float], least_px: float) -> list[list[int]]:
+    """Consecutive pieces of each seam, by number, in runs of nearly equal length of at least ``least_px`` or all."""
+    ids, lengths = np.asarray(seam_ids), np.asarray(lengths_px, dtype=float)
+    if not len(ids):
+        return []
+    runs: list[list[int]] = []
+    starts = np.flatnonzero(np.diff(ids, prepend=ids[0] - 1))
+    for start, stop in zip(starts.tolist(), [*starts[1:].tolist(), len(ids)]):
+        along = np.cumsum(lengths[start:stop])
+        count = max(1, int(along[-1] // least_px))
+        middles = along - lengths[start:stop] / 2
+        of = np.minimum((middles / along[-1] * count).astype(int), count - 1)
+        runs += [(start + np.flatnonzero(of == number)).tolist() for number in np.unique(of)]
+    return runs
+
+
+def _judged(
+    kept: LoneKept | None, told: tuple[Verdict, Message] | None, least_px: float | None, pixel_m: float
+) -> LoneJudgement:
+    if kept is None:
+        return LoneJudgement(None, Verdict.NOT_COMPARABLE, messages.TOO_LITTLE_BESIDE_SEAM())
+    verdict = verdict_of(kept)
+    if verdict is not None:
+        return LoneJudgement(kept, verdict, None)
+    if told is not None:
+        return LoneJudgement(kept, *told)
+    low, high = 100 * kept.low, 100 * kept.high
+    if least_px is None or kept.length_px >= least_px:
+        return LoneJudgement(kept, Verdict.NOT_COMPARABLE, messages.LONE_INTERVAL_TOO_WIDE(low=low, high=high))
+    reason = messages.LONE_PIECE_TOO_SHORT(needed=least_px * pixel_m, low=low, high=high)
+    return LoneJudgement(kept, Verdict.NOT_COMPARABLE, reason)

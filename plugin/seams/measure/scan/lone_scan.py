@@ -1,0 +1,157 @@
+"""A whole scan without orthoimages: along given seams, by what lies on either side."""
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
+from functools import lru_cache
+from typing import Callable
+
+import numpy as np
+
+from ....imagery.errors import Message
+from ....imagery.lines import points_at, vertex_stations
+from . import messages
+from .block_runs import JournaledBlocks, ScanStep, held
+from .blocks.block_grid import BLOCK_PX, BlockKey
+from .blocks.scan_block import BlockRequest
+from .blocks.seam_sides import SeamSides, SeamSquares
+from .gathering import ScanResult
+from .judged_pieces import JudgedPiece, without_verdict
+from .lines.piece_index import PieceIndex
+from .lines.seam_pieces import SeamPiece
+from .lone_blocks import LONE_LOOK, MARGIN_PX, REACH_PX, LoneTable
+from .lone_kept import LoneJudgement, LoneSeams, judge_pieces
+from .lone_stretches import STRIP_PX, LoneStretches, lone_stretches
+from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
+from .scan_journal import ScanJournal
+from .scan_request import ScanRequest
+from .worst_windows import worst_windows
+
+_HELD = 64  # tables of blocks that are kept: some rows of neighbours
+_CELLS_BESIDE_PX = 12  # what a cell whose middle is within reach sticks out
+
+
+class LoneScanning:
+    """Measures blocks, then reads them one by one from the journal, so that memory grows with the seams only."""
+
+    def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
+        self._request, self._mosaic, self._pieces = request, request.mosaic, request.pieces
+        self._index = PieceIndex(request.pieces, request.mosaic.grid)
+        self._journal, self._blocks = journal, request.blocks
+        self._table = lru_cache(_HELD)(self._table_of)
+
+    def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
+        """Every block that a seam meets."""
+        along = SeamSquares(self._request.seams, self._blocks, beside_px=int(REACH_PX) + _CELLS_BESIDE_PX)
+
+        def block(key: BlockKey) -> BlockRequest:
+            window = self._blocks.window(key)
+            near = SeamSides(self._index.near(window, REACH_PX + MARGIN_PX), {})
+            return BlockRequest(
+                self._mosaic, (), key, window, self._request.settings, along.dense_in(key),
+                grey_factor=self._request.grey_factor, sides=near,
+            )
+
+        yield from JournaledBlocks(self._journal, executor, ahead, cancelled).steps(LONE_LOOK, along.met, block)
+
+    def result(self, loss_path: str, goes_on: Callable[[float], bool]) -> ScanResult | None:
+        """Pieces, worst windows and, where a path is given, the picture of losses; None where ``goes_on`` says no.
+
+        Levels beyond the first are not told.
+        """
+        mosaic, settings = self._mosaic, self._request.settings
+        pixel_m = mosaic.ground_sample_distance
+        groups = self._groups()
+        parts = []
+        for done, (key, numbers) in enumerate(sorted(groups.items())):
+            tables = [table for near in self._touched(key, numbers) if (table := self._table(near)) is not None]
+            if tables:
+                table = LoneTable.joined(tables)
+                parts.append(lone_stretches(table, self._pieces, numbers, self._index, pixel_m))
+            if not goes_on(0.8 * done / len(groups)):
+                return None
+        pieces: list[JudgedPiece] = []
+        notices: list[Message] = []
+        if parts:
+            seams = LoneSeams(LoneStretches.joined(parts), [piece.seam_id for piece in self._pieces])
+            told = judge_pieces(seams, [piece.length_m / pixel_m for piece in self._pieces], pixel_m)
+            pieces = [_judged(piece, one, pixel_m, settings.levels) for piece, one in zip(self._pieces, told)]
+            if (all_seams := seams.kept()) is not None:
+                kept, low, high = (100 * one for one in (all_seams.kept, all_seams.low, all_seams.high))
+                notices.append(messages.LONE_NETWORK(kept=kept, low=low, high=high))
+                least = seams.judgeable_px
+                told_length = messages.LONE_FROM_LENGTH(length=least * pixel_m) if least else messages.LONE_NEVER()
+                notices.append(told_length)
+        if loss_path:
+            with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
+                self._draw(raster, pieces, settings.cell_px)
+                raster.close([])
+        worst = worst_windows(pieces, mosaic, settings.worst_count, settings.levels)
+        notices += without_verdict(pieces)
+        return ScanResult(tuple(pieces), (), tuple(worst), tuple(notices)) if goes_on(1.0) else None
+
+    def _draw(self, raster: LossRaster, judged: Sequence[JudgedPiece], cell_px: int) -> None:
+        """What each piece kept, in the cells of its strip."""
+        kept = np.array([NODATA if one.least_kept is None else one.least_kept for one in judged], np.float32)
+        side = BLOCK_PX // cell_px
+        met = {near for key, numbers in self._groups().items() for near in self._touched(key, numbers)}
+        for key in sorted(met):
+            window = self._blocks.window(key)
+            near = self._index.near(window, BLOCK_PX // side)
+            if not len(near):
+                continue
+            columns = window.column + (np.arange(side) + 0.5) * cell_px
+            rows = window.row + (np.arange(side) + 0.5) * cell_px
+            number, _ = near.nearest(columns, rows[:, np.newaxis], max(cell_px / 2, STRIP_PX))
+            cells = empty_cells(side)
+            cells[0][number >= 0] = kept[number[number >= 0]]
+            raster.write(*key, cells)
+
+    def _groups(self) -> dict[BlockKey, list[int]]:
+        """Pieces by the block that their middle lies in."""
+        found = defaultdict(list)
+        for number, piece in enumerate(self._pieces):
+            found[self._keys(piece.vertices[len(piece.vertices) // 2][np.newaxis])[0]].append(number)
+        return found
+
+    def _touched(self, key: BlockKey, numbers: Sequence[int]) -> list[BlockKey]:
+        """The blocks of some pieces and their neighbours."""
+        vertices = np.concatenate([_filled_in(self._pieces[number].vertices, self._step) for number in numbers])
+        own = {key, *self._keys(vertices)}
+        around = {(row + down, column + to) for row, column in own for down in (-1, 0, 1) for to in (-1, 0, 1)}
+        return sorted(one for one in around if 0 <= one[0] < self._blocks.rows and 0 <= one[1] < self._blocks.columns)
+
+    @property
+    def _step(self) -> float:
+        """Map units that are surely less than a block."""
+        return self._mosaic.grid.pixel_width * BLOCK_PX / 4
+
+    def _keys(self, vertices: np.ndarray) -> list[BlockKey]:
+        grid = self._mosaic.grid
+        columns = grid.column_at(vertices[:, 0]) // BLOCK_PX
+        rows = grid.row_at(vertices[:, 1]) // BLOCK_PX
+        last = self._blocks.rows - 1, self._blocks.columns - 1
+        return [(min(max(int(row), 0), last[0]), min(max(int(column), 0), last[1]))
+                for row, column in zip(rows, columns)]
+
+    def _table_of(self, key: BlockKey) -> LoneTable | None:
+        """What the journal holds of one block."""
+        found = held(LONE_LOOK, self._journal, key)
+        return None if found is None else found.table
+
+
+def _judged(piece: SeamPiece, told: LoneJudgement, pixel_m: float, levels: int) -> JudgedPiece:
+    left, right = (side if isinstance(side, str) else None for side in (piece.left, piece.right))
+    kept = told.kept
+    if kept is None:
+        return JudgedPiece(piece, left, right, None, None, None, None, told.verdict, told.reason)
+    width = kept.band_width_px * pixel_m
+    by_level = (kept.kept, *[None] * (levels - 1))
+    return JudgedPiece(piece, left, right, by_level, kept.low, kept.high, width, told.verdict, told.reason)
+
+
+def _filled_in(vertices: np.ndarray, step: float) -> np.ndarray:
+    """The vertices of a line, and points between those that lie far apart."""
+    along = vertex_stations(vertices)
+    return points_at(vertices, along, np.union1d(along, np.arange(0, along[-1], step)))

@@ -1,0 +1,269 @@
+"""Stretches of seam and the ground on both sides of them: what pieces, whole seams and the mosaic are judged by.
+
+How much fine detail ground like that has is told by comparing cells with others that look like them: a generalised
+linear model with a logarithmic link (McCullagh and Nelder 1989) of the finest energy over a quadratic in the brightness
+and the colour. It is fitted to cells off the seam, so whatever was done to the whole mosaic is in it. Coarser detail is
+left out: it would tell grounds apart better, and would hide feathers between images that show the ground in different
+places, since these take from it, too."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from ..profile.cell_table import CELL_PX
+from .lines.piece_index import PieceIndex
+from .lines.seam_pieces import SeamPiece
+from .lone_blocks import REACH_PX, ZONES_PX, LoneTable
+
+STRETCH_PX = 64.0
+"""Pieces are cut evenly into stretches of about this length; how much these differ tells the interval."""
+STRIP_PX = 8
+"""Width on either side of the seam that kept_1 is of."""
+RANGES_PX = ((16, 64), (64, 128))
+"""Ground that the strip is compared with; the second where feathers reach beyond the first."""
+FEWEST_CELLS = 250
+"""Of ground; with fewer in a tile and beside it, what is expected is found from all cells of the table."""
+
+_TILE_CELLS = 64  # what is expected is found anew in each tile of so many cells a side
+_BESIDE_CELLS = 32  # and from cells up to so far beside it
+_LEAST_PART_PX = 32.0
+_STRIP, _UNUSED = 0, -1
+
+
+@dataclass(frozen=True, eq=False)
+class LoneStretches:
+    """Sums of n stretches; ranges are those of ``RANGES_PX``, sides left and right.
+
+    ``matched``: the finest detail over what is expected of ground like that; ``plain``: the same in DN squared a pixel.
+    """
+
+    piece: np.ndarray
+    """(n,) number of the piece."""
+    length_px: np.ndarray
+    """(n,)"""
+    strip_area: np.ndarray
+    """(n,) pixels beside the seam."""
+    strip_matched: np.ndarray
+    """(n,) mean."""
+    strip_plain: np.ndarray
+    """(n,) mean."""
+    ground_area: np.ndarray
+    """(ranges, sides, n) pixels."""
+    ground_matched: np.ndarray
+    """(ranges, sides, n) mean."""
+    ground_plain: np.ndarray
+    """(ranges, sides, n) mean."""
+    zone_area: np.ndarray
+    """(zones, n) pixels by distance."""
+    zone_matched: np.ndarray
+    """(zones, n) mean."""
+    has_colour: np.ndarray
+    """(n,) bool: whether ground was matched by more than its brightness."""
+
+    def __len__(self) -> int:
+        return len(self.piece)
+
+    @classmethod
+    def empty(cls) -> LoneStretches:
+        """None at all."""
+        ground, zones, none = np.zeros((len(RANGES_PX), 2, 0)), np.zeros((len(ZONES_PX) - 1, 0)), np.zeros(0)
+        return cls(
+            np.zeros(0, np.intp), none, none, none, none, ground, ground, ground, zones, zones, np.zeros(0, bool)
+        )
+
+    @classmethod
+    def joined(cls, parts: Sequence[LoneStretches]) -> LoneStretches:
+        """Of several blocks; at least one."""
+        return cls(*(np.concatenate([getattr(one, f.name) for one in parts], axis=-1) for f in fields(cls)))
+
+    def chosen(self, where: np.ndarray) -> LoneStretches:
+        """Those that a mask or an index names."""
+        return LoneStretches(*(getattr(self, f.name)[..., where] for f in fields(self)))
+
+
+def lone_stretches(
+    table: LoneTable, pieces: Sequence[SeamPiece], numbers: Sequence[int], index: PieceIndex, pixel_m: float
+) -> LoneStretches:
+    """The stretches of some pieces, by number.
+
+    ``table`` holds all cells along them, and what is around: those of the neighbouring blocks. ``index``: of all
+    pieces, or of those near the table. ``pixel_m``: side of a pixel on the ground.
+    """
+    if not len(numbers):
+        return LoneStretches.empty()
+    lengths = np.array([pieces[number].length_m for number in numbers]) / pixel_m
+    counts = np.maximum(1, np.round(lengths / STRETCH_PX)).astype(np.intp)
+    count = int(counts.sum())
+    nearest = _nearest(table, pieces, numbers, index, counts)
+    ratio = table.energy / table.area / _expected(table)[table.cell]
+    own = nearest.belongs[table.cell]
+    stretch, piece = nearest.stretch[table.cell], nearest.order[table.cell]
+    zones = len(ZONES_PX) - 1
+    inner = own & (table.zone < zones)
+    zone_area, zone_matched = _means(
+        ratio[inner], table.area[inner], stretch[inner], piece[inner], table.zone[inner], count, zones
+    )
+    # The strip's parts of a cell are one: smaller ones would be capped oftener than the cells of the ground.
+    group = _groups(table, nearest.left)
+    used = own & (group != _UNUSED)
+    groups = 1 + 2 * len(RANGES_PX)
+    key, merged = np.unique(table.cell[used].astype(np.int64) * groups + group[used], return_inverse=True)
+    cell, group = np.divmod(key, groups)
+    area = np.bincount(merged, table.area[used], len(key))
+    plain = np.bincount(merged, table.energy[used], len(key)) / area
+    matched = np.bincount(merged, (table.area * ratio)[used], len(key)) / area
+    large = area >= _LEAST_PART_PX
+    cell, group, area = cell[large], group[large], area[large]
+    areas, matched_means = _means(
+        matched[large], area, nearest.stretch[cell], nearest.order[cell], group, count, groups
+    )
+    _, plain_means = _means(plain[large], area, nearest.stretch[cell], nearest.order[cell], group, count, groups)
+    shape = len(RANGES_PX), 2, count
+    return LoneStretches(
+        np.repeat(np.asarray(numbers, dtype=np.intp), counts), np.repeat(lengths / counts, counts),
+        areas[_STRIP], matched_means[_STRIP], plain_means[_STRIP],
+        areas[1:].reshape(shape), matched_means[1:].reshape(shape), plain_means[1:].reshape(shape),
+        zone_area, zone_matched, np.full(count, table.colour.shape[1] > 1),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _NearestStretch:
+    """Of each cell of a table, (cells,)."""
+
+    belongs: np.ndarray
+    """bool: whether its piece is one of those asked for."""
+    stretch: np.ndarray
+    order: np.ndarray
+    """Place of its piece among those asked for."""
+    left: np.ndarray
+    """bool: whether it lies on the left."""
+
+
+def _nearest(
+    table: LoneTable, pieces: Sequence[SeamPiece], numbers: Sequence[int], index: PieceIndex, counts: np.ndarray
+) -> _NearestStretch:
+    """``counts``: stretches of each piece that is asked for."""
+    found = index.beside((table.column + 0.5) * CELL_PX, (table.row + 0.5) * CELL_PX, REACH_PX)
+    place = np.full(len(pieces) + 1, -1)
+    place[list(numbers)] = np.arange(len(numbers))
+    order = place[found.number]  # -1, no piece, is the last
+    belongs = order >= 0
+    order = np.where(belongs, order, 0)
+    start, length = (np.array([getattr(pieces[n], name) for n in numbers]) for name in ("station_m", "length_m"))
+    share = (found.station_m - start[order]) / length[order]
+    own = np.clip((share * counts[order]).astype(np.intp), 0, counts[order] - 1)
+    return _NearestStretch(belongs, np.cumsum(counts)[order] - counts[order] + own, order, found.on_left)
+
+
+def _groups(table: LoneTable, left: np.ndarray) -> np.ndarray:
+    """Of each part: the strip, or the range and side of the ground, or neither."""
+    group = np.full(len(table.zone), _UNUSED)
+    group[table.zone < ZONES_PX.index(STRIP_PX)] = _STRIP
+    side = np.where(left, 0, 1)[table.cell]
+    for number, (near, far) in enumerate(RANGES_PX):
+        there = (table.zone >= ZONES_PX.index(near)) & (table.zone < ZONES_PX.index(far))
+        group[there] = 1 + 2 * number + side[there]
+    return group
+
+
+def _means(
+    values: np.ndarray, area: np.ndarray, stretch: np.ndarray, piece: np.ndarray, group: np.ndarray, count: int,
+    groups: int,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Areas and means (groups, count) by stretch, with none counted as more than ``CAP`` times its piece's mean."""
+    group = group.astype(np.intp)
+    capped = np.minimum(values, CAP * capped_means(values, area, piece * groups + group)[piece * groups + group])
+    key = group * count + stretch
+    areas = np.bincount(key, area, groups * count)
+    means = np.bincount(key, area * capped, groups * count) / np.where(areas > 0, areas, 1)
+    return areas.reshape(groups, count), means.reshape(groups, count)
+
+
+def _expected(table: LoneTable) -> np.ndarray:
+    """The finest energy a pixel that ground like each cell's has, (cells,)."""
+    far = table.zone >= ZONES_PX.index(RANGES_PX[0][0])
+    area = np.bincount(table.cell[far], table.area[far], len(table))
+    energy = np.bincount(table.cell[far], table.energy[far], len(table)) / np.maximum(area, 1)
+    known = area >= _LEAST_PART_PX
+    expected = np.full(len(table), np.nan)
+    if not known.any():
+        return expected
+    tile_row, tile_column = table.row // _TILE_CELLS, table.column // _TILE_CELLS
+    for row, column in np.unique(np.column_stack([tile_row, tile_column]), axis=0):
+        own = (tile_row == row) & (tile_column == column)
+        beside = known & _near(table.row, row) & _near(table.column, column)
+        if np.count_nonzero(beside) < FEWEST_CELLS:
+            beside = known
+        expected[own] = expected_energies(table.colour[beside], energy[beside], area[beside], table.colour[own])
+    return expected
+
+
+def _near(places: np.ndarray, tile: int) -> np.ndarray:
+    """Which cells lie in a row (column) of tiles or beside it."""
+    first = tile * _TILE_CELLS
+    return (places >= first - _BESIDE_CELLS) & (places < first + _TILE_CELLS + _BESIDE_CELLS)
+
+
+CAP = 2.0
+"""A cell counts at most as so many times what is expected of it: kerbs and roofs are not what is looked for."""
+
+_ROUNDS = 12
+_RIDGE = 1e-4
+_OUTERMOST = (0.01, 0.99)  # of each property: beyond these quantiles the model is held where it is
+_MOST_EXPONENT = 15.0
+
+
+def expected_energies(
+    properties: np.ndarray, energies: np.ndarray, weights: np.ndarray, wanted: np.ndarray
+) -> np.ndarray:
+    """What is expected of cells with the properties ``wanted``, (m, p), from others, (n, p), and their energies.
+
+    ``energies`` and ``weights``: (n,). Returns (m,), all positive.
+    """
+    own, asked = properties.astype(np.float64), wanted.astype(np.float64)
+    low, high = np.quantile(own, _OUTERMOST, axis=0)
+    own, asked = np.clip(own, low, high), np.clip(asked, low, high)
+    middle, spread = own.mean(axis=0), np.maximum(own.std(axis=0), 1e-9)
+    level = max(float(np.average(energies, weights=weights)), 1e-12)
+    coefficients = _fitted(_terms((own - middle) / spread), energies / level, weights)
+    return np.asarray(level * np.exp(_bounded(_terms((asked - middle) / spread) @ coefficients)))
+
+
+def capped_means(values: np.ndarray, weights: np.ndarray, groups: np.ndarray) -> np.ndarray:
+    """The mean of each group, with none counted as more than ``CAP`` times the mean; 0 for an empty one."""
+    count = int(groups.max()) + 1 if len(groups) else 0
+    total = np.bincount(groups, weights, count)
+    total = np.where(total > 0, total, 1)
+    mean = np.bincount(groups, weights * values, count) / total
+    for _ in range(_ROUNDS):
+        mean = np.bincount(groups, weights * np.minimum(values, CAP * mean[groups]), count) / total
+    return mean
+
+
+def _terms(properties: np.ndarray) -> np.ndarray:
+    """1, the properties and their products, (n, terms)."""
+    first, second = np.triu_indices(properties.shape[1])
+    return np.column_stack([np.ones(len(properties)), properties, properties[:, first] * properties[:, second]])
+
+
+def _fitted(terms: np.ndarray, values: np.ndarray, weights: np.ndarray) -> np.ndarray:
+    """Coefficients of the logarithm of what is expected; ratios above ``CAP`` count as that."""
+    weighted = terms.T * weights
+    normal = weighted @ terms
+    ridge = np.full(len(normal), _RIDGE * np.trace(normal) / len(normal))
+    ridge[0] = 0
+    inverse = np.linalg.inv(normal + np.diag(ridge))
+    exponent = np.zeros(len(values))
+    coefficients = np.zeros(len(normal))
+    for _ in range(_ROUNDS):
+        working = np.minimum(values * np.exp(-exponent), CAP) - 1 + exponent
+        coefficients = inverse @ (weighted @ working)
+        exponent = _bounded(terms @ coefficients)
+    return np.asarray(coefficients)
+
+
+def _bounded(exponents: np.ndarray) -> np.ndarray:
+    return np.clip(exponents, -_MOST_EXPONENT, _MOST_EXPONENT)

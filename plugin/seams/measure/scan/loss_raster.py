@@ -1,0 +1,222 @@
+"""The picture of where detail was lost: a GeoTIFF of cells, written block row by block row."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import numpy as np
+from osgeo import gdal
+
+from ....imagery import messages as imagery_messages
+from ....imagery.errors import Message
+from ....imagery.gdal_calls import gdal_call, gdal_writing
+from ....imagery.raster_writer import GEOTIFF, whole_raster
+from ....imagery.rasters import Raster
+from ..profile.cell_table import CELL_PX, whole_cells
+from ..profile.ground import LevelGround
+from .blocks.block_grid import BLOCK_PX, LABEL_PX
+from .blocks.scan_block import BlockScan
+
+BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
+NODATA = -1.0
+SETTINGS_DOMAIN = "SEAM_INSPECTOR"
+SOURCE_BAND = BANDS.index("source") + 1
+
+
+def loss_cells(
+    scan: BlockScan, labels: np.ndarray, ground: Sequence[LevelGround | None], cell_px: int
+) -> np.ndarray:
+    """One block's pixels, (5, rows, columns) float32 of whole blocks, ``NODATA`` where nothing was measured.
+
+    ``labels``: (rows, columns) int of the block, numbers of sources in the band's names, 0 where none is followed.
+    """
+    side, step = BLOCK_PX // cell_px, cell_px // CELL_PX
+    made = empty_cells(side)
+    cells = whole_cells(scan.cells)
+    per_block = BLOCK_PX // CELL_PX
+    place = (cells.row % per_block) // step * side + (cells.column % per_block) // step
+    mm, cc, mc = (np.bincount(place, values[0], side * side) for values in (cells.mm, cells.cc, cells.mc))
+    if (finest := ground[0] if ground else None) is not None:
+        expected = np.bincount(place, cells.cc[0] * finest.amplitude(cells.energy(0)), side * side)
+        _put(made[0], mm, expected)
+    _put(made[1], mm, cc)
+    np.sqrt(made[1], out=made[1], where=made[1] >= 0)
+    _put(made[2], mc**2, mm * cc)
+    np.subtract(1, np.minimum(made[2], 1), out=made[2], where=made[2] >= 0)
+    per_cell = cell_px // LABEL_PX
+    source = labels[per_cell // 2 :: per_cell, per_cell // 2 :: per_cell]
+    anywhere = labels.reshape(side, per_cell, side, per_cell).max(axis=(1, 3))  # the mosaic may end before the middle
+    made[3] = np.where(source > 0, source, np.where(anywhere > 0, anywhere, NODATA))
+    parts = scan.mixture.reshape(side, step, side, step)
+    known = ~np.isnan(parts)
+    counts = known.sum(axis=(1, 3))
+    made[4] = np.where(counts > 0, np.where(known, parts, 0).sum(axis=(1, 3)) / np.maximum(counts, 1), NODATA)
+    return made
+
+
+def empty_cells(side: int) -> np.ndarray:
+    """A block of which nothing was measured, (5, side, side) float32."""
+    return np.full((len(BANDS), side, side), NODATA, np.float32)
+
+
+def _put(target: np.ndarray, above: np.ndarray, below: np.ndarray) -> None:
+    known = below > 0
+    target[known.reshape(target.shape)] = (above[known] / below[known]).astype(np.float32)
+
+
+class LossRaster:
+    """Writes the cells of blocks where they belong."""
+
+    def __init__(self, dataset: gdal.Dataset, path: str, cell_px: int) -> None:
+        self._dataset, self._failure = dataset, imagery_messages.RASTER_NOT_WRITTEN(path=path)
+        self._side = BLOCK_PX // cell_px
+        self._tiles: set[tuple[int, int]] = set()  # of the first overview, that have something to show
+        self._sums = [_Sums() for _ in BANDS]
+
+    def write(self, row: int, column: int, cells: np.ndarray) -> None:
+        """The cells of one block by its row and column. Raises RasterError when the disk is full."""
+        left, top = column * self._side, row * self._side
+        width, height = self._dataset.RasterXSize - left, self._dataset.RasterYSize - top
+        cells = np.ascontiguousarray(cells[:, :height, :width])
+        if (cells == NODATA).all():
+            return
+        for band, sums in zip(cells, self._sums):
+            sums.add(band[band != NODATA])
+        self._tiles.add((top // (2 * TILE), left // (2 * TILE)))
+        with gdal_writing(self._failure):
+            self._dataset.WriteArray(cells, left, top)
+
+    def add_setting(self, name: str, value: str) -> None:
+        """What only the whole scan knows, beside its settings."""
+        with gdal_writing(self._failure):
+            self._dataset.SetMetadataItem(name, value, SETTINGS_DOMAIN)
+
+    def close(self, names: Sequence[str]) -> None:
+        """Overviews, statistics and the names of the sources, which their numbers from 1 on mean."""
+        with gdal_writing(self._failure):
+            dataset = self._dataset
+            dataset.GetRasterBand(SOURCE_BAND).SetCategoryNames(["", *names])
+            dataset.FlushCache()
+            write_overviews(dataset, self._tiles, SOURCE_BAND)
+            for number, sums in enumerate(self._sums, 1):
+                if sums.count:
+                    dataset.GetRasterBand(number).SetStatistics(*sums.statistics)
+            dataset.FlushCache()
+            self._dataset = None
+
+
+@dataclass
+class _Sums:
+    """Of the values of a band."""
+
+    count: int = 0
+    total: float = 0.0
+    squares: float = 0.0
+    least: float = np.inf
+    most: float = -np.inf
+
+    def add(self, values: np.ndarray) -> None:
+        """Some more of them."""
+        self.count += values.size
+        self.total += float(values.sum(dtype=np.float64))
+        self.squares += float(np.square(values, dtype=np.float64).sum())
+        self.least, self.most = float(values.min(initial=self.least)), float(values.max(initial=self.most))
+
+    @property
+    def statistics(self) -> tuple[float, float, float, float]:
+        """Least, largest, mean and standard deviation."""
+        mean = self.total / self.count
+        return self.least, self.most, mean, max(self.squares / self.count - mean**2, 0.0) ** 0.5
+
+
+@contextmanager
+def loss_raster(
+    path: str, mosaic: Raster, cell_px: int, settings: Mapping[str, str] | None = None
+) -> Iterator[LossRaster]:
+    """A GeoTIFF that is there when the block ends, or not at all. Raises RasterError where none can be written.
+
+    ``settings``: how it was measured, which goes along with it as metadata of ``SETTINGS_DOMAIN``.
+    """
+    failure = imagery_messages.RASTER_NOT_WRITTEN(path=path)
+    with whole_raster(path) as unfinished:
+        options = ("COMPRESS=DEFLATE", "PREDICTOR=3", "INTERLEAVE=BAND", "SPARSE_OK=TRUE")
+        dataset = created_cells(unfinished, mosaic, cell_px, BANDS, failure, options)
+        with gdal_writing(failure):
+            dataset.SetMetadata(dict(settings or {}), SETTINGS_DOMAIN)
+        yield LossRaster(dataset, path, cell_px)
+
+
+def created_cells(
+    path: str, mosaic: Raster, cell_px: int, bands: Sequence[str], failure: Message, options: Sequence[str] = ()
+) -> gdal.Dataset:
+    """A GeoTIFF of cells of a mosaic, empty: with SPARSE_OK they are ``NODATA`` without being written.
+
+    Raises RasterError with ``failure`` where none can be made.
+    """
+    columns, rows = -(-mosaic.columns // cell_px), -(-mosaic.rows // cell_px)
+    kind, options = gdal.GDT_Float32, ["TILED=YES", "BIGTIFF=IF_SAFER", *options]
+    dataset = gdal_call(
+        lambda: gdal.GetDriverByName(GEOTIFF).Create(path, columns, rows, len(bands), kind, options), failure
+    )
+    left, across, skew, top, down, height = mosaic.placement
+    with gdal_writing(failure):
+        dataset.SetGeoTransform((left, across * cell_px, skew * cell_px, top, down * cell_px, height * cell_px))
+        dataset.SetProjection(mosaic.wkt)
+        for number, name in enumerate(bands, 1):
+            band = dataset.GetRasterBand(number)
+            band.SetDescription(name)
+            band.SetNoDataValue(NODATA)
+    return dataset
+
+
+TILE = 256
+"""Side of the parts of an overview that are made at a time; a picture that is no larger has none."""
+
+
+def write_overviews(dataset: gdal.Dataset, tiles: Iterable[tuple[int, int]], of_names: int) -> None:
+    """Halve a picture until it is no larger than a tile: means, and of the band ``of_names`` what most pixels name.
+
+    ``tiles``: rows and columns of tiles of the first overview that are not empty.
+    """
+    longest = max(dataset.RasterXSize, dataset.RasterYSize)
+    factors = [2**level for level in range(1, 31) if longest / 2 ** (level - 1) > TILE]
+    if not factors:
+        return
+    dataset.BuildOverviews("NONE", factors)
+    wanted = set(tiles)
+    nodata = dataset.GetRasterBand(1).GetNoDataValue()
+    bands = [dataset.GetRasterBand(number + 1) for number in range(dataset.RasterCount)]
+    for level in range(len(factors)):
+        for row, column in sorted(wanted):
+            for number, band in enumerate(bands, 1):
+                finer = band.GetOverview(level - 1) if level else band
+                left, top = 2 * TILE * column, 2 * TILE * row
+                width, height = min(2 * TILE, finer.XSize - left), min(2 * TILE, finer.YSize - top)
+                pixels = finer.ReadAsArray(left, top, width, height)
+                made = most_named(pixels, nodata) if number == of_names else means(pixels, nodata)
+                band.GetOverview(level).WriteArray(made, left // 2, top // 2)
+        wanted = {(row // 2, column // 2) for row, column in wanted}
+
+
+def means(pixels: np.ndarray, nodata: float) -> np.ndarray:
+    """Of two by two, without those that are not known."""
+    four = _four(pixels, nodata)
+    known = four != nodata
+    count = known.sum(axis=0)
+    total = np.where(known, four, 0).sum(axis=0, dtype=np.float64)
+    return np.where(count, total / np.maximum(count, 1), nodata).astype(np.float32)
+
+
+def most_named(pixels: np.ndarray, nodata: float) -> np.ndarray:
+    """Of two by two the number that stands there most often; of several the first."""
+    four = _four(pixels, nodata)
+    votes = np.where(four != nodata, (four[:, np.newaxis] == four).sum(axis=1), 0)
+    return np.take_along_axis(four, votes.argmax(axis=0)[np.newaxis], axis=0)[0]
+
+
+def _four(pixels: np.ndarray, nodata: float) -> np.ndarray:
+    """(4, rows, columns) of each two by two; beyond the edge nothing is known."""
+    rows, columns = pixels.shape
+    even = np.pad(pixels, ((0, rows % 2), (0, columns % 2)), constant_values=nodata)
+    return np.stack([even[row::2, column::2] for row in (0, 1) for column in (0, 1)])

@@ -1,0 +1,303 @@
+"""What a scan has measured so far, on disk: one that was stopped in any way goes on where it was.
+
+As long as what decides on its result is the same, which a fingerprint tells.
+"""
+from __future__ import annotations
+
+import dataclasses
+import errno
+import os
+import re
+import time
+from collections.abc import Iterable, Iterator, KeysView, Sequence
+from hashlib import blake2b
+from pathlib import Path
+from typing import Any
+from xml.etree.ElementTree import ParseError, tostring
+
+import numpy as np
+from osgeo import gdal
+
+from ....imagery import messages as imagery_messages
+from ....imagery.documents import xml_root
+from ....imagery.errors import Message, SettingsError
+from ....imagery.gdal_calls import gdal_silenced, vrt_parts
+from ....imagery.messages import system_reason
+from ....imagery.rasters import RasterRef
+from ....imagery.record_store import RecordStore
+from ....imagery.remote_files import forget_fetched, is_remote, readable_path
+from ..source_images import Source
+from . import messages
+
+MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
+_BESIDE = ("", ".msk")
+"""Endings of the files that say what a raster's pixels are: itself, its mask."""
+_SAID = ".aux.xml"
+"""Of the file that may say more of them, its nodata for instance."""
+_OF_NO_CONSEQUENCE = "Metadata", "Histograms", "Description", "CategoryNames"
+"""What QGIS writes there when it first shows a raster, such as statistics, changes no pixel."""
+_MOST_SAID = 10_000_000  # bytes that are read
+_PARTS = {
+    "version": messages.SCAN_OF_ANOTHER_VERSION,
+    "mosaic": messages.SCAN_OF_ANOTHER_MOSAIC,
+    "sources": messages.SCAN_OF_OTHER_SOURCES,
+    "settings": messages.SCAN_WITH_OTHER_SETTINGS,
+    "seams": messages.SCAN_OF_OTHER_SEAMS,
+}
+
+
+def fingerprint_of(
+    mosaic: RasterRef, sources: Sequence[Source], settings: Any, seams: Iterable[object] = ()
+) -> str:
+    """The same as long as the result of a scan would be: a digest of each of its inputs.
+
+    Local files by path, size and time of change, those that a VRT or an archive is made of too; no source is opened.
+    The remote mosaic, and up to ``MOST_ASKED`` remote sources, by what their server says of them; more by their names.
+    ``settings``: a dataclass; ``seams``: arrays, dataclasses of them, texts, numbers or bytes.
+    """
+    asked = sum(is_remote(source.ref.path) for source in sources) <= MOST_ASKED
+    parts = {
+        "version": _digest([_version()]),
+        "mosaic": _digest([mosaic.path, mosaic.wkt, *_states(mosaic.path, ask=True)]),
+        "sources": _digest(
+            item
+            for source in sources
+            for item in (source.ref.path, source.ref.wkt, source.extent, *_states(source.ref.path, asked))
+        ),
+        "settings": _digest([settings]),
+        "seams": _digest(seams),
+    }
+    return " ".join(f"{name}={digest}" for name, digest in parts.items())
+
+
+def what_changed(older: str, newer: str) -> Message:
+    """The first part in which two fingerprints differ, in words."""
+    was, is_now = (dict(part.partition("=")[::2] for part in text.split()) for text in (older, newer))
+    if was.keys() == is_now.keys():
+        for name, message in _PARTS.items():
+            if was.get(name) != is_now.get(name):
+                return message
+    return messages.SCAN_OF_ANOTHER_KIND
+
+
+def _digest(items: Iterable[object]) -> str:
+    digest = blake2b(digest_size=12)
+    for part in _flat(items):
+        digest.update(f"{len(part)}:".encode())
+        digest.update(part)
+    return digest.hexdigest()
+
+
+def _flat(item: object) -> Iterator[bytes]:
+    """A value as bytes that don't depend on the process; the names of types are among them."""
+    if isinstance(item, bytes):
+        yield item
+    elif isinstance(item, np.ndarray):
+        yield f"{item.dtype.str} {item.shape}".encode()
+        yield np.ascontiguousarray(item).tobytes()
+    elif dataclasses.is_dataclass(item) and not isinstance(item, type):
+        yield type(item).__name__.encode()
+        for field in dataclasses.fields(item):
+            yield field.name.encode()
+            yield from _flat(getattr(item, field.name))
+    elif isinstance(item, dict):
+        yield from _flat(sorted(item.items()))
+    elif isinstance(item, Iterable) and not isinstance(item, str):
+        yield b"["
+        for part in item:
+            yield from _flat(part)
+        yield b"]"
+    else:
+        yield repr(item).encode()
+
+
+def _states(path: str, ask: bool) -> Iterator[str]:
+    """What is known of a raster's files without opening it."""
+    if is_remote(path):
+        if ask:
+            yield _remote_state(readable_path(path))
+        return
+    seen = {path}
+    waiting = [path]
+    while waiting:
+        one = waiting.pop()
+        file = _local_file(one)
+        for ending in _BESIDE if file == one else ("",):
+            state = _local_state(file + ending)
+            if state:
+                yield f"{os.path.abspath(file + ending)} {state}"
+        if file == one and (said := _said_beside(file + _SAID)):
+            yield said
+        if one.lower().endswith(".vrt"):
+            parts = [part for part in vrt_parts(one) if part not in seen]
+            seen.update(parts)
+            waiting += parts
+
+
+def _said_beside(path: str) -> str:
+    """What a file of auxiliary data says that may change how pixels are read; empty where there is no such thing."""
+    try:
+        if os.path.getsize(path) > _MOST_SAID:
+            return _local_state(path)
+        root = xml_root(Path(path).read_bytes())
+    except OSError:
+        return ""
+    except ParseError:
+        return _local_state(path)
+    for parent in list(root.iter()):
+        for child in [one for one in parent if one.tag in _OF_NO_CONSEQUENCE]:
+            parent.remove(child)
+    kept = [band for band in root if len(band) or (band.text or "").strip()]
+    return "".join(re.sub(r"\s+", " ", tostring(one, "unicode")) for one in kept)
+
+
+def _local_state(path: str) -> str:
+    """Empty where there is no such file."""
+    try:
+        found = os.stat(path)
+    except (OSError, ValueError):
+        return ""
+    return f"{found.st_size} {found.st_mtime_ns}"
+
+
+def _remote_state(path: str) -> str:
+    """Size, time of change and entity tag, as far as the server tells them now."""
+    forget_fetched(path)
+    with gdal_silenced():
+        try:
+            found = gdal.VSIStatL(path)
+            headers = gdal.GetFileMetadata(path, "HEADERS") or {}
+        except RuntimeError:
+            return ""
+    told = {name.lower(): value for name, value in headers.items()}
+    return f"{found and found.size} {found and found.mtime} {told.get('etag', '')}"
+
+
+def _local_file(path: str) -> str:
+    """The file of this machine that a path is read from: of one inside an archive, the archive."""
+    if os.path.exists(path):
+        return path
+    inside = re.sub(r"^(?:/vsi(?:zip|tar|gzip|7z|rar|sparse|cached)/)+", "", path).strip("{}")
+    for place in (inside, *map(str, Path(inside).parents)):
+        if os.path.isfile(place):
+            return place
+    named = [part.strip('"') for part in path.split(":")]  # a part of a file: DRIVER:"file":name
+    return next((part for part in named if part and os.path.isfile(part)), path)
+
+
+def _version() -> str:
+    """The plugin's version; that of what measures is the package's, wherever it is installed."""
+    metadata = Path(__file__).parents[4] / "metadata.txt"
+    found = re.search(r"^version=(.*)$", metadata.read_text(encoding="utf-8"), re.M) if metadata.is_file() else None
+    return found.group(1).strip() if found else ""
+
+
+MOST_LOST_SECONDS = 2.0
+"""Of work, when the power fails: to wait for the disk at every block would take longer than to put the block there."""
+
+_KIND = "Seam Inspector: journal of a scan, "
+_VERSION = "3"
+_FINGERPRINT = ""  # the key of what the scan is of
+
+
+def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | None]:
+    """The journal in a file, for this scan alone, and what the user should know of an earlier one there.
+
+    An earlier scan of the same ``fingerprint`` goes on: what its process had not written whole when it died is
+    dropped. Of another fingerprint nothing is kept.
+
+    Raises SettingsError where no file can be, another scan has it open, or it is something else.
+    """
+    try:
+        store = _opened(path)
+        held = store.load(_FINGERPRINT)
+        if held == fingerprint.encode():
+            done = len(store.keys) - 1
+            return ScanJournal(store), messages.SCAN_GOES_ON(done=done) if done else None
+        is_damaged = store.was_damaged or (bool(store.keys) and held is None)
+        if store.keys:
+            store.remove()
+            store = _opened(path)
+        store.save(_FINGERPRINT, fingerprint.encode())
+    except OSError as error:
+        raise SettingsError(messages.SCAN_JOURNAL_NOT_OPENED(path=path, error=system_reason(error))) from None
+    if held is not None:
+        return ScanJournal(store), messages.SCAN_ANEW(what=what_changed(held.decode(errors="replace"), fingerprint))
+    return ScanJournal(store), messages.SCAN_ANEW_DAMAGED(path=path) if is_damaged else None
+
+
+class ScanJournal:
+    """Results by their keys. For one thread; the lock on its file ends with it, or with the process."""
+
+    def __init__(self, store: RecordStore) -> None:
+        self._store = store
+        self._done = {key: None for key in store.keys if key != _FINGERPRINT}
+        self._on_disk = time.monotonic()
+
+    @property
+    def path(self) -> Path:
+        """Of its file."""
+        return self._store.path
+
+    @property
+    def keys(self) -> KeysView[str]:
+        """What is done, in the order in which it was."""
+        return self._done.keys()
+
+    def load(self, key: str) -> bytes:
+        """A result. Raises KeyError where it is not done, SettingsError when the disk lost it meanwhile."""
+        if key not in self._done:
+            raise KeyError(key)
+        try:
+            found = self._store.load(key)
+            if found is None:
+                self.forget(key)  # the next run measures it again
+                raise OSError(errno.EIO, os.strerror(errno.EIO))
+        except OSError as error:
+            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=system_reason(error))) from None
+        return found
+
+    def forget(self, key: str) -> None:
+        """A result is worth nothing. Raises SettingsError when the disk refuses."""
+        try:
+            self._store.forget(key)
+            self._done.pop(key, None)
+        except OSError as error:
+            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=system_reason(error))) from None
+
+    def save(self, key: str, payload: bytes) -> None:
+        """Keep a result. A key that is there gets the new one.
+
+        What is saved outlives the process; of what was saved last, ``MOST_LOST_SECONDS`` may be lost with the power.
+
+        Raises SettingsError when the disk is full; what was saved before stays, and more may be tried.
+        """
+        try:
+            self._store.save(key, payload)
+            if time.monotonic() - self._on_disk > MOST_LOST_SECONDS:
+                self._store.sync()
+                self._on_disk = time.monotonic()
+            self._done[key] = None
+        except OSError as error:
+            raise SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
+                path=self.path, error=system_reason(error), done=len(self._done)
+            )) from None
+
+    def close(self) -> None:
+        """Let go of the file, which stays for a scan that goes on."""
+        self._store.close()
+
+    def remove(self) -> None:
+        """Delete the file, as its scan is complete."""
+        self._store.remove()
+
+
+def _opened(path: Path) -> RecordStore:
+    """The store, made if there is none. Raises OSError, or SettingsError when another scan has it, or it is something
+    else."""
+    try:
+        return RecordStore(path, _KIND + _VERSION, _KIND)
+    except SettingsError as error:
+        if error.message.template == imagery_messages.RECORDS_IN_USE.template:
+            raise SettingsError(messages.SCAN_JOURNAL_IN_USE(path=path)) from None
+        raise SettingsError(messages.SCAN_JOURNAL_FOREIGN(path=path)) from None

@@ -1,0 +1,183 @@
+"""What is to be scanned: a mosaic, its orthoimages, its seams."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from ....imagery import limits as imagery_limits
+from ....imagery.errors import Message, SettingsError
+from ....imagery.grids import PixelWindow
+from ....imagery.rasters import Raster
+from ..inputs.grey_values import grey_factor
+from ..inputs.mosaic_copies import leave_out_copies
+from ..limits import FULL
+from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
+from ..seam_cells import UNKNOWN
+from ..source_images import Source, SourceTree
+from . import messages
+from .blocks.block_grid import BlockGrid, BlockKey
+from .blocks.scan_block import BlockRequest
+from .blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
+from .lines.given_seams import GivenSeams, NamedSeam
+from .lines.piece_index import PieceIndex
+from .lines.seam_fields import source_numbers
+from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, cut_off
+from .scan_settings import ScanSettings
+
+SHORTEST_PIECE_PX = 1.25 * MIN_STRIP_PX / (2 * STRIP_PX)
+"""With a strip that is just large enough, and a quarter more as pieces may be shorter than asked for."""
+LOOK_EVERY = 4
+"""Squares along both sides of which one is looked at where seamlines are given."""
+
+
+@dataclass(frozen=True, eq=False)
+class ScanRequest:
+    """A mosaic that is to be scanned."""
+
+    mosaic: Raster
+    sources: tuple[Source, ...]
+    settings: ScanSettings
+    given: GivenSeams | None = None
+    """Seams that are given; without them they are found from what is followed."""
+
+    @property
+    def blocks(self) -> BlockGrid:
+        """How it is divided."""
+        return BlockGrid(self.mosaic.grid)
+
+    @cached_property
+    def grey_factor(self) -> float:
+        """What floating point values are multiplied by."""
+        return grey_factor(self.mosaic)
+
+    @property
+    def seams(self) -> tuple[NamedSeam, ...]:
+        """Those that are given."""
+        return self.given.seams if self.given else ()
+
+    @cached_property
+    def pieces(self) -> list[SeamPiece]:
+        """Of the seams that are given."""
+        return cut_in_pieces(self.seams, self.settings.piece_m, self.mosaic.grid)
+
+    @cached_property
+    def named(self) -> tuple[dict[str, int], Message | None]:
+        """Numbers of the sources by what the seams call them, and which names mean none."""
+        names = {name for seam in self.seams for name in (seam.left, seam.right) if name}
+        return source_numbers(names, [one.ref.name for one in self.sources])
+
+    @cached_property
+    def dates(self) -> dict[str, str]:
+        """When sources were taken, as far as the seams say, by the names of their files and by those in the seams."""
+        given = self.given.dates if self.given else {}
+        numbers, _ = source_numbers(given, [one.ref.name for one in self.sources])
+        return {**given, **{self.sources[number].ref.name: given[name] for name, number in numbers.items()}}
+
+    @cached_property
+    def tree(self) -> SourceTree:
+        """The sources by place."""
+        return SourceTree(self.sources)
+
+    @cached_property
+    def numbers(self) -> dict[str, int]:
+        """Of the sources by their paths."""
+        return {one.ref.path: number for number, one in enumerate(self.sources)}
+
+    @cached_property
+    def seam_squares(self) -> SeamSquares | None:
+        """What the seamlines call for; None without them, or where everything is measured."""
+        if not self.seams or (self.settings.density == FULL and not self.settings.corridor_m):
+            return None
+        corridor_px = self.settings.corridor_m / self.mosaic.ground_sample_distance
+        return SeamSquares(self.seams, self.blocks, corridor_px)
+
+    def keys(self) -> list[BlockKey]:
+        """Of the blocks that are read."""
+        squares = self.seam_squares
+        return [key for key in self.blocks if squares is None or squares.is_read(key)]
+
+    @property
+    def crowded(self) -> int:
+        """Blocks that more sources meet than can be told apart."""
+        if len(self.sources) <= UNKNOWN:
+            return 0
+        extents = (self.mosaic.grid.window_extent(self.blocks.window(key)) for key in self.keys())
+        return sum(len(self.tree.numbers_meeting(extent)) > UNKNOWN for extent in extents)
+
+    def block(self, key: BlockKey) -> BlockRequest:
+        """One of its blocks."""
+        window = self.blocks.window(key)
+        sources = largest(self.tree.meeting(self.mosaic.grid.window_extent(window)), self.mosaic, window)
+        request = BlockRequest(self.mosaic, sources, key, window, self.settings, grey_factor=self.grey_factor)
+        squares = self.seam_squares
+        if squares is None:
+            return request
+        return replace(
+            request, wanted=squares.dense_in(key), look_every=LOOK_EVERY, sides=self._sides(window, sources)
+        )
+
+    def _sides(self, window: PixelWindow, sources: Sequence[Source]) -> SeamSides:
+        """Of the given seams near a window, by the numbers that the sources of its block have."""
+        near, named = self._index.near(window, REACH_PX), self.named[0]
+        number_of = {one.ref.path: number for number, one in enumerate(sources)}
+
+        def source(name: Side) -> int | None:
+            place = named.get(name) if isinstance(name, str) else None
+            return None if place is None else number_of.get(self.sources[place].ref.path)
+
+        beside = ((number, self.pieces[number]) for number in near.numbers.tolist())
+        return SeamSides(near, {number: (source(one.left), source(one.right)) for number, one in beside})
+
+    @cached_property
+    def _index(self) -> PieceIndex:
+        """The given seams by place."""
+        return PieceIndex(self.pieces, self.mosaic.grid)
+
+
+def largest(sources: tuple[Source, ...], mosaic: Raster, window: PixelWindow) -> tuple[Source, ...]:
+    """Of the sources that meet a window as many as can be told apart, those that cover most of it, in their order."""
+    if len(sources) <= UNKNOWN:
+        return sources
+    left, bottom, right, top = mosaic.grid.window_extent(window)
+    extents = np.array([one.extent for one in sources])
+    width = np.minimum(extents[:, 2], right) - np.maximum(extents[:, 0], left)
+    height = np.minimum(extents[:, 3], top) - np.maximum(extents[:, 1], bottom)
+    chosen = np.argsort(-width * height, kind="stable")[:UNKNOWN]
+    return tuple(sources[number] for number in np.sort(chosen).tolist())
+
+
+def scan_request(
+    mosaic: Raster, sources: Sequence[Source], settings: ScanSettings, given: GivenSeams | None = None
+) -> tuple[ScanRequest, list[Message]]:
+    """A mosaic with the sources that can tell something of it, and what to tell of the others and of the seams.
+
+    Raises SettingsError when a setting is out of its range, there are neither sources nor seams, no source lies on
+    the mosaic, or that is too small.
+    """
+    settings.check()
+    if not sources and given is None:
+        raise SettingsError(messages.NEITHER_SOURCES_NOR_SEAMS())
+    if min(mosaic.columns, mosaic.rows) < imagery_limits.MIN_SIDE_PX:
+        raise SettingsError(messages.SCAN_MOSAIC_TOO_SMALL(
+            width=mosaic.columns, height=mosaic.rows, fewest=imagery_limits.MIN_SIDE_PX
+        ))
+    kept, notices = leave_out_copies(mosaic, sources)
+    needed = SHORTEST_PIECE_PX * mosaic.ground_sample_distance
+    if settings.piece_m < needed:
+        settings = replace(settings, piece_m=needed)
+        notices.append(messages.PIECES_LENGTHENED(needed=needed))
+    if settings.corridor_m and given is None:
+        notices.append(messages.CORRIDOR_WITHOUT_SEAMS())
+    request = ScanRequest(mosaic, tuple(kept), settings, given)
+    if kept and not request.tree.numbers_meeting(mosaic.extent):
+        raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
+    if crowded := request.crowded:
+        notices.append(messages.SOURCES_CROWDED(count=crowded, most=UNKNOWN))
+    if given is not None:
+        outside = cut_off(request.seams, request.pieces, mosaic.grid)
+        unnamed = request.named[1] if kept else None
+        notices = [*notices, *given.notices, *(one for one in (outside, unnamed) if one is not None)]
+    return request, notices

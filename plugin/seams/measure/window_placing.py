@@ -1,0 +1,314 @@
+"""Windows along seams: where to measure, evenly, inside the mosaic and without measuring a place twice.
+
+Every stretch of a seam inside the mosaic is divided evenly: as many windows as the spacing goes into its length
+(rounded, at least one), exactly one spacing apart, the rest split between both ends. Each window so stands for
+the stretch half a spacing to either side of it; where it would stick out of the mosaic, or hold too few valid
+pixels, it is moved within that stretch, and dropped when it fits nowhere there.
+"""
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Callable
+
+import numpy as np
+
+from ...imagery import limits as imagery_limits
+from ...imagery import messages as imagery_messages
+from ...imagery.errors import Message, SettingsError
+from ...imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
+from ...imagery.lines import Seam, points_at, vertex_stations
+from . import limits, messages
+
+MIN_SEAM_PX = 8  # around two or three pixels: noise of labels
+MIN_SEAM_SHARE = 1 / 16  # of a window's side: a seam shorter and narrower than that is 0.4 % of the window
+
+
+@dataclass(frozen=True)
+class PlacedWindow:
+    """A window on a seam."""
+
+    window_id: int
+    """1..n, in the order of seam and station."""
+    seam_id: int
+    """The seam it lies on."""
+    station_m: float
+    """Metres along the seam from its start to the window's centre."""
+    window: PixelWindow
+    """Its pixels on the mosaic's grid."""
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Where to measure, and where not."""
+
+    windows: tuple[PlacedWindow, ...]
+    dropped: tuple[Message, ...]
+    """For the log: each stretch of a seam that got no window, and in one sentence a reason those that need none."""
+
+
+def place_windows(
+    seams: Sequence[Seam],
+    grid: Grid,
+    side_m: float = imagery_limits.STANDARD_SIDE_M,
+    spacing_m: float = limits.STANDARD_SPACING_M,
+    levels: int = imagery_limits.DEFAULT_LEVELS,
+    is_valid: Callable[[PixelWindow], bool] = lambda window: True,
+) -> Placement:
+    """Standard windows along seams.
+
+    ``seams``: in the CRS of the mosaic, longest first. ``side_m``: metres that a window spans at least.
+    ``spacing_m``: metres along the seam between windows. ``levels``: of the decomposition, 1..8.
+
+    All windows lie inside the mosaic and are centred on their seam to half a pixel; no two on one seam share more
+    than half of their pixels. A seam that lies within windows of longer ones gets none, nor does one shorter than
+    a sixteenth of a window's side or than 8 px.
+
+    Raises SettingsError when a length is not a positive number or the window is too small for the levels.
+    """
+    side_px = window_side_px(grid, side_m, spacing_m, levels)
+    metres_x, metres_y = grid.pixel_width * grid.metres_x, grid.pixel_height * grid.metres_y
+    if side_px > min(grid.columns, grid.rows):
+        too_small = messages.MOSAIC_TOO_SMALL(
+            width=grid.columns * metres_x, height=grid.rows * metres_y, side=side_px * max(metres_x, metres_y)
+        )
+        return Placement((), (too_small.as_warning(),))
+    # Half a side apart windows share half of their pixels; one more pixel allows for the snapping.
+    densest_m = (side_px / 2 + 1) * max(metres_x, metres_y)
+    shortest_m = max(MIN_SEAM_SHARE * side_px, MIN_SEAM_PX) * grid.ground_sample_distance
+
+    placed = WindowIndex(side_px)
+    windows: list[PlacedWindow] = []
+    dropped: list[Message] = []
+    outside = tiny = covered = crowded = 0
+    for seam in seams:
+        track = SeamTrack(seam, grid, side_px)
+        inside = track.stretches(0, 0, grid.columns, grid.rows)
+        stretches = inside[np.diff(inside)[:, 0] >= shortest_m]
+        if not np.diff(inside).any():
+            outside += 1
+        elif not len(stretches):
+            tiny += 1
+        elif all(map(placed.covers, *track.pixels_along(stretches).T)):
+            covered += 1
+        else:
+            found, lost, too_near = _along(track, stretches, spacing_m, densest_m, is_valid)
+            for station, window in found:
+                placed.add(window)
+                windows.append(PlacedWindow(len(windows) + 1, seam.seam_id, station, window))
+            dropped += [_lost(seam.seam_id, start, end) for start, end in lost]
+            crowded += too_near
+    dropped += _summary(crowded, covered, tiny, shortest_m, outside)
+    return Placement(tuple(windows), tuple(dropped))
+
+
+def _summary(crowded: int, covered: int, tiny: int, shortest_m: float, outside: int) -> Iterator[Message]:
+    """What the log says about windows and seams that are too many to name."""
+    if crowded:
+        yield messages.WINDOWS_CROWDED(count=crowded)
+    if covered:
+        yield messages.SEAMS_COVERED(count=covered)
+    if tiny:
+        yield messages.SEAMS_TINY(count=tiny, shortest=shortest_m)
+    if outside:
+        yield messages.SEAMS_OUTSIDE(count=outside)
+
+
+def _lost(seam_id: int, start: float, end: float) -> Message:
+    """What the log says about windows from one station to another that found no place."""
+    if start == end:
+        return messages.STATION_WITHOUT_WINDOW(seam=seam_id, station=start)
+    return messages.STRETCH_WITHOUT_WINDOW(seam=seam_id, start=start, end=end)
+
+
+def _along(
+    track: SeamTrack, stretches: np.ndarray, spacing_m: float, densest_m: float, is_valid: Callable[[PixelWindow], bool]
+) -> tuple[list[tuple[float, PixelWindow]], list[tuple[float, float]], int]:
+    """Windows on one seam.
+
+    ``stretches``: (k, 2) stations in metres between which the seam lies inside the mosaic.
+
+    Returns (station, window) in the order of stations; first and last station of each row of windows that would
+    stick out or hold too few valid pixels; and how many windows were left out because they would share too much
+    with another one.
+    """
+    spots = np.concatenate([_spots(start, end, max(spacing_m, densest_m)) for start, end in stretches])
+    asked = sum(_count(start, end, spacing_m) for start, end in stretches)
+    fitting = track.fitting_stretches()
+    inside = ((fitting[:, 0] <= spots[:, :1]) & (spots[:, :1] <= fitting[:, 1])).any(axis=1)
+    taken = WindowIndex(track.side_px)
+    found: list[tuple[float, PixelWindow]] = []
+    too_near = asked - len(spots)
+    to_move = ~inside
+    for number, window in zip(np.flatnonzero(inside), track.windows(spots[inside, 0])):
+        if taken.shares_too_much(window):
+            too_near += 1
+        elif is_valid(window):
+            taken.add(window)
+            found.append((float(spots[number, 0]), window))
+        else:
+            to_move[number] = True
+
+    lost = np.zeros(len(spots), dtype=bool)
+    for number in np.flatnonzero(to_move):
+        stations = track.nearby(fitting, *spots[number])
+        for moved, window in zip(stations.tolist(), track.windows(stations)):
+            if not taken.shares_too_much(window) and is_valid(window):
+                taken.add(window)
+                found.append((moved, window))
+                break
+        else:
+            lost[number] = True
+    return sorted(found, key=lambda one: one[0]), list(_rows(spots[:, 0], lost)), too_near
+
+
+def _count(start: float, end: float, spacing_m: float) -> int:
+    """How many windows a stretch gets."""
+    return max(1, math.floor((end - start) / spacing_m + 0.5))
+
+
+def _spots(start: float, end: float, spacing_m: float) -> np.ndarray:
+    """(n, 3): stations of windows on a stretch, and from where to where each stands for the seam, metres."""
+    count = _count(start, end, spacing_m)
+    station = (start + end - (count - 1) * spacing_m) / 2 + spacing_m * np.arange(count)
+    between = (station[1:] + station[:-1]) / 2
+    return np.column_stack([station, np.append(start, between), np.append(between, end)])
+
+
+def _rows(stations: np.ndarray, chosen: np.ndarray) -> Iterator[tuple[float, float]]:
+    """First and last station of every row of chosen ones."""
+    edge = np.diff(np.concatenate([[0], chosen.astype(int), [0]]))
+    for first, after in zip(np.flatnonzero(edge > 0), np.flatnonzero(edge < 0)):
+        yield float(stations[first]), float(stations[after - 1])
+
+
+SIDES_ACROSS = 4  # of a mosaic that is too small for the window that was asked for
+LONGEST_SIDE_PX = 2 ** int(math.log2(math.sqrt(imagery_limits.MAX_WINDOW_PIXELS)))
+
+
+def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> int:
+    """The side of a window in pixels. Raises SettingsError, see ``place_windows``."""
+    side_px = standard_side_px(grid, side_m)
+    if not (math.isfinite(spacing_m) and spacing_m > 0):
+        raise SettingsError(messages.SPACING_NOT_POSITIVE(spacing=spacing_m))
+    if not imagery_limits.MIN_LEVELS <= levels <= imagery_limits.MAX_LEVELS:
+        least, most = imagery_limits.MIN_LEVELS, imagery_limits.MAX_LEVELS
+        raise SettingsError(imagery_messages.LEVELS_OUT_OF_RANGE(levels=levels, least=least, most=most))
+    fewest = max(imagery_limits.MIN_SIDE_PX, 2**levels)
+    if side_px < fewest:  # both are powers of two, so any longer side is a multiple of 2 ** levels
+        metres = math.ceil(fewest * grid.ground_sample_distance * 100) / 100
+        raise SettingsError(
+            messages.SIDE_TOO_SHORT(side=side_m, pixels=side_px, levels=levels, fewest=fewest, metres=metres)
+        )
+    return side_px
+
+
+def fitting_side_m(grid: Grid, side_m: float, spacing_m: float, levels: int) -> float:
+    """The side itself where mosaic and levels allow it; else one that they do, in centimetres.
+
+    Of a mosaic that no window fits on, the side itself.
+    """
+    shorter, fewest = min(grid.columns, grid.rows), max(imagery_limits.MIN_SIDE_PX, 2**levels)
+    try:
+        wanted = window_side_px(grid, side_m, spacing_m, levels)
+    except SettingsError:
+        wanted = fewest
+    else:
+        if wanted <= min(shorter, LONGEST_SIDE_PX):
+            return side_m
+        wanted = min(max(2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1))), fewest), LONGEST_SIDE_PX)
+    if wanted > shorter:
+        return side_m
+    return max(math.floor(100 * wanted * grid.ground_sample_distance + 1e-6) / 100, 0.1)
+
+
+MAX_SHARED_SHARE = 0.5  # two windows on one seam share at most half of their pixels
+
+
+class WindowIndex:
+    """Windows of one size by place."""
+
+    def __init__(self, side_px: int) -> None:
+        self._side = side_px
+        self._cells: defaultdict[tuple[int, int], list[PixelWindow]] = defaultdict(list)
+
+    def add(self, window: PixelWindow) -> None:
+        """Take a window in."""
+        self._cells[window.column // self._side, window.row // self._side].append(window)
+
+    def _around(self, column: float, row: float) -> Iterator[PixelWindow]:
+        """All windows whose corner lies less than a side from a place, and some more."""
+        home_column, home_row = int(column // self._side), int(row // self._side)
+        for near_column in (home_column - 1, home_column, home_column + 1):
+            for near_row in (home_row - 1, home_row, home_row + 1):
+                yield from self._cells.get((near_column, near_row), ())
+
+    def covers(self, column: float, row: float) -> bool:
+        """Whether a place lies in a window."""
+        return any(
+            0 <= column - window.column <= window.width and 0 <= row - window.row <= window.height
+            for window in self._around(column, row)
+        )
+
+    def shares_too_much(self, window: PixelWindow) -> bool:
+        """Whether a window shares more than half of its pixels with one that is here."""
+        most = MAX_SHARED_SHARE * window.width * window.height
+        return any(window.shared_pixels(other) > most for other in self._around(window.column, window.row))
+
+
+class SeamTrack:
+    """A seam on the mosaic's pixel grid, by station."""
+
+    def __init__(self, seam: Seam, grid: Grid, side_px: int) -> None:
+        self.side_px = side_px
+        self._grid = grid
+        self._vertices = seam.vertices
+        self._station = vertex_stations(seam.vertices * (grid.metres_x, grid.metres_y))
+        self._pixels = grid.to_pixels(seam.vertices)
+
+    def _points(self, stations: np.ndarray) -> np.ndarray:
+        """(n, 2) on the map."""
+        return points_at(self._vertices, self._station, stations)
+
+    def windows(self, stations: np.ndarray) -> list[PixelWindow]:
+        """The window centred at each station."""
+        return [standard_window(self._grid, x, y, self.side_px) for x, y in self._points(stations)]
+
+    def nearby(self, fitting: np.ndarray, station: float, first: float, last: float) -> np.ndarray:
+        """Stations from first to last that lie in the stretches (k, 2), an eighth of a window apart, nearest first."""
+        within = fitting[(fitting[:, 0] <= last) & (fitting[:, 1] >= first)]
+        starts, ends = np.maximum(within[:, 0], first), np.minimum(within[:, 1], last)
+        every = np.concatenate([np.clip(station, starts, ends), *self._spaced(zip(starts, ends))])
+        return every[np.argsort(abs(every - station), kind="stable")]
+
+    def pixels_along(self, stretches: np.ndarray) -> np.ndarray:
+        """(n, 2) columns and rows along stretches, an eighth of a window apart."""
+        return self._grid.to_pixels(self._points(np.concatenate(self._spaced(stretches))))
+
+    def _spaced(self, stretches: Iterable[tuple[float, float]]) -> list[np.ndarray]:
+        """Stations along each stretch, an eighth of a window apart."""
+        step = self.side_px * self._grid.ground_sample_distance / 8
+        return [np.linspace(start, end, math.ceil((end - start) / step) + 1) for start, end in stretches]
+
+    def fitting_stretches(self) -> np.ndarray:
+        """(k, 2): stations between which a window centred on the seam lies inside the mosaic."""
+        margin = self.side_px / 2 - 0.499  # a window is snapped by up to half a pixel
+        return self.stretches(margin, margin, self._grid.columns - margin, self._grid.rows - margin)
+
+    def stretches(self, left: float, top: float, right: float, bottom: float) -> np.ndarray:
+        """(k, 2): stations between which the seam lies inside a rectangle of columns and rows (Liang-Barsky)."""
+        low, high = np.array([left, top]), np.array([right, bottom])
+        start, step = self._pixels[:-1], np.diff(self._pixels, axis=0)
+        along = step != 0
+        safe = np.where(along, step, 1)
+        beside = np.where((low <= start) & (start <= high), np.inf, -np.inf)  # runs parallel: wholly in or out
+        enter = np.where(along, np.minimum((low - start) / safe, (high - start) / safe), -beside)
+        leave = np.where(along, np.maximum((low - start) / safe, (high - start) / safe), beside)
+        enter, leave = np.maximum(enter.max(axis=1), 0), np.minimum(leave.min(axis=1), 1)
+        crosses = enter <= leave
+        station, length = self._station[:-1][crosses], np.diff(self._station)[crosses]
+        first, last = station + enter[crosses] * length, station + leave[crosses] * length
+        apart = first[1:] > last[:-1] + 1e-9 * self._station[-1]  # else the seam goes on at a vertex
+        return np.column_stack([first[np.append(True, apart)[: len(first)]], last[np.append(apart, True)[: len(last)]]])
