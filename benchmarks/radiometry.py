@@ -10,7 +10,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure.assessment import judge
-from seam_inspector.plugin.radiometry.measure.image_statistics import Wanted, known_range, stream_statistics
+from seam_inspector.plugin.radiometry.measure.image_statistics import known_range, stream_statistics
 from seam_inspector.plugin.radiometry.measure.measured_image import measure
 from seam_inspector.plugin.radiometry.measure.rules import DEFAULT_RULES, load_rules, ready_rule_files
 
@@ -45,7 +45,7 @@ def histograms(path: Path) -> object:
     """Histograms of all bands and areas only."""
     source = OpenRaster(RasterRef(str(path)))
     names = source.raster.band_names
-    return stream_statistics(source, source.raster.whole, Wanted(names, names))
+    return stream_statistics(source, source.raster.whole, names, names)
 
 
 def whole(path: Path) -> object:

@@ -4,10 +4,9 @@ Layers are looked up in their own thread (``seam_layers``) and read in another (
 """
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -34,8 +33,8 @@ from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.table_fields import Attributes, attributes, number, text, whole_number
 from .measure import messages
-from .measure.delivered_rows import LayerDoubts, overlap, without_copies
-from .measure.delivery import DeliveredPiece, Delivery, SeenWindow, in_order
+from .measure.delivered_rows import LayerDoubts, united_delivery
+from .measure.delivery import DeliveredPiece, Delivery, SeenWindow
 
 
 def judged_windows(
@@ -133,29 +132,19 @@ def read_delivery(
     told: list[Message] = []
     lots: set[int] = set()
     for layer in seams:
-        before, left_out, doubts = len(pieces), 0, LayerDoubts(layer.sheet)
+        doubts = LayerDoubts(layer.sheet)
         for row, piece in _pieces(layer, crs, transforms, (sheet_field,) if sheet_field else _SHEET_FIELDS, doubts):
-            if piece is None:
-                left_out += 1
-                continue
-            pieces.append(piece)
+            pieces.append(replace(piece, sample_number=whole_number(row["sample"])))
             lots.add(whole_number(row["lot_size"]) or 0)
         told += doubts.told()
-        if left_out:
-            told.append(messages.PIECES_WITHOUT_LENGTH(name=layer.sheet, count=left_out))
-        if len(pieces) == before and not left_out:
-            told.append(messages.LAYER_EMPTY(name=layer.sheet))
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
-    once, copies = without_copies(in_order(pieces))
-    if copies:
-        told.append(messages.PIECES_TWICE(count=copies))
-    if doubled := overlap(once, metres_in_unit(crs)):
-        told.append(messages.SEAMS_OVERLAP(metres=doubled.metres, sheets=", ".join(doubled.sheets)))
+    size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
+    delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), metres_in_unit(crs), size)
+    told += doubled
     if all(layer.crs.isGeographic() for layer in seams) and not crs.isGeographic():
         told.append(messages.PLACES_IN(system=crs.description()))
-    size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
-    return Delivery(in_order(once), layers.system_wkt(crs), metres_in_unit(crs), lot_size=size), told
+    return delivery, told
 
 
 def metres_in_unit(crs: QgsCoordinateReferenceSystem) -> float:
@@ -232,8 +221,8 @@ def common_system(
 def _pieces(
     layer: SeamLayer, crs: QgsCoordinateReferenceSystem, transforms: QgsCoordinateTransformContext,
     sheet_fields: Sequence[str], doubts: LayerDoubts,
-) -> Iterator[tuple[Attributes, DeliveredPiece | None]]:
-    """Each row with its piece; None for one without a line or a length."""
+) -> Iterator[tuple[Attributes, DeliveredPiece]]:
+    """Each row that has a line and a length, with its piece."""
     transform = QgsCoordinateTransform(layer.crs, crs, transforms)
     ruler = QgsDistanceArea()
     ruler.setSourceCrs(layer.crs, transforms)
@@ -241,22 +230,19 @@ def _pieces(
         ruler.setEllipsoid(layer.crs.ellipsoidAcronym() or "EPSG:7030")
     for row in attributes(layer.source.getFeatures(QgsFeatureRequest()), layer.fields):
         line = QgsGeometry(row.feature.geometry())
-        length, drawn = number(row["length"]), 0.0 if line.isEmpty() else line.length()
+        drawn = 0.0 if line.isEmpty() else line.length()
         if layer.crs.isValid() and not line.isEmpty():
             drawn = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES)
-        if length is None or length <= 0:
-            length = drawn
-        else:
-            doubts.see_length(length, drawn)
         try:
             line.transform(transform)
         except QgsCsException:
             raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
-        vertices = _vertices(line)
-        usable = len(vertices) > 1 and bool(np.isfinite(vertices).all())
-        known = math.isfinite(length) and length > 0
         sheet = next((name for name in (text(row[field]) for field in sheet_fields) if name), layer.sheet)
-        yield row, _piece(row, sheet, length, vertices, doubts) if usable and known else None
+        values = {name: row[name] for name in layer.fields}
+        known = {name: one if isinstance(one, (int, float)) else text(one) for name, one in values.items()}
+        piece = doubts.piece(sheet, known, _vertices(line), drawn)
+        if piece is not None:
+            yield row, piece
 
 
 def _vertices(line: QgsGeometry) -> np.ndarray:
@@ -266,14 +252,3 @@ def _vertices(line: QgsGeometry) -> np.ndarray:
     merged = line.mergeLines() if line.isMultipart() else line
     parts = merged.asMultiPolyline() if merged.isMultipart() else [merged.asPolyline()]
     return np.array([(point.x(), point.y()) for part in parts for point in part], float).reshape(-1, 2)
-
-
-def _piece(row: Attributes, sheet: str, length: float, vertices: np.ndarray, doubts: LayerDoubts) -> DeliveredPiece:
-    kept = doubts.see_kept(text(row["kept_1"]), number(row["kept_1"]), text(row["verdict"]))
-    return DeliveredPiece(
-        0, sheet, text(row["seam_id"]), number(row["station"]), length,
-        kept, number(row["kept_low"]), number(row["kept_high"]), number(row["band_width"]),
-        text(row["verdict"]), text(row["reason"]), vertices,
-        text(row["left_source"]), text(row["right_source"]), text(row["left_date"]), text(row["right_date"]),
-        whole_number(row["sample"]),
-    )  # fmt: skip

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import cycle
 
 import numpy as np
@@ -57,7 +57,7 @@ def histogram_figure(result: Assessment) -> Figure | None:
     return figure
 
 
-def _drawn(result: Assessment) -> dict[str, Histogram]:
+def _drawn(result: Assessment) -> Mapping[str, Histogram]:
     """Of one band the luminosity is the band itself, so that one of the two is enough."""
     return dict(list(result.histograms.items())[:1]) if len(result.image.band_names) == 1 else result.histograms
 

@@ -127,7 +127,7 @@ class CheckRadiometry(RasterListAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from . import tables, words
-        from .image_set import ImageSet, jobs_on
+        from .image_set import assessed, jobs_on
         from .measure.assessment import decide
 
         super().check(run)
@@ -142,23 +142,22 @@ class CheckRadiometry(RasterListAlgorithm):
         jobs = list(jobs_on(images, drawn, unseen))
         run.tell_once(unseen[len(self.left_out) :])
         results: list[Assessment] = []
-
-        def finish(result: Assessment) -> None:
+        seamlines, greys = (run.source(name) if run.parameters.get(name) else None for name in (SEAMLINES, GREY_AREAS))
+        for result in assessed(run, rules, (seamlines, greys), jobs, unseen):
             run.write(sink, tables.radiometry_features(result))
             run.write(grey_sink, tables.maybe_grey_features(result, images, run.context.transformContext()))
             run.tell_once(result.notices)
             for found in words.found_words(result):
                 run.inform(f"{words.title(result)}: {found}")
             results.append(result)
-
-        seamlines, greys = (run.source(name) if run.parameters.get(name) else None for name in (SEAMLINES, GREY_AREAS))
-        ImageSet(run, rules, seamlines, greys, unseen, finish).check(jobs)
         if not results and not run.is_cancelled():
             raise SettingsError(imagery_messages.NOTHING_MEASURED(why=tuple(unseen[-1:])))
         decision = None
         if not run.is_cancelled():
             decision = decide(results, unseen)
-            _tell(decision, run)
+            run.inform(filled(tr("Decision: {word}."), word=words.decision_word(decision)))
+            for reason in words.decision_reasons(decision):
+                run.inform(reason)
         figures = [checked for result in results for checked in result.checked_figures]
         states = [checked.passed for checked in figures]
         return {
@@ -200,15 +199,6 @@ class CheckRadiometry(RasterListAlgorithm):
         except RasterError as error:
             self.left_out.append(imagery_messages.SOURCE_LEFT_OUT(name=ref.name, why=error.message))
             return None
-
-
-def _tell(decision: RadiometricDecision, run: Run) -> None:
-    """The decision, with its reasons, as the last lines of the log."""
-    from . import words
-
-    run.inform(filled(tr("Decision: {word}."), word=words.decision_word(decision)))
-    for reason in words.decision_reasons(decision):
-        run.inform(reason)
 
 
 def _save_report(path: Path, decision: RadiometricDecision, unseen: Iterable[Message], rules: RuleSet) -> None:

@@ -107,57 +107,56 @@ def _crs(image: Raster) -> QgsCoordinateReferenceSystem:
     return QgsCoordinateReferenceSystem.fromWkt(image.wkt)
 
 
-class ImageSet:
-    """Measures image by image; those whose range only the whole set can tell wait for the others."""
+def assessed(
+    run: Run, rules: RuleSet, layers_drawn: tuple[QgsProcessingFeatureSource | None, QgsProcessingFeatureSource | None],
+    jobs: Sequence[tuple[Raster, PixelWindow, int | None]], unseen: list[Message],
+) -> Iterator[Assessment]:
+    """Measures image by image and holds them against the rules; those whose range only the whole set can tell wait for
+    the others. Ends where the run is cancelled.
 
-    def __init__(
-        self, run: Run, rules: RuleSet, seamlines: QgsProcessingFeatureSource | None,
-        grey_areas: QgsProcessingFeatureSource | None, unseen: list[Message], finish: Callable[[Assessment], None],
-    ) -> None:
-        """``unseen`` is added to; ``finish`` takes each result."""
-        self._run, self._rules, self._unseen, self._finish = run, rules, unseen, finish
-        self._seamlines, self._grey_areas = seamlines, grey_areas
-        self._waiting: list[MeasuredImage] = []
+    ``layers_drawn``: seamlines and grey areas. ``unseen`` is added to.
+    """
+    waiting: list[MeasuredImage] = []
+    for done, (image, window, number) in enumerate(jobs):
+        if run.is_cancelled():
+            return
 
-    def check(self, jobs: Sequence[tuple[Raster, PixelWindow, int | None]]) -> None:
-        for done, (image, window, number) in enumerate(jobs):
-            if self._run.is_cancelled():
-                return
-            place = (done, len(jobs))
-            try:
-                measured = self._measured(image, window, number, place)
-            except SeamInspectorError as error:
-                self._unseen.append(imagery_messages.SOURCE_LEFT_OUT(name=image.ref.name, why=error.message))
-                self._run.tell(self._unseen[-1])
-                continue
-            if measured is None:
-                return
-            of_image = known_range(image, measured.largest_value, self._rules.value_range)
-            if of_image is None:
-                self._waiting.append(measured.kept())
-            else:
-                self._finish(judge(measured, self._rules, of_image))
-        if self._waiting:
-            of_set = range_of_set([one.largest_value for one in self._waiting if one.largest_value is not None])
-            while self._waiting:
-                self._finish(judge(self._waiting.pop(0), self._rules, of_set))
+        def goes_on(share: float, done: int = done) -> bool:
+            return run.goes_on((done + share) / len(jobs))
 
-    def _measured(
-        self, image: Raster, window: PixelWindow, number: int | None, place: tuple[int, int]
-    ) -> MeasuredImage | None:
-        done, count = place
-        run = self._run
-        drawn = Drawn(
-            None if self._seamlines is None else seams_on(self._seamlines, image, run),
-            None if self._grey_areas is None else grey_areas_on(self._grey_areas, image, run),
-        )
-        source = OpenRaster(image.ref)
-        measured = measure(
-            source, window, self._rules, drawn, number, lambda share: run.goes_on((done + share) / count)
-        )
-        if measured is not None and measured.seams and self._seamlines is not None and has_map(image):
-            return replace(measured, seams=with_features(measured.seams, self._seamlines, image, run))
-        return measured
+        try:
+            measured = _measured(image, window, number, rules, layers_drawn, run, goes_on)
+        except SeamInspectorError as error:
+            unseen.append(imagery_messages.SOURCE_LEFT_OUT(name=image.ref.name, why=error.message))
+            run.tell(unseen[-1])
+            continue
+        if measured is None:
+            return
+        of_image = known_range(image, measured.largest_value, rules.value_range)
+        if of_image is None:
+            waiting.append(measured.kept())
+        else:
+            yield judge(measured, rules, of_image)
+    if waiting:
+        of_set = range_of_set([one.largest_value for one in waiting if one.largest_value is not None])
+        while waiting:
+            yield judge(waiting.pop(0), rules, of_set)
+
+
+def _measured(
+    image: Raster, window: PixelWindow, number: int | None, rules: RuleSet,
+    layers_drawn: tuple[QgsProcessingFeatureSource | None, QgsProcessingFeatureSource | None], run: Run,
+    goes_on: Callable[[float], bool],
+) -> MeasuredImage | None:
+    seamlines, greys = layers_drawn
+    drawn = Drawn(
+        None if seamlines is None else seams_on(seamlines, image, run),
+        None if greys is None else grey_areas_on(greys, image, run),
+    )
+    measured = measure(OpenRaster(image.ref), window, rules, drawn, number, goes_on)
+    if measured is not None and measured.seams and seamlines is not None and has_map(image):
+        return replace(measured, seams=with_features(measured.seams, seamlines, image, run))
+    return measured
 
 
 def jobs_on(

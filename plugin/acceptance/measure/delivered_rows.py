@@ -23,11 +23,18 @@ MOST_KEPT = 3.0  # a seam that was sharpened keeps more than 1; shares of three 
 _OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
 
 
+SeamRow = Mapping[str, object]
+_NUMBERS, _SIDES = ("kept_low", "kept_high", "band_width"), ("left_source", "right_source", "left_date", "right_date")
+
+
 @dataclass
 class LayerDoubts:
     """Of one layer, piece by piece."""
 
     sheet: str
+    rows: int = 0
+    """That were looked at."""
+    without_line: int = 0
     kept: list[float] = field(default_factory=list)
     claimed: list[float] = field(default_factory=list)
     """Of pieces with a verdict: where the scan has none, its interval is too wide, any number may stand."""
@@ -52,6 +59,26 @@ class LayerDoubts:
         if line > 0 and not 1 / _OTHER_LENGTH <= length / line <= _OTHER_LENGTH:
             self.lengths.append((length, line))
 
+    def piece(self, sheet: str, row: SeamRow, line: np.ndarray, drawn_m: float) -> DeliveredPiece | None:
+        """A row's piece; None where it has no line or no length. ``line``: its (n, 2) vertices, ``drawn_m`` long."""
+        self.rows += 1
+        length = _number(row.get("length"))
+        if length is None or length <= 0:
+            length = drawn_m
+        else:
+            self.see_length(length, drawn_m)
+        if not (len(line) > 1 and np.isfinite(line).all() and math.isfinite(length) and length > 0):
+            self.without_line += 1
+            return None
+        verdict = _text(row.get("verdict"))
+        kept = self.see_kept(_text(row.get("kept_1")), _number(row.get("kept_1")), verdict)
+        station, low, high, width = (_number(row.get(name)) for name in ("station", *_NUMBERS))
+        left, right, left_date, right_date = (_text(row.get(name)) for name in _SIDES)
+        return DeliveredPiece(
+            0, sheet, _text(row.get("seam_id")), station, length, kept, low, high, width, verdict,
+            _text(row.get("reason")), line, left, right, left_date, right_date,
+        )  # fmt: skip
+
     def told(self) -> Iterator[Message]:
         """Raises SettingsError where the layer's ``kept_1`` are no shares."""
         if self.kept and (middle := float(np.median(self.kept))) > MOST_KEPT:
@@ -65,6 +92,10 @@ class LayerDoubts:
         if self.lengths:
             length, line = max(self.lengths, key=lambda pair: abs(np.log(pair[0] / pair[1])))
             yield messages.LENGTHS_DIFFER(count=len(self.lengths), name=self.sheet, length=length, line=line)
+        if self.without_line:
+            yield messages.PIECES_WITHOUT_LENGTH(name=self.sheet, count=self.without_line)
+        if not self.rows:
+            yield messages.LAYER_EMPTY(name=self.sheet)
 
 
 _DIGITS = 3  # of coordinates, to which lines are the same
@@ -125,9 +156,6 @@ def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> Overlap | 
     return Overlap(float(too_many.sum()), tuple(sheets))
 
 
-SeamRow = Mapping[str, object]
-
-
 def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery:
     """A delivery of what scans found, to be decided on.
 
@@ -152,48 +180,29 @@ def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery
     pieces: list[DeliveredPiece] = []
     told: list[Message] = []
     for sheet, rows in given.items():
-        found, doubts = _pieces(sheet, rows, lines[sheet], unit_m)
-        pieces += found
-        told += doubts
+        if rows and not any("kept_1" in row for row in rows):
+            raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=sheet))
+        doubts = LayerDoubts(sheet)
+        for row, line in zip(rows, lines[sheet]):
+            drawn_m = float(vertex_stations(line)[-1]) * unit_m if len(line) else 0.0
+            if (piece := doubts.piece(sheet, row, line, drawn_m)) is not None:
+                pieces.append(piece)
+        told += doubts.told()
+    delivery, doubled = united_delivery(pieces, wkt, unit_m)
+    for notice in [*told, *doubled]:
+        warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
+    return delivery
+
+
+def united_delivery(
+    pieces: Sequence[DeliveredPiece], wkt: str, unit_m: float, lot_size: int | None = None
+) -> tuple[Delivery, list[Message]]:
+    """The pieces of all sheets in order, each once, and what is told of those that lie on each other."""
     once, copies = without_copies(in_order(pieces))
-    if copies:
-        told.append(messages.PIECES_TWICE(count=copies))
+    told = [messages.PIECES_TWICE(count=copies)] if copies else []
     if doubled := overlap(once, unit_m):
         told.append(messages.SEAMS_OVERLAP(metres=doubled.metres, sheets=", ".join(doubled.sheets)))
-    for notice in told:
-        warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
-    return Delivery(in_order(once), wkt, unit_m)
-
-
-def _pieces(
-    sheet: str, rows: Sequence[SeamRow], lines: Sequence[np.ndarray], unit_m: float
-) -> tuple[list[DeliveredPiece], list[Message]]:
-    if not rows:
-        return [], [messages.LAYER_EMPTY(name=sheet)]
-    if not any("kept_1" in row for row in rows):
-        raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=sheet))
-    doubts = LayerDoubts(sheet)
-    found = [_piece(sheet, row, line, unit_m, doubts) for row, line in zip(rows, lines) if len(line)]
-    told = list(doubts.told())
-    if len(found) < len(rows):
-        told.append(messages.PIECES_WITHOUT_LENGTH(name=sheet, count=len(rows) - len(found)))
-    return found, told
-
-
-def _piece(sheet: str, row: SeamRow, line: np.ndarray, unit_m: float, doubts: LayerDoubts) -> DeliveredPiece:
-    drawn, length = float(vertex_stations(line)[-1]) * unit_m, _number(row.get("length"))
-    if length is None or length <= 0:
-        length = drawn
-    else:
-        doubts.see_length(length, drawn)
-    verdict = _text(row.get("verdict"))
-    kept = doubts.see_kept(_text(row.get("kept_1")), _number(row.get("kept_1")), verdict)
-    low, high, width = (_number(row.get(name)) for name in ("kept_low", "kept_high", "band_width"))
-    left, right, *dates = (_text(row.get(name)) for name in ("left_source", "right_source", "left_date", "right_date"))
-    return DeliveredPiece(
-        0, sheet, _text(row.get("seam_id")), _number(row.get("station")), length, kept, low, high, width,
-        verdict, _text(row.get("reason")), line, left, right, dates[0], dates[1],
-    )  # fmt: skip
+    return Delivery(in_order(once), wkt, unit_m, lot_size=lot_size), told
 
 
 def _vertices(row: SeamRow) -> np.ndarray:

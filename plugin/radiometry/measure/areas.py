@@ -6,13 +6,13 @@ within (99 % of what white noise gives). This does not depend on how much noise 
 areas too; edges, gradients and coarse texture fail it.
 
 What is grey in nature no image tells: bare soil under a clean light and grey asphalt under a warm one have the same
-pixels. So grey areas come from the user; what may be grey is found only to be looked at (``maybe_grey``).
+pixels. So grey areas come from the user; what may be grey is found only to be looked at (``find_maybe_grey``).
 """
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from osgeo import gdal, ogr
@@ -84,12 +84,8 @@ def sample_areas(
 
 def joined(parts: Sequence[Areas]) -> Areas:
     """The areas of several blocks as those of one."""
-    return Areas(
-        np.concatenate([part.means for part in parts]),
-        np.concatenate([part.noise for part in parts]),
-        np.concatenate([part.uniform for part in parts]),
-        np.concatenate([part.corners for part in parts]),
-    )
+    names = (one.name for one in fields(Areas))
+    return Areas(*(np.concatenate([getattr(part, name) for part in parts]) for name in names))
 
 
 def signal_to_noise(areas: Areas, band: int, available: ValueRange) -> float | None:
@@ -103,32 +99,15 @@ def signal_to_noise(areas: Areas, band: int, available: ValueRange) -> float | N
     if np.count_nonzero(chosen) < limits.MIN_AREAS:
         return None
     means, noise = areas.means[chosen, band], areas.noise[chosen, band]
-    best = np.argsort(noise, kind="stable")[: _quarter(len(noise))]
+    best = np.argsort(noise, kind="stable")[: max(round(UNIFORM_SHARE * len(noise)), limits.MIN_AREAS)]
     deviation = float(np.sqrt(np.mean(noise[best] ** 2)))
     return float(means[best].mean()) / deviation if deviation > 0 else float("inf")
-
-
-def maybe_grey(areas: Areas, bands: Sequence[int], available: ValueRange) -> np.ndarray:
-    """(n,) bool: which areas may be grey, for somebody to look at.
-
-    They are uniform in all the bands, of mid-tone, and their bands differ by at most 10 % of the range. Whether they
-    are grey, or bare soil under a clean light, or something blue under a warm one, no pixel tells.
-    """
-    extent = available[1] - available[0]
-    means = areas.means[:, list(bands)]
-    spread = np.ptp(means, axis=1) / extent if len(means) else np.empty(0)
-    chosen = areas.uniform[:, list(bands)].all(axis=1) & _is_mid_tone(means, available).all(axis=1)
-    return np.asarray(chosen & (spread <= limits.MAX_GREY_SPREAD))
 
 
 def _is_mid_tone(means: np.ndarray, available: ValueRange) -> np.ndarray:
     low, high = available
     least, most = (low + share * (high - low) for share in MID_TONES)
     return (means >= least) & (means <= most)
-
-
-def _quarter(count: int) -> int:
-    return max(round(UNIFORM_SHARE * count), limits.MIN_AREAS)
 
 
 _MOST_PIXELS = 1024 * 1024  # read at a time
@@ -271,11 +250,16 @@ def colour_balance(tones: Sequence[GreyTone], available: ValueRange) -> ColourBa
     return ColourBalance(value, (red, green, blue), usable, usable[worst], spreads[worst])
 
 
-def find_maybe_grey(areas: Areas, bands: Sequence[int], available: ValueRange) -> MaybeGrey | None:
-    """The areas that may be grey; None where there is none."""
-    chosen = maybe_grey(areas, bands, available)
+def find_maybe_grey(areas: Areas, available: ValueRange) -> MaybeGrey | None:
+    """The areas that may be grey, for somebody to look at; None where there is none.
+
+    They are uniform in red, green and blue, of mid-tone, and these differ by at most 10 % of the range. Whether they
+    are grey, or bare soil under a clean light, or something blue under a warm one, no pixel tells.
+    """
+    means = areas.means[:, :3]
+    spreads = np.ptp(means, axis=1) / (available[1] - available[0]) if len(means) else np.empty(0)
+    chosen = areas.uniform[:, :3].all(axis=1) & _is_mid_tone(means, available).all(axis=1)
+    chosen &= spreads <= limits.MAX_GREY_SPREAD
     if not chosen.any():
         return None
-    means = areas.means[chosen][:, list(bands)]
-    spreads = np.ptp(means, axis=1) / (available[1] - available[0])
-    return MaybeGrey(areas.corners[chosen], means, spreads, float(chosen.mean()))
+    return MaybeGrey(areas.corners[chosen], means[chosen], spreads[chosen], float(chosen.mean()))

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
@@ -10,7 +10,7 @@ from ...imagery.errors import Message
 from ...imagery.rasters import Raster, ValueRange
 from . import limits, messages
 from . import rules as checks
-from .areas import ColourBalance, MaybeGrey, colour_balance, find_maybe_grey, signal_to_noise
+from .areas import Areas, ColourBalance, MaybeGrey, colour_balance, find_maybe_grey, signal_to_noise
 from .image_statistics import Histogram, ImageRange
 from .measured_image import MIN_STATISTICS_PIXELS, MeasuredImage
 from .rules import ALL_BANDS, LUMINOSITY, Rule, RuleSet
@@ -61,12 +61,10 @@ class Assessment:
     checked_figures: tuple[CheckedFigure, ...]
     available: ValueRange | None
     """The range that shares are shares of; None where nobody says it."""
-    histograms: dict[str, Histogram]
+    histograms: Mapping[str, Histogram]
     """By band name, and luminosity; empty when the values can't be counted."""
-    seams: tuple[SeamStep, ...]
-    bands: tuple[str, ...]
-    """Of the figures at seams, in their order."""
-    notices: tuple[Message, ...]
+    seams: tuple[SeamStep, ...] = ()
+    notices: tuple[Message, ...] = ()
     maybe_grey: MaybeGrey | None = None
     """What may be grey, where no grey areas were given."""
     balance: ColourBalance | None = None
@@ -92,20 +90,19 @@ def judge(measured: MeasuredImage, rules: RuleSet, of_image: ImageRange) -> Asse
     Without seamlines the rules on seams are left out. Without a range all that is a share of it is not measurable.
     """
     applied = [rule for rule in rules.rules if rule.check not in checks.AT_SEAMS or measured.seams is not None]
-    if measured.statistics is None or measured.pixels < MIN_STATISTICS_PIXELS:
+    if measured.areas is None or measured.pixels < MIN_STATISTICS_PIXELS:
         why = messages.TOO_FEW_VALID_PIXELS(count=measured.pixels, least=MIN_STATISTICS_PIXELS)
-        if measured.statistics is None:
+        if measured.areas is None:
             why = of_image.why or messages.NO_VALUE_RANGE(data_type=measured.image.data_type)
         figures = tuple(_checked(measured, rule, band, why) for rule, band in _pairs(measured, applied))
-        bands = measured.image.band_names
-        return Assessment(measured.image, measured.window_id, figures, None, measured.histograms, (), bands, ())
-    judged = _Judged(measured, of_image)
+        return Assessment(measured.image, measured.window_id, figures, None, measured.histograms)
+    judged = _Judged(measured, measured.areas, of_image)
     figures = tuple(
         _checked(measured, rule, band, judged.figure(rule, band)) for rule, band in _pairs(measured, applied)
     )
     return Assessment(
         measured.image, measured.window_id, figures, of_image.available, measured.histograms, measured.seams or (),
-        measured.bands, tuple(judged.notices(rules)), judged.maybe_grey, judged.balance,
+        tuple(judged.notices(rules)), judged.maybe_grey, judged.balance,
     )  # fmt: skip
 
 
@@ -142,13 +139,13 @@ def seam_contrast(steps: Sequence[SeamStep], band: int, available: ValueRange) -
 class _Judged:
     """The figures of one image, each or why there is none."""
 
-    def __init__(self, measured: MeasuredImage, of_image: ImageRange) -> None:
-        self._measured, self._range, self._why = measured, of_image.available, of_image.why
+    def __init__(self, measured: MeasuredImage, areas: Areas, of_image: ImageRange) -> None:
+        self._measured, self._areas, self._range, self._why = measured, areas, of_image.available, of_image.why
         self.maybe_grey: MaybeGrey | None = None
         self.balance: ColourBalance | None = None
         if self._range is not None and measured.image.has_luminance:
             if measured.grey is None:
-                self.maybe_grey = find_maybe_grey(measured.areas, range(3), self._range)
+                self.maybe_grey = find_maybe_grey(areas, self._range)
             else:
                 self.balance = colour_balance(measured.grey, self._range)
 
@@ -192,7 +189,7 @@ class _Judged:
         return self._range is None and self._measured.image.data_type == "uint16"
 
     def _noise(self, band: str, available: ValueRange) -> _Found | Message:
-        ratio = signal_to_noise(self._measured.areas, self._measured.bands.index(band), available)
+        ratio = signal_to_noise(self._areas, self._measured.bands.index(band), available)
         if ratio is None:
             return messages.NO_UNIFORM_AREA(least=limits.MIN_AREAS, side=limits.AREA_PX)
         return messages.NO_NOISE_AT_ALL() if math.isinf(ratio) else _Found(ratio)

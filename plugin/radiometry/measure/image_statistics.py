@@ -19,11 +19,6 @@ from .areas import Areas, joined, sample_areas
 from .rules import LUMINOSITY
 
 
-def has_luminosity(image: Raster) -> bool:
-    """Whether there are red, green and blue to mix, or one band that is its own luminosity."""
-    return image.has_luminance or len(image.band_names) == 1
-
-
 def luminosity(bands: np.ndarray) -> np.ndarray:
     """0.299 R + 0.587 G + 0.114 B of (bands, ...), whose first three are red, green and blue; a single band as it is.
 
@@ -114,29 +109,6 @@ class Histogram:
         return np.bincount(places, self.counts, bins).astype(np.int64), middles
 
 
-@dataclass(frozen=True)
-class Wanted:
-    """What is to be told of an image: names of its bands, and ``luminosity``."""
-
-    histograms: tuple[str, ...]
-    """Of which there are histograms, at least one."""
-    areas: tuple[str, ...]
-    """Of which areas are looked at."""
-
-
-@dataclass(frozen=True, eq=False)
-class ImageStatistics:
-    """What streaming a raster, or a window of it, leaves."""
-
-    wanted: Wanted
-    histograms: dict[str, Histogram]
-    """By what was wanted."""
-    areas: Areas
-    """Areas of 16 x 16 px spread over it, those with an invalid pixel left out."""
-    complete: bool
-    """False when it was cancelled before the end."""
-
-
 def can_count(image: Raster, given: ValueRange | None) -> bool:
     """Whether the values can be counted: those of 8 and 16 bit always, others over a given range."""
     dtype = np.dtype(image.data_type)
@@ -144,34 +116,34 @@ def can_count(image: Raster, given: ValueRange | None) -> bool:
 
 
 def stream_statistics(
-    source: OpenRaster, window: PixelWindow, wanted: Wanted,
-    given: ValueRange | None = None,
-    progress: Callable[[float], bool] = lambda share: True,
-) -> ImageStatistics:
+    source: OpenRaster, window: PixelWindow, counted: tuple[str, ...], looked_at: tuple[str, ...],
+    given: ValueRange | None = None, progress: Callable[[float], bool] = lambda share: True,
+) -> tuple[dict[str, Histogram], Areas] | None:
     """Histograms and areas of a window of a raster, read block by block, every block once and one ahead.
 
-    ``given`` is the range over which values other than 8 and 16 bit are counted; ``progress`` is told the share that
-    is done after each block and ends the work by returning False.
+    ``counted``: names of the bands, and ``luminosity``, that have histograms, at least one. ``looked_at``: those that
+    are looked at in areas of 16 x 16 px, spread over the window, those with an invalid pixel left out. ``given`` is the
+    range over which values other than 8 and 16 bit are counted; ``progress`` is told the share that is done after each
+    block and ends the work by returning False: then there is no result.
 
     Raises RasterError when the pixels can't be read.
     """
-    image = source.raster
+    image, done, step = source.raster, 0, area_step(window)
     counts: dict[str, np.ndarray] = {}
     areas: list[Areas] = []
-    done = 0
-    step = area_step(window)
     for block, (bands, invalid) in _read_ahead(source, source.blocks(window, MAX_BLOCK_PIXELS)):
-        for name in wanted.histograms:
+        for name in counted:
             band = luminosity(bands) if name == LUMINOSITY else bands[image.band_names.index(name)]
             own = _counted(band, invalid, given)
             counts[name] = counts[name] + own if name in counts else own
-        areas.append(sample_areas(figure_bands(image, bands, wanted.areas), invalid, step, (block.column, block.row)))
+        areas.append(sample_areas(figure_bands(image, bands, looked_at), invalid, step, (block.column, block.row)))
         done += block.width * block.height
         if not progress(done / (window.width * window.height)):
             break
+    if done < window.width * window.height:
+        return None
     values = _values(np.dtype(image.data_type), given)
-    histograms = {name: Histogram(values, own) for name, own in counts.items()}
-    return ImageStatistics(wanted, histograms, joined(areas), done == window.width * window.height)
+    return {name: Histogram(values, own) for name, own in counts.items()}, joined(areas)
 
 
 def _read_ahead(source: OpenRaster, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, PixelBlock]]:

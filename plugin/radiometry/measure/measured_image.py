@@ -1,8 +1,8 @@
 """What the pixels of an image, or of a window of it, say, before anything is held against a range or a rule."""
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Callable
 
 from ...imagery.grids import PixelWindow
@@ -13,11 +13,8 @@ from . import rules as checks
 from .areas import Areas, GreyArea, GreyTone, grey_tones
 from .image_statistics import (
     Histogram,
-    ImageStatistics,
     LargestValue,
-    Wanted,
     can_count,
-    has_luminosity,
     largest_value,
     own_range,
     stream_statistics,
@@ -43,28 +40,16 @@ class MeasuredImage:
     image: Raster
     window_id: int | None
     """None for the whole image."""
-    statistics: ImageStatistics | None
-    """None where the values can't be counted."""
-    seams: tuple[SeamStep, ...] | None
+    seams: tuple[SeamStep, ...] | None = None
     """With the bands of ``areas``; None without seamlines."""
-    grey: tuple[GreyTone, ...] | None
+    grey: tuple[GreyTone, ...] | None = None
     """Empty where no grey area lies on the image; None where none were given."""
-
-    @property
-    def bands(self) -> tuple[str, ...]:
-        """Those that areas and seams are measured in: the image's own, and luminosity where a rule asks for it."""
-        assert self.statistics is not None
-        return self.statistics.wanted.areas
-
-    @property
-    def areas(self) -> Areas:
-        assert self.statistics is not None
-        return self.statistics.areas
-
-    @property
-    def histograms(self) -> dict[str, Histogram]:
-        """By band name, and luminosity; empty where the values can't be counted."""
-        return {} if self.statistics is None else self.statistics.histograms
+    bands: tuple[str, ...] = ()
+    """Those that areas and seams are measured in: the image's own, and luminosity where a rule asks for it."""
+    histograms: Mapping[str, Histogram] = field(default_factory=dict)
+    """By band name, and luminosity; empty where the values can't be counted."""
+    areas: Areas | None = None
+    """None where the values can't be counted."""
 
     @property
     def pixels(self) -> int:
@@ -79,17 +64,12 @@ class MeasuredImage:
     @property
     def largest_value(self) -> LargestValue | None:
         """For the range of the set; None where it is of no use to it."""
-        return largest_value(self.histograms.values()) if self._is_whole_16_bit and self.pixels else None
-
-    @property
-    def _is_whole_16_bit(self) -> bool:
-        return self.image.data_type == "uint16" and self.statistics is not None
+        is_open = self.image.data_type == "uint16" and self.pixels > 0
+        return largest_value(self.histograms.values()) if is_open else None
 
     def kept(self) -> MeasuredImage:
         """Itself, in little memory, to wait for the other images of the set."""
-        assert self.statistics is not None
-        histograms = {name: histogram.trimmed() for name, histogram in self.histograms.items()}
-        return replace(self, statistics=replace(self.statistics, histograms=histograms))
+        return replace(self, histograms={name: own.trimmed() for name, own in self.histograms.items()})
 
 
 def measure(
@@ -104,29 +84,30 @@ def measure(
     """
     image, drawn = source.raster, drawn or Drawn()
     if not can_count(image, rules.value_range):
-        return MeasuredImage(image, window_id, None, None, None)
-    wanted = _wanted(image, rules, drawn.seams is not None)
-    statistics = stream_statistics(source, window, wanted, rules.value_range, progress)
-    if not statistics.complete:
+        return MeasuredImage(image, window_id)
+    counted, looked_at = _wanted(image, rules, drawn.seams is not None)
+    statistics = stream_statistics(source, window, counted, looked_at, rules.value_range, progress)
+    if statistics is None:
         return None
-    steps = None if drawn.seams is None else tuple(seam_steps(source, window, drawn.seams, wanted.areas))
+    steps = None if drawn.seams is None else tuple(seam_steps(source, window, drawn.seams, looked_at))
     grey = None
     if drawn.grey_areas is not None and image.has_luminance:
         grey = grey_tones(source, window, drawn.grey_areas) if image.is_north_up else ()
-    return MeasuredImage(image, window_id, statistics, steps, grey)
+    return MeasuredImage(image, window_id, steps, grey, looked_at, *statistics)
 
 
-def _wanted(image: Raster, rules: RuleSet, has_seams: bool) -> Wanted:
+def _wanted(image: Raster, rules: RuleSet, has_seams: bool) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Histograms of what the rules hold against limits; of all bands where their largest value has to be known, for
     the step at seams and for a range that only pixels can tell. Areas of all bands."""
     own = image.band_names
-    mixed = (LUMINOSITY,) if has_luminosity(image) else ()
-    by_histogram = {band for rule in rules.rules if rule.check in checks.FROM_HISTOGRAM for band in rule.bands_of(own)}
+    mixed = (LUMINOSITY,) if image.has_luminance or len(own) == 1 else ()
+    by_histogram, others = (
+        {band for rule in rules.rules if (rule.check in checks.FROM_HISTOGRAM) == is_counted
+         for band in rule.bands_of(own)}
+        for is_counted in (True, False)
+    )  # fmt: skip
     if has_seams or own_range(image, rules.value_range) is None:
         by_histogram.update(own)
-    others = {
-        band for rule in rules.rules if rule.check not in checks.FROM_HISTOGRAM for band in rule.bands_of(own)
-    }
     shown = mixed if LUMINOSITY in by_histogram else ()
-    histograms = (*shown, *(name for name in own if name in by_histogram)) or mixed or own
-    return Wanted(histograms, (*own, *(mixed if LUMINOSITY in others else ())))
+    counted = (*shown, *(name for name in own if name in by_histogram)) or mixed or own
+    return counted, (*own, *(mixed if LUMINOSITY in others else ()))

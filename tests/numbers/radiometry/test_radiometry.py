@@ -14,14 +14,9 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.lines import Seam
 from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.radiometry.measure import image_statistics as image_statistics
+from seam_inspector.plugin.radiometry.measure import image_statistics
 from seam_inspector.plugin.radiometry.measure.areas import Areas, sample_areas, signal_to_noise
-from seam_inspector.plugin.radiometry.measure.image_statistics import (
-    ImageStatistics,
-    Wanted,
-    area_step,
-    stream_statistics,
-)
+from seam_inspector.plugin.radiometry.measure.image_statistics import Histogram, area_step, stream_statistics
 from seam_inspector.plugin.radiometry.measure.measured_image import measure
 from seam_inspector.plugin.radiometry.measure.rules import Rule, RuleSet
 
@@ -33,10 +28,12 @@ from tests.numbers.synthetic import ORIGIN, orthoimage, texture, write_raster
 MakeRaster = Callable[..., str]
 
 
-def streamed(path: str, given: tuple[float, float] | None = None) -> ImageStatistics:
+def streamed(path: str, given: tuple[float, float] | None = None) -> dict[str, Histogram]:
     source = OpenRaster(RasterRef(path))
     names = source.raster.band_names
-    return stream_statistics(source, source.raster.whole, Wanted(names, names), given)
+    found = stream_statistics(source, source.raster.whole, names, names, given)
+    assert found is not None
+    return found[0]
 
 
 def grey(level: float = 128, sigma: float = 8.0, side: int = 256, seed: int = 0) -> np.ndarray:
@@ -59,7 +56,7 @@ def test_histograms_are_numpys(
     bands[:, 20:60, 30:80] = 120
     found = streamed(make_raster("a.tif", bands, nodata=nodata))
     valid = np.ones(bands.shape[1:], bool) if nodata is None else ~(bands == nodata).all(axis=0)
-    for band, histogram in zip(bands, found.histograms.values()):
+    for band, histogram in zip(bands, found.values()):
         values, counts = np.unique(band[valid], return_counts=True)
         seen = histogram.counts > 0
         assert histogram.values[seen].tolist() == values.tolist()
@@ -73,7 +70,7 @@ def test_the_histogram_is_gdals(make_raster: MakeRaster) -> None:
     path = make_raster("a.tif", orthoimage((300, 200), bands=1))
     dataset = gdal.Open(path)
     expected = dataset.GetRasterBand(1).GetHistogram(-0.5, 255.5, 256, approx_ok=0)
-    assert streamed(path).histograms["band_1"].counts.tolist() == expected
+    assert streamed(path)["band_1"].counts.tolist() == expected
 
 
 @at_most(30)
@@ -84,7 +81,7 @@ def test_values_without_steps_are_counted_over_the_given_range(
     band = np.random.default_rng(seed).uniform(low, low + extent, (64, 64))
     band[0, :5] = np.nan
     path = write_raster(tmp_path_factory.mktemp("float") / "a.tif", band)
-    histogram = streamed(path, (low, low + extent)).histograms["band_1"]
+    histogram = streamed(path, (low, low + extent))["band_1"]
     assert histogram.pixels == 64 * 64 - 5
     assert histogram.mean == pytest.approx(np.nanmean(band), abs=extent / 65536)
     assert histogram.deviation == pytest.approx(np.nanstd(band), abs=extent / 65536)
@@ -315,7 +312,7 @@ def test_memory_stays_flat(tmp_path: Path) -> None:
         path = write_raster(tmp_path / f"{side}.tif", np.tile(grey(side=512), (side // 512, side // 512)))
         source = OpenRaster(RasterRef(path))
         tracemalloc.start()
-        stream_statistics(source, source.raster.whole, Wanted(("luminosity",), ("band_1",)))
+        stream_statistics(source, source.raster.whole, ("luminosity",), ("band_1",))
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     assert peaks[1] < 1.5 * peaks[0]
