@@ -141,7 +141,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         seams = tuple((layer.sheet, layer.address) for layer in self._seams)
         rules = run.text(stated.RULES) if run.parameters.get(stated.RULES) else ""
         return {
-            **paper.write(run, decision, self._paper, paper.DecidedFrom(seams, self._windows, rules)),
+            **paper.write(run, decision, self._paper, seams, self._windows, rules),
             **run.save(common.CHART, lambda path: _save_chart(path, decision)),
             ACCEPTED: int(decision.accepted),
             TOTAL_METRES: whole.total_m,

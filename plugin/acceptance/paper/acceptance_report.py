@@ -2,8 +2,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from ...imagery.statistics import Agreement
 from ...toolkit.charts.figure_files import svg_text
@@ -33,37 +33,7 @@ MOST_ROWS = 300
 """Of the table of failures, the longest first."""
 MOST_LAYERS = 40
 """Of seams, listed with where they were read from."""
-
-
-@dataclass(frozen=True)
-class RuleRow:
-    """A rule in the report's table."""
-
-    name: str
-    value: str
-    limit: str
-    result: str
-    is_reason: bool
-    """Whether the delivery is rejected for it."""
-    source: int
-    """Which of the notes says where the limit comes from; 0 for none."""
-
-
-@dataclass(frozen=True)
-class DefectText:
-    """A failure in the report's table."""
-
-    number: int
-    sheets: str
-    length: str
-    kept: str
-    band: str
-    cause: str
-    images: Sequence[tuple[str, str]]
-    """The two orthoimages, each with its date."""
-    place: tuple[str, str]
-    """x and y."""
-    remark: str
+_RULE_KEYS = ("name", "value", "limit", "result", "is_reason", "source")
 
 
 def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mapping[int, DefectPicture]) -> None:
@@ -143,23 +113,24 @@ def _key_figures(decision: Decision) -> list[tuple[str, str]]:
     ]
 
 
-def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[RuleRow]:
-    """The limit of a piece first, then the rules that decide."""
+def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str, object]]:
+    """The limit of a piece first, then the rules that decide: what is bold is a reason to reject the delivery, and
+    ``source`` says which of the notes tells where the limit comes from, 0 for none."""
     which = tr("says which pieces fail")
     if decision.by_observer:
-        yield RuleRow(tr("what the operator saw"), "", tr("no loss in the window of a piece"), which, False, 0)
+        words = tr("what the operator saw"), "", tr("no loss in the window of a piece")
+        source = 0
     else:
         kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
-        yield RuleRow(
-            check_word(KEPT), whole_share(min(kept, default=None)), filled(tr("at least {least} in each piece"),
-                least=whole_share(decision.rules.least_kept)
-            ), which, False, 1 + sources.index(decision.rules.kept_source),
-        )  # fmt: skip
+        least = filled(tr("at least {least} in each piece"), least=whole_share(decision.rules.least_kept))
+        words = check_word(KEPT), whole_share(min(kept, default=None)), least
+        source = 1 + sources.index(decision.rules.kept_source)
+    yield dict(zip(_RULE_KEYS, (*words, which, False, source)))
     for one in decision.outcomes:
-        yield RuleRow(
+        yield dict(zip(_RULE_KEYS, (
             check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one.passed),
             one.passed is not True, 1 + sources.index(one.source),
-        )  # fmt: skip
+        )))  # fmt: skip
 
 
 def _sheet_row(one: MetreFigures, by_observer: bool) -> list[str]:
@@ -182,19 +153,24 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
     return [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]
 
 
-def _defect_text(one: Defect) -> DefectText:
+def _defect_text(one: Defect) -> dict[str, Any]:
+    """A failure in the report's table: ``images`` are the two orthoimages, each with its date."""
     piece = one.worst.piece
     kept = whole_share(piece.kept_1)
     if piece.kept_low is not None and piece.kept_high is not None:
         kept += f" ({shown_number(100 * piece.kept_low, 0)} - {shown_number(100 * piece.kept_high, 0)})"
     sides = ((piece.left_source, piece.left_date), (piece.right_source, piece.right_date))
-    return DefectText(
-        one.number, ", ".join(one.sheets), metres(one.length_m), kept,
-        "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
-        tr(one.cause) if one.cause else "",
-        [(_file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
-        (formatted(one.place[0], ".1f"), formatted(one.place[1], ".1f")), "; ".join(one.remarks),
-    )  # fmt: skip
+    return {
+        "number": one.number,
+        "sheets": ", ".join(one.sheets),
+        "length": metres(one.length_m),
+        "kept": kept,
+        "band": "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
+        "cause": tr(one.cause) if one.cause else "",
+        "images": [(_file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
+        "place": [formatted(along, ".1f") for along in one.place],
+        "remark": "; ".join(one.remarks),
+    }
 
 
 def _file_name(path: str) -> str:
@@ -209,7 +185,8 @@ def _pictures(
     for one in defects:
         if (picture := pictures.get(one.number)) is not None:
             text = _defect_text(one)
-            parts = [f"{one.number}", text.sheets, text.length, filled(tr("{kept} kept"), kept=text.kept)]
+            kept = filled(tr("{kept} kept"), kept=text["kept"])
+            parts = [f"{one.number}", text["sheets"], text["length"], kept]
             caption = ", ".join(part for part in parts if part)
             yield picture, f"{caption}. {_shown(picture)}"
 

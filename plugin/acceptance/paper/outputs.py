@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -45,25 +45,6 @@ class PaperInputs:
 
     mosaics: tuple[RasterRef, ...] = ()
     loss: RasterRef | None = None
-
-
-@dataclass(frozen=True)
-class DecidedFrom:
-    """Where what was decided on was read from, in words for people."""
-
-    seams: tuple[tuple[str, str], ...] = ()
-    """Sheets, and the layers of their seams."""
-    windows: str = ""
-    rules: str = ""
-
-
-@dataclass
-class _Pictures:
-    """Those that were made, by the failures' numbers."""
-
-    shown: dict[int, DefectPicture] = field(default_factory=dict)
-    paths: dict[int, str] = field(default_factory=dict)
-    """From the layer's folder."""
 
 
 def add_inputs(algorithm: SeamInspectorAlgorithm) -> None:
@@ -111,8 +92,13 @@ def prepare(run: Run) -> PaperInputs:
     return PaperInputs(tuple(mosaics), run.raster(LOSS))
 
 
-def write(run: Run, decision: Decision, inputs: PaperInputs, origin: DecidedFrom) -> dict[str, Any]:
-    """Write what is wanted; what can't be written is told, and does not cost the decision."""
+def write(
+    run: Run, decision: Decision, inputs: PaperInputs, seams: Sequence[tuple[str, str]], windows: str, rules: str
+) -> dict[str, Any]:
+    """Write what is wanted; what can't be written is told, and does not cost the decision.
+
+    ``seams``, ``windows`` and ``rules``: where sheets, windows and rules were read from, in words for people.
+    """
     from ...toolkit.pages.how_measured import whole_path
     from .acceptance_report import save_acceptance_report
     from .inspection_record import InspectionRecord
@@ -121,14 +107,14 @@ def write(run: Run, decision: Decision, inputs: PaperInputs, origin: DecidedFrom
     loss, settings, bands = _loss(run, inputs.loss)
     report = run.file_path(REPORT)
     maker, mosaics = _maker(run, inputs, decision) if run.parameters.get(DEFECTS) or report else (None, ())
-    seams = tuple((sheet, whole_path(address)) for sheet, address in origin.seams)
-    windows, rules = whole_path(origin.windows), whole_path(origin.rules)
-    record = InspectionRecord(decision, seams, windows, rules, mosaics, loss, settings, bands, str(report or ""))
-    defects = record.defects
-    pictures = _Pictures()
-    results = _write_defects(run, decision, defects, maker, pictures)
+    record = InspectionRecord(
+        decision, tuple((sheet, whole_path(address)) for sheet, address in seams), whole_path(windows),
+        whole_path(rules), mosaics, loss, settings, bands, str(report or ""),
+    )
+    pictures: dict[int, DefectPicture] = {}
+    results = _write_defects(run, decision, record.defects, maker, pictures)
     results.update(run.save(QUALITY, lambda path: save_quality_document(path, record)))
-    results.update(run.save(REPORT, lambda path: save_acceptance_report(path, record, pictures.shown)))
+    results.update(run.save(REPORT, lambda path: save_acceptance_report(path, record, pictures)))
     return results
 
 
@@ -170,31 +156,36 @@ def _maker(run: Run, inputs: PaperInputs, decision: Decision) -> tuple[DefectPic
 
 
 def _write_defects(
-    run: Run, decision: Decision, defects: Sequence[Defect], maker: DefectPictures | None, pictures: _Pictures
+    run: Run, decision: Decision, defects: Sequence[Defect], maker: DefectPictures | None,
+    pictures: dict[int, DefectPicture],
 ) -> dict[str, Any]:
-    """The layer; fills in the pictures, for the report too."""
-    from .defect_files import defect_features, defect_fields
+    """The layer; fills in the pictures by the failures' numbers, for the report too."""
+    from .defect_files import defect_features, defect_fields, save_pictures
 
-    if not run.parameters.get(DEFECTS):
-        _make_pictures(run, defects, maker, pictures, None)
-        return {}
-    crs = QgsCoordinateReferenceSystem.fromWkt(decision.delivery.wkt)
     try:
-        sink, destination = run.sink(DEFECTS, defect_fields(), QgsWkbTypes.Type.MultiLineString, crs)
+        crs = QgsCoordinateReferenceSystem.fromWkt(decision.delivery.wkt)
+        layout = defect_fields(), QgsWkbTypes.Type.MultiLineString, crs
+        sink, destination = run.optional_sink(DEFECTS, *layout)
     except QgsProcessingException:
         run.tell(messages.DEFECTS_NOT_WRITTEN())
-        _make_pictures(run, defects, maker, pictures, None)
+        sink, destination = None, None
+    if sink is None:
+        _cut_pictures(run, defects, maker, pictures)
         return {}
     file = _file_of(str(destination))
     folder = Path(QgsProcessingUtils.generateTempFilename("pictures")) if file is None else (
         file.with_name(f"{file.stem}_pictures")
     )
+    paths: dict[int, str] = {}
     try:
-        _make_pictures(run, defects, maker, pictures, folder)
+        _cut_pictures(run, defects, maker, pictures)
+        save_pictures(folder, pictures, paths)
+    except SettingsError as error:
+        run.tell(error.message.as_warning())
     finally:  # a layer without a failure would say that there are none, also where the run was stopped
         if file is not None:
-            pictures.paths = {number: f"{folder.name}/{Path(path).name}" for number, path in pictures.paths.items()}
-        run.write(sink, defect_features(defects, pictures.paths))
+            paths = {number: f"{folder.name}/{Path(path).name}" for number, path in paths.items()}
+        run.write(sink, defect_features(defects, paths))
     run.style(destination, "defects")
     return {DEFECTS: destination}
 
@@ -205,12 +196,10 @@ def _file_of(destination: str) -> Path | None:
     return path.absolute() if path.suffix and path.absolute().parent.is_dir() else None
 
 
-def _make_pictures(
-    run: Run, defects: Sequence[Defect], maker: DefectPictures | None, pictures: _Pictures, place: Path | None
+def _cut_pictures(
+    run: Run, defects: Sequence[Defect], maker: DefectPictures | None, pictures: dict[int, DefectPicture]
 ) -> None:
-    """Cut them, and save them where there is a place. Raises CancelledError when they are not wanted any more."""
-    from .defect_files import PictureFolder
-
+    """Of the longest failures. Raises CancelledError when they are not wanted any more."""
     shown = defects[:MOST_PICTURES]
     if maker is None or not shown:
         return
@@ -218,15 +207,8 @@ def _make_pictures(
         if not run.goes_on(done / len(shown)):
             raise CancelledError(messages.PAPER_STOPPED())
         if (picture := maker.of(defect)) is not None:
-            pictures.shown[defect.number] = picture
-    if missing := len(shown) - len(pictures.shown):
+            pictures[defect.number] = picture
+    if missing := len(shown) - len(pictures):
         run.tell(messages.PICTURES_MISSING(count=missing))
     if len(defects) > len(shown):
         run.tell(messages.PICTURES_LIMITED(shown=len(shown), count=len(defects)))
-    if place is not None and pictures.shown:
-        try:
-            folder = PictureFolder(place)
-            for number, picture in pictures.shown.items():
-                pictures.paths[number] = str(folder.save(number, picture.jpeg))
-        except SettingsError as error:
-            run.tell(error.message.as_warning())

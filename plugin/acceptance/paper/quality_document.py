@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import uuid
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,7 +22,7 @@ from ...toolkit.pages.how_measured import HowMeasured, system_code, whole_path
 from ...toolkit.pages.templates import environment
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
-from ..measure.decision import Decision, PlanOutcome, RuleOutcome
+from ..measure.decision import Decision, MetreFigures, PlanOutcome, RuleOutcome
 from .inspection_record import InspectionRecord
 from .words import check_word, failing_sentence, severity_word
 
@@ -132,10 +132,7 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
             ACCURACY, rules.FAILED_SHARE, check_word(rules.FAILED_SHARE),
             tr("Length of the pieces of seam that failed, by the length that was measured."),
             full,
-            (Quantity((100 * decision.whole.failed_share,), PER_CENT), *(
-                Quantity((100 * one.failed_share,), PER_CENT, sheet=one.name)
-                for one in decision.sheets if one.failed_share is not None
-            )),
+            _by_sheet(decision, PER_CENT, lambda one: None if one.failed_share is None else 100 * one.failed_share),
             _conformance(outcomes.get(rules.FAILED_SHARE)),
         )
     if decision.longest_failure_m is not None:
@@ -143,10 +140,7 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
             ACCURACY, rules.LONGEST_FAILURE, check_word(rules.LONGEST_FAILURE),
             tr("Length of the longest row of failed pieces that follow each other without a break, across sheets too."),
             full,
-            (Quantity((decision.longest_failure_m,), METRES), *(
-                Quantity((one.longest_failure_m,), METRES, sheet=one.name)
-                for one in decision.sheets if one.piece_count and one.longest_failure_m is not None
-            )),
+            _by_sheet(decision, METRES, lambda one: one.longest_failure_m if one.piece_count else None),
             _conformance(outcomes.get(rules.LONGEST_FAILURE)),
         )
     kept = [one.kept_1 for one in decision.delivery.pieces if one.kept_1 is not None]
@@ -157,6 +151,14 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
             measured, (Quantity((min(kept),), ONE),), _conformance(outcomes.get(rules.KEPT)),
             has_coverage=record.loss is not None,
         )
+
+
+def _by_sheet(
+    decision: Decision, unit: str, figure: Callable[[MetreFigures], float | None]
+) -> tuple[Quantity, ...]:
+    """A figure of all sheets together, then that of each sheet that has one."""
+    found = ((one.name, figure(one)) for one in (decision.whole, *decision.sheets))
+    return tuple(Quantity((value,), unit, sheet=name) for name, value in found if value is not None)
 
 
 def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | None) -> Iterator[QualityElement]:
@@ -201,9 +203,7 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
     yield QualityElement(
         REPRESENTATIVITY, rules.MEASURED_SHARE, check_word(rules.MEASURED_SHARE),
         tr("Length of seam that could be measured, by the length of all seams."), derived,
-        (Quantity((100 * decision.whole.measured_share,), PER_CENT),
-         *(Quantity((100 * one.measured_share,), PER_CENT, sheet=one.name)
-           for one in decision.sheets if one.piece_count)),
+        _by_sheet(decision, PER_CENT, lambda one: 100 * one.measured_share if one.piece_count else None),
         _conformance(outcomes.get(rules.MEASURED_SHARE)), about=all_pieces,
     )
     if (interval := decision.failed_share) is not None:
