@@ -17,9 +17,10 @@ from ..imagery.errors import Message, RasterError, SeamlineError, SettingsError,
 from ..imagery.grids import PixelWindow, standard_side_px, standard_window
 from ..imagery.lines import find_seams
 from ..imagery.rasters import Raster
+from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
 from ..toolkit import layers
-from ..toolkit.table_fields import Column, whole_number
+from ..toolkit.table_fields import whole_number
 from .delivery_layers import SeamLayer, common_system, metres_in_unit, read_delivery
 from .measure import messages
 from .measure.delivery import DeliveredPiece, Delivery, in_order

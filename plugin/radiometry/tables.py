@@ -16,8 +16,9 @@ from qgis.core import (
 
 from ..imagery.grids import PixelWindow
 from ..imagery.rasters import Raster
+from ..imagery.records import Column
 from ..toolkit.layers import rectangle
-from ..toolkit.table_fields import Column, column_features, column_fields, column_values, feature
+from ..toolkit.table_fields import column_features, column_fields, column_values, feature
 from ..toolkit.translation import sentence
 from .image_set import has_map
 from .measure import limits

@@ -19,7 +19,7 @@ from ..imagery.errors import Message, SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import GROUND_RESOLUTION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.table_fields import number, text
+from ..toolkit.table_fields import feature, number, table_fields, text
 from ..toolkit.translation import sentence, shown_number, tr
 from .measure import messages
 
@@ -69,8 +69,6 @@ def observation(
 
 def height_table(results: Sequence[HeightResult], keys: Sequence[str]) -> tuple[QgsFields, list[QgsFeature]]:
     """OUTPUT: one row per group of observations."""
-    from ..toolkit.table_fields import feature, table_fields
-
     fields = table_fields(
         *((name, "text") for name in keys),
         ("count", "integer"),
@@ -95,8 +93,6 @@ def pass_table(
     observations: Sequence[Observation], keys: Sequence[str], required_cm: float
 ) -> tuple[QgsFields, list[QgsFeature]]:
     """HEIGHTS: one row per observation, with the distance that its height goes with: of several, a harmonic mean."""
-    from ..toolkit.table_fields import feature, table_fields
-
     others = [(name, "text") for name in keys if name != HEIGHT]
     fields = table_fields(*others, (HEIGHT, "real"), (GRD, "real"), ("h_min", "real"), ("observers", "integer"))
     rows = []

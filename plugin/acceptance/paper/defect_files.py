@@ -20,10 +20,11 @@ from ...imagery.lines import points_at, vertex_stations
 from ...imagery.messages import system_reason
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
+from ...imagery.records import Column
 from ...imagery.reference_systems import transform_points
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
-from ...toolkit.table_fields import Column, column_features, column_fields
+from ...toolkit.table_fields import column_features, column_fields
 from ..measure.decision import Defect
 from . import messages
 

@@ -11,14 +11,7 @@ from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import Raster
 from . import rules as checks
 from .areas import Areas, GreyArea, GreyTone, grey_tones
-from .image_statistics import (
-    Histogram,
-    LargestValue,
-    can_count,
-    largest_value,
-    own_range,
-    stream_statistics,
-)
+from .image_statistics import Histogram, LargestValue, can_count, largest_value, own_range, stream_statistics
 from .rules import LUMINOSITY, RuleSet
 from .seam_steps import SeamStep, seam_steps
 

@@ -19,13 +19,7 @@ from qgis.core import (
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QResizeEvent
-from qgis.PyQt.QtWidgets import (
-    QBoxLayout,
-    QFormLayout,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from qgis.PyQt.QtWidgets import QBoxLayout, QFormLayout, QToolButton, QVBoxLayout, QWidget
 
 from ...imagery.errors import Message, SeamInspectorError
 from ...imagery.open_raster import describe_north_up
