@@ -15,10 +15,9 @@ from ..toolkit.translation import filled, formatted, sentence, shown_number, tr
 from .measure import limits, messages
 from .measure.camera_calibration import CameraCalibration
 from .measure.mark_templates import MarkShape
-from .measure.measuring_marks import MarkWindow
 from .measure.orientation import FittedTransformation, MarkResult, MarkStatus, OrientationSettings, PhotoOrientation
-from .measure.orientation_files import orientation_parameters
-from .measure.photo import Photo, Place
+from .measure.orientation_files import parameters
+from .measure.photo import Photo, PhotoView, Place
 from .measure.transformations import PlaneModel
 
 PICTURE_MAGNIFICATION = 8  # of a mark in the report
@@ -98,16 +97,15 @@ def _transformation(fitted: FittedTransformation) -> dict[str, object]:
 
 def _scan(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, str]]:
     """What the transformation says of the scan, and of the camera in it."""
-    values = orientation_parameters(job.photo, job.calibration, made)
-    camera = job.calibration
+    values = parameters(job.photo, job.calibration, made)
     facts = [
-        (tr("pixel size"), filled("{x:.3f} x {y:.3f} µm", **values.pixel_size_um)),
-        (tr("rotation"), filled("{angle:.3f} deg", angle=values.rotation_deg)),
-        (tr("shear"), filled("{angle:.4f} deg", angle=values.shear_deg)),
-        (tr("principal point"), filled("{column:.2f}, {row:.2f} px", **values.principal_point_px)),
+        (tr("pixel size"), filled("{x:.3f} x {y:.3f} µm", **values["pixel_size_um"])),
+        (tr("rotation"), filled("{angle:.3f} deg", angle=values["rotation_deg"])),
+        (tr("shear"), filled("{angle:.4f} deg", angle=values["shear_deg"])),
+        (tr("principal point"), filled("{column:.2f}, {row:.2f} px", **values["principal_point_px"])),
     ]
-    if camera.focal_length is not None and values.focal_length_px is not None:
-        size = {"mm": camera.focal_length, "px": values.focal_length_px}
+    if values["focal_length_mm"] is not None:
+        size = {"mm": values["focal_length_mm"], "px": values["focal_length_px"]}
         facts.append((tr("focal length"), filled("{mm:.3f} mm, {px:.1f} px", **size)))
     return facts
 
@@ -145,7 +143,7 @@ def _picture(mark: MarkResult, made: PhotoOrientation) -> tuple[bytes, int, str]
     return encoded(pixels, "PNG"), pixels.shape[1], words
 
 
-def marked(status: MarkStatus, place: Place, view: MarkWindow) -> np.ndarray:
+def marked(status: MarkStatus, place: Place, view: PhotoView) -> np.ndarray:
     """The surroundings of a mark, magnified, with a cross at its place: (rows, columns, 3) uint8."""
     times = PICTURE_MAGNIFICATION
     low, high = np.percentile(view.pixels, (0.5, 99.5))

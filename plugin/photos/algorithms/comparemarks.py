@@ -21,7 +21,7 @@ from ...toolkit.translation import filled, tr
 from ..measure import limits, messages
 
 if TYPE_CHECKING:
-    from ..measure.mark_comparison import ComparedMark
+    from ..measure.mark_comparison import ComparedMark, MarkDifference
 
 NAMED = 5  # of the marks that are not compared
 FIRST, SECOND, PIXEL_SIZE, LIMIT = "FIRST", "SECOND", "PIXEL_SIZE", "LIMIT"
@@ -118,7 +118,7 @@ class CompareMarks(SeamInspectorAlgorithm):
 
         self.check(run)
         measured = [self._marks(run, name) for name in (FIRST, SECOND)]
-        found = mark_comparison.mark_differences(*measured)
+        found, alone = mark_comparison.mark_differences(*measured)
         limit = run.real(LIMIT)
         size = run.real(PIXEL_SIZE) if run.parameters.get(PIXEL_SIZE) else None
         size = size or mark_comparison.pixel_size(measured[0]) or mark_comparison.pixel_size(measured[1])
@@ -127,7 +127,6 @@ class CompareMarks(SeamInspectorAlgorithm):
             run.tell(messages.PIXEL_SIZE_UNKNOWN())
         else:
             made["um"] = made["px"].scaled(size)
-        alone = mark_comparison.marks_alone(*measured)
         if alone:
             names = ", ".join(alone[:NAMED]) + (", ..." if len(alone) > NAMED else "")
             run.tell(messages.COMPARED_ALONE(count=len(alone), names=names))
@@ -137,10 +136,10 @@ class CompareMarks(SeamInspectorAlgorithm):
             mark_tables.statistics_feature(unit, one, limit * scales[unit]) for unit, one in made.items()
         ])
         photos, photos_id = run.optional_sink(PHOTOS, mark_tables.photo_fields())
-        of_photos = {
-            photo: mark_comparison.distance_statistics(some)
-            for photo, some in mark_comparison.by_photo(found).items()
-        }
+        by_photo: dict[str, list[MarkDifference]] = {}
+        for difference in found:
+            by_photo.setdefault(difference.photo, []).append(difference)
+        of_photos = {photo: mark_comparison.distance_statistics(some) for photo, some in by_photo.items()}
         run.write(photos, (
             table_fields.feature(
                 mark_tables.photo_fields(),

@@ -22,15 +22,13 @@ from .mark_templates import (
     MarkKind,
     MarkShape,
     Pattern,
-    Patterns,
     all_shapes,
-    cut_out_patterns,
     draw,
-    drawn_patterns,
+    patterns,
     wedge_to_middle,
 )
-from .measuring_marks import MarkWindow, window_around
-from .photo import MarkFrame, Photo, Place, ReducedView, Scene, SearchArea, block_means
+from .measuring_marks import window_around
+from .photo import MarkFrame, Photo, PhotoView, Place, Scene, SearchArea, block_means
 from .transformations import PlaneModel, fit_transformation
 
 CANDIDATES = 10  # a mark, a figure and a size: places that look alike in a search area
@@ -39,12 +37,21 @@ SURE_CORRELATION = 0.6  # mean of four marks in the right arrangement at one lev
 ARRANGEMENT_LEVEL_PX = 1.5  # a candidate's place at its level
 ARRANGEMENT_PAIRS = 6  # all pairs of four marks, the widest of eight
 TELLING_PIXEL_MM = 0.2  # a ring of 2 mm is ten pixels wide
+REFINING_SIZES = (0.87, 0.93, 1.0, 1.07, 1.15)  # against the coarse size, which is good to 10 %
+REFINING_ROUNDS = 6
+REFINING_SIZE_PX = 40.0  # of a mark while its figure is fitted: larger ones are reduced for it
+GLANCING_SIZE_PX = 20.0  # the same while figures are compared
+REFINED_ARRANGEMENTS = 5  # looked at closely, of one for each figure
+WORTH_A_LOOK = 0.75  # of the best arrangement's sum of correlations
+NEARLY_AS_FIT = 0.15  # correlation below the best figure's: among these the one that explains most pixels is the mark
 
 
 @dataclass(frozen=True, eq=False)
 class Arrangement:
     """Candidates that lie as the calibration says."""
 
+    frame: MarkFrame
+    """As which they lie."""
     shape: MarkShape | None
     """What they look like, in pixels of the photo; None for a user's template."""
     sign: int
@@ -73,52 +80,52 @@ class Arrangement:
         """Pixels per millimetre."""
         return float(math.hypot(self.matrix[0, 0], self.matrix[1, 0]))
 
+    @property
+    def reach(self) -> float:
+        """How far a mark may lie from where the others want it, px."""
+        return placing_tolerance(self.frame, self.uncertainty)
+
     def predicted(self, places: np.ndarray) -> list[Place]:
         """Where places of the frame, (n, 2) mm, lie in the photo."""
         return [(float(x), float(y)) for x, y in np.column_stack([places, np.ones(len(places))]) @ self.matrix.T]
 
 
-FramedArrangement = tuple[MarkFrame, Arrangement]
-
-
 def find_arrangements(
     scene: Scene,
     frames: Sequence[MarkFrame],
-    groups: Sequence[Patterns],
+    marks: Sequence[MarkShape | CutOut],
     sign: int | None = None,
     cancelled: Callable[[], bool] = lambda: False,
-) -> list[list[FramedArrangement]]:
-    """The arrangements of each group of patterns, the best group and its best first: one at most for each frame.
+) -> list[list[Arrangement]]:
+    """The arrangements of each kind of marks, the best kind and its best first: one at most for each frame.
 
     A calibration that looks different when it is turned has several frames, and a photo may hold marks for more than
-    one of them. A group where nothing fits together is left out.
+    one of them. A kind of which nothing fits together is left out.
 
     Levels are taken coarse to fine. The search ends at the first level that has a sure arrangement, not before a
     level at which a mark can be told from the frame's own corners. ``sign`` is as in ``Arrangement``, None for
     either.
     """
-    best: dict[int, dict[int, FramedArrangement]] = {}
-    scenes = [scene(frame) for frame in frames]
-    for at_level in zip(*scenes):
+    best: list[dict[int, Arrangement]] = [{} for _ in marks]
+    signs = (1, -1) if sign is None else (sign,)
+    for at_level in zip(*[scene(frame) for frame in frames]):
         for way, (frame, views) in enumerate(zip(frames, at_level)):
             images = [CorrelatedImage(view.pixels, np.float32) for view in views]
-            for number, patterns in enumerate(groups):
+            for mark, ways in zip(marks, best):
                 if cancelled():
                     return []
-                found = _at_level(views, images, frame, patterns, (1, -1) if sign is None else (sign,))
-                ways = best.setdefault(number, {})
-                if found is not None and (way not in ways or found.score > ways[way][1].score):
-                    ways[way] = frame, found
+                found = _at_level(views, images, frame, mark, signs)
+                if found is not None and (way not in ways or found.score > ways[way].score):
+                    ways[way] = found
         width = at_level[0][0].factor * frames[0].scales[1] ** -1
-        arranged = (found for ways in best.values() for _, found in ways.values())
-        if width <= TELLING_PIXEL_MM and any(is_sure(found) for found in arranged):
+        if width <= TELLING_PIXEL_MM and any(is_sure(found) for ways in best for found in ways.values()):
             break
-    groups_found = [sorted(ways.values(), key=_score, reverse=True) for ways in best.values() if ways]
-    return sorted(groups_found, key=lambda ways: _score(ways[0]), reverse=True)
+    kinds = [sorted(ways.values(), key=_score, reverse=True) for ways in best if ways]
+    return sorted(kinds, key=lambda kind: kind[0].score, reverse=True)
 
 
-def _score(one: FramedArrangement) -> float:
-    return one[1].score
+def _score(found: Arrangement) -> float:
+    return found.score
 
 
 def is_sure(found: Arrangement) -> bool:
@@ -127,14 +134,14 @@ def is_sure(found: Arrangement) -> bool:
 
 
 def _at_level(
-    views: Sequence[ReducedView],
+    views: Sequence[PhotoView],
     images: Sequence[CorrelatedImage],
     frame: MarkFrame,
-    patterns: Patterns,
+    mark: MarkShape | CutOut,
     signs: Sequence[int],
 ) -> Arrangement | None:
     factor = views[0].factor
-    runs = [patterns(factor, (float(x), float(y))) for x, y in frame.places]
+    runs = [patterns(mark, factor, (float(x), float(y))) for x, y in frame.places]
     best: Arrangement | None = None
     for row in zip(*runs):
         found = [
@@ -157,7 +164,7 @@ def placing_tolerance(frame: MarkFrame, factor: float) -> float:
     return ARRANGEMENT_LEVEL_PX * factor + limits.FILM_DEFORMATION * span * frame.scales[1]
 
 
-def _candidates(field: np.ndarray, pattern: Pattern, view: ReducedView, area: SearchArea) -> list[Peak]:
+def _candidates(field: np.ndarray, pattern: Pattern, view: PhotoView, area: SearchArea) -> list[Peak]:
     """The best places in an area; the view may reach further, so that the template has room."""
     if field.size == 0:
         return []
@@ -219,7 +226,7 @@ def _single(frame: MarkFrame, candidates: Sequence[Peak]) -> Arrangement | None:
     best, mark, scale = candidates[0], frame.marks[0], frame.scales[1]
     shift = np.array([best.column, best.row]) - scale * frame.places[0]
     matrix = np.column_stack([scale * np.eye(2), shift])
-    return Arrangement(None, 1, {mark: (best.column, best.row)}, {mark: abs(best.value)}, matrix)
+    return Arrangement(frame, None, 1, {mark: (best.column, best.row)}, {mark: abs(best.value)}, matrix)
 
 
 def _arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], fitting: Mapping[int, int]) -> Arrangement:
@@ -227,35 +234,28 @@ def _arrangement(frame: MarkFrame, candidates: Sequence[Sequence[Peak]], fitting
     places = {mark: (peak.column, peak.row) for mark, peak in chosen.items()}
     source, target = frame.places[list(fitting)], np.array(list(places.values()))
     matrix = fit_transformation(PlaneModel.SIMILARITY, source, target, mirrored=False).matrix[:2]
-    return Arrangement(None, 1, places, {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix)
+    return Arrangement(frame, None, 1, places, {mark: abs(peak.value) for mark, peak in chosen.items()}, matrix)
 
 
-REFINING_SIZES = (0.87, 0.93, 1.0, 1.07, 1.15)  # against the coarse size, which is good to 10 %
-REFINING_ROUNDS = 6
-
-
-def refine_shape(
-    windows: Mapping[str, MarkWindow],
-    places: Mapping[str, Place],
-    begin: MarkShape,
-    sign: int,
-    angle: float,
-    finest: float,
-) -> tuple[MarkShape, float]:
+def _refined(photo: Photo, found: Arrangement, begin: MarkShape, finest: float) -> tuple[MarkShape, float]:
     """The drawn mark that correlates best with a photo's marks, in pixels of the photo, and its median correlation.
 
-    ``begin`` has a size good to 15 %; ``places`` are the marks in the frame, mm, and ``angle`` is the frame's rotation
-    in degrees. A mark wider than ``finest`` px is reduced to about that, which is faster.
+    ``begin`` has a size good to 15 %. A mark wider than ``finest`` px is reduced to about that, which is faster.
     """
+    half = math.ceil(1.7 * begin.size + 2 * found.uncertainty + 4)
+    sites = found.frame.sites
     step = max(1, round(begin.size / finest))
-    images = {mark: CorrelatedImage(sign * block_means(window.pixels, step)) for mark, window in windows.items()}
+    images = {}
+    for mark, place in found.places.items():
+        pixels = _without_plane(window_around(photo, place, half).pixels)
+        images[mark] = CorrelatedImage(found.sign * block_means(pixels, step))
 
     def fitness(shape: MarkShape) -> float:
-        found = []
+        best = []
         for mark, image in images.items():
-            values = image.correlate(draw(turned_with_frame(shape, places[mark], angle)))
-            found.append(float(values.max()) if values.size else -1.0)
-        return float(np.median(found))
+            values = image.correlate(draw(turned_with_frame(shape, sites[mark], found.angle)))
+            best.append(float(values.max()) if values.size else -1.0)
+        return float(np.median(best))
 
     shapes = enumerate(_first_shapes(begin.scaled(1 / step)))
     tried = sorted(((fitness(one), number, one) for number, one in shapes), reverse=True)
@@ -271,12 +271,12 @@ def refine_shape(
     return shape.scaled(step), best
 
 
-def without_plane(window: MarkWindow) -> MarkWindow:
+def _without_plane(pixels: np.ndarray) -> np.ndarray:
     """A window less the plane that fits it best."""
-    y, x = np.indices(window.pixels.shape, dtype=np.float64)
+    y, x = np.indices(pixels.shape, dtype=np.float64)
     terms = np.column_stack([x.ravel(), y.ravel(), np.ones(x.size)])
-    plane = np.linalg.lstsq(terms, window.pixels.ravel().astype(np.float64), rcond=None)[0]
-    return replace(window, pixels=window.pixels - (terms @ plane).reshape(x.shape))
+    plane = np.linalg.lstsq(terms, pixels.ravel().astype(np.float64), rcond=None)[0]
+    return np.asarray(pixels - (terms @ plane).reshape(x.shape))
 
 
 def turned_with_frame(shape: MarkShape, place: Place, angle: float) -> MarkShape:
@@ -310,23 +310,15 @@ def _similar_shapes(shape: MarkShape) -> Iterator[MarkShape]:
             yield replace(shape, reach=reach)
 
 
-REFINING_SIZE_PX = 40.0  # of a mark while its figure is fitted: larger ones are reduced for it
-GLANCING_SIZE_PX = 20.0  # the same while figures are compared
-REFINED_ARRANGEMENTS = 5  # looked at closely, of one for each figure
-WORTH_A_LOOK = 0.75  # of the best arrangement's sum of correlations
-NEARLY_AS_FIT = 0.15  # correlation below the best figure's: among these the one that explains most pixels is the mark
-
-
 @dataclass(frozen=True, eq=False)
 class Candidate:
     """Places that may be the marks."""
 
-    frame: MarkFrame
     arrangement: Arrangement
     template: MarkShape | CutOut
     fitness: float = 1.0
     """How like the figure its marks are: the median correlation, less where marks are missing."""
-    others: tuple[FramedArrangement, ...] = ()
+    others: tuple[Arrangement, ...] = ()
     """What looks alike and lies as the calibration says when it is turned another way."""
 
     @property
@@ -350,35 +342,22 @@ def candidates(
     cancelled: Callable[[], bool],
 ) -> Iterator[Candidate]:
     """Arrangements, the likeliest first: its marks, looked at closely, are most like the figure they have."""
+    marks = [template] if template is not None else shapes or all_shapes()
+    found = find_arrangements(scene, frames, marks, sign, cancelled)
     if template is not None:
-        groups = [cut_out_patterns(template)]
-    else:
-        groups = [drawn_patterns([shape]) for shape in shapes or all_shapes()]
-    found = find_arrangements(scene, frames, groups, sign, cancelled)
-    if template is not None:
-        yield from (Candidate(*best, template, others=tuple(others)) for best, *others in found[:1])
+        yield from (Candidate(best, template, others=tuple(others)) for best, *others in found[:1])
         return
-    worth = WORTH_A_LOOK * found[0][0][1].score if found else 0.0
+    worth = WORTH_A_LOOK * found[0][0].score if found else 0.0
     looked_at = []
-    for (frame, arrangement), *others in found[: REFINED_ARRANGEMENTS]:
+    for arrangement, *others in found[: REFINED_ARRANGEMENTS]:
         if arrangement.score >= worth and arrangement.shape is not None:
-            shape, fitness = _refined(photo, frame, arrangement, arrangement.shape, GLANCING_SIZE_PX)
-            fitness *= len(arrangement.values) / len(frame.marks)
-            looked_at.append(Candidate(frame, arrangement, shape, fitness, tuple(others)))
+            shape, fitness = _refined(photo, arrangement, arrangement.shape, GLANCING_SIZE_PX)
+            fitness *= len(arrangement.values) / len(arrangement.frame.marks)
+            looked_at.append(Candidate(arrangement, shape, fitness, tuple(others)))
     for one in _by_fitness(looked_at):
         assert isinstance(one.template, MarkShape)
-        shape, _ = _refined(photo, one.frame, one.arrangement, one.template, REFINING_SIZE_PX)
+        shape, _ = _refined(photo, one.arrangement, one.template, REFINING_SIZE_PX)
         yield replace(one, template=shape)
-
-
-def _refined(
-    photo: Photo, frame: MarkFrame, found: Arrangement, begin: MarkShape, finest: float
-) -> tuple[MarkShape, float]:
-    """The drawn mark fitted to the photo's marks, and how well it fits."""
-    half = math.ceil(1.7 * begin.size + 2 * found.uncertainty + 4)
-    windows = {name: without_plane(window_around(photo, place, half)) for name, place in found.places.items()}
-    places = {name: (float(x), float(y)) for name, (x, y) in zip(frame.marks, frame.places)}
-    return refine_shape(windows, places, begin, found.sign, found.angle, finest)
 
 
 def _by_fitness(looked_at: Sequence[Candidate]) -> Iterator[Candidate]:

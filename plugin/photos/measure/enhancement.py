@@ -28,6 +28,9 @@ class Operation(Enum):
     SOBEL = "sobel"
 
 
+EDGES = (Operation.LAPLACE, Operation.SOBEL)  # they have signs or grow
+
+
 def enhance(
     ref: RasterRef,
     path: str,
@@ -49,7 +52,7 @@ def enhance(
     photo = Photo(ref)
     check_width(photo.raster)  # the largest value of a float raster is asked of all pixels
     grey = operation is Operation.GREY
-    kind = _data_type(operation, np.dtype(photo.raster.data_type))
+    kind = np.dtype(np.uint8 if grey else np.float32 if operation in EDGES else photo.raster.data_type)
     largest = photo.largest
     with raster_writer(path, photo.raster, 1 if grey else len(photo.raster.band_names), kind) as writer:
         for strip in photo.strips(margin, grey):
@@ -61,6 +64,7 @@ def enhance(
 
 
 def _margin(operation: Operation, size: float) -> int:
+    """How far a pixel's surroundings reach, px."""
     if operation is Operation.MEAN:
         if size < 3 or size % 2 != 1 or size > MAX_FILTER_PX:
             raise SettingsError(messages.FILTER_SIDE(size=size, most=MAX_FILTER_PX))
@@ -69,13 +73,7 @@ def _margin(operation: Operation, size: float) -> int:
         if not 0 < size <= MAX_FILTER_PX:
             raise SettingsError(messages.FILTER_DEVIATION(size=size, most=MAX_FILTER_PX))
         return int(4 * size + 0.5)
-    return 1 if operation in (Operation.LAPLACE, Operation.SOBEL) else 0
-
-
-def _data_type(operation: Operation, own: np.dtype) -> np.dtype:
-    if operation is Operation.GREY:
-        return np.dtype(np.uint8)
-    return np.dtype(np.float32) if operation in (Operation.LAPLACE, Operation.SOBEL) else own
+    return 1 if operation in EDGES else 0
 
 
 def _applied(operation: Operation, pixels: np.ndarray, size: float, largest: float) -> np.ndarray:
@@ -84,17 +82,14 @@ def _applied(operation: Operation, pixels: np.ndarray, size: float, largest: flo
         return largest - pixels
     if operation is Operation.GREY:
         return pixels * (255 / largest)
-    return np.stack([_filtered(operation, band, size) for band in pixels])
-
-
-def _filtered(operation: Operation, band: np.ndarray, size: float) -> np.ndarray:
     if operation is Operation.MEAN:
-        return np.asarray(ndimage.uniform_filter(band, int(size), mode="reflect"))
+        return np.asarray(ndimage.uniform_filter(pixels, (0, int(size), int(size)), mode="reflect"))
     if operation is Operation.GAUSSIAN:
-        return np.asarray(ndimage.gaussian_filter(band, size, mode="reflect"))
+        return np.asarray(ndimage.gaussian_filter(pixels, (0, size, size), mode="reflect"))
     if operation is Operation.LAPLACE:
-        return np.asarray(ndimage.laplace(band, mode="reflect"))
-    return np.hypot(ndimage.sobel(band, axis=0, mode="reflect"), ndimage.sobel(band, axis=1, mode="reflect"))
+        return np.stack([ndimage.laplace(band, mode="reflect") for band in pixels])
+    gradients = [[ndimage.sobel(band, axis=axis, mode="reflect") for band in pixels] for axis in (0, 1)]
+    return np.hypot(*np.array(gradients))
 
 
 def _as_type(values: np.ndarray, kind: np.dtype) -> np.ndarray:

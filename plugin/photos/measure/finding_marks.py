@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import islice
 
@@ -12,13 +12,13 @@ import numpy as np
 from ...imagery.errors import Message, PhotoError
 from ...imagery.grids import PixelWindow
 from . import limits, messages, scan_orientation
-from .arrangements import Candidate, candidates, placing_tolerance, turned_with_frame
+from .arrangements import Arrangement, Candidate, candidates, turned_with_frame
 from .camera_calibration import CameraCalibration
 from .correlation import correlate, peak_pixel, peaks
 from .mark_templates import CutOut, MarkKind, MarkShape
-from .measuring_marks import MeasuredMark, MeasuringTemplate, UnmeasuredMark, measure_mark, window_around
+from .measuring_marks import MeasuredMark, MeasuringTemplate, measure_mark, window_around
 from .orientation import FoundMarks, GivenPosition, OrientationSettings
-from .photo import MarkFrame, Photo, Place, ReducedView, Scene, SearchArea, block_means, whole_photo_views, window_views
+from .photo import MarkFrame, Photo, PhotoView, Place, Scene, SearchArea, block_means, whole_photo_views, window_views
 from .scan_orientation import Labelling, OrientationEvidence
 from .transformations import PlaneModel, fit_transformation
 
@@ -26,6 +26,12 @@ COARSE_TEMPLATE_PX = 10  # of the shorter side while the photo is searched
 LOOKED_AT = 12  # places that look alike there
 MIN_LOOK = 0.5  # of them: reduced on other pixel bounds than the photo, a cut-out still fits itself so well
 SAME_PIXELS = 0.98  # correlation of a piece of the photo with itself, stored anew with loss
+SEARCH_SIDE_PX = 3000  # the longer side of the photo for the first search: 80 um on a 23 cm photo
+SEARCH_WINDOW_PX = 768  # of a search window at its finest: larger ones are reduced
+SCALE_RANGE = (0.9, 1.1)  # against the scale that the positions imply, roughly placed as they are
+DISTINCT_SHARE = 1.5  # of a mark's size: so far around it nothing may look alike
+DISTINCT_FRAME_SHARE = 0.03  # of the frame: 6 mm on 23 cm, so that an arm's end is told from its counterpart
+MARK_ROOM = 0.05  # of the frame: around a search area, so that a mark at its edge is seen whole
 
 
 def own_place(photo: Photo, template: CutOut, coarsest: int) -> Place | None:
@@ -50,18 +56,9 @@ def own_place(photo: Photo, template: CutOut, coarsest: int) -> Place | None:
     return None if best is None else best[1]
 
 
-def near_own_mark(place: Place | None, other: Place, reach: float) -> bool:
-    """Whether a place is known and within reach (px) of another."""
-    return place is not None and math.dist(place, other) <= reach
-
-
-@dataclass(frozen=True, eq=False)
-class MeasuredFrame:
-    """Places that may be the marks, and what measuring them gave."""
-
-    candidate: Candidate
-    marks: FoundMarks
-    """By the names of the frame."""
+def within(place: Place | None, other: Place | None, reach: float) -> bool:
+    """Whether two places are known and within reach (px) of each other."""
+    return place is not None and other is not None and math.dist(place, other) <= reach
 
 
 def name_marks(
@@ -69,118 +66,84 @@ def name_marks(
     calibration: CameraCalibration,
     positions: Mapping[str, GivenPosition],
     settings: OrientationSettings,
-    frames: Sequence[MeasuredFrame],
+    template: MarkShape | CutOut,
+    measured: Sequence[tuple[Arrangement, FoundMarks]],
 ) -> FoundMarks:
     """The marks by their own names, and how the photo lies; no results where none lie at the positions.
 
     A given place may be wrong: it counts where it agrees with all others, and is judged with the measured ones later.
-    ``frames`` are the likeliest one and, for a calibration that looks different when it is turned, the others that
-    the photo holds marks for too.
+    ``measured`` are the likeliest arrangement and, for a calibration that looks different when it is turned, the others
+    that the photo holds marks for too, each with what was measured by the names of its frame.
     """
-    namer = _Namer(photo, calibration, settings, frames)
-    found = frames[0].candidate.arrangement
-    named, evidence = namer.labellings(), OrientationEvidence.MARKS
-    reach = found.scale * settings.search_mm
+    found = measured[0][0]
+    results, sites_of_frames = _measured_once([marks.results for _, marks in measured])
+    places = {site: one.place for site, one in results.items() if one.place is not None}
+    named, evidence = [
+        replace(one, sites={mark: sites[site] for mark, site in one.sites.items() if site in sites})
+        for (arrangement, _), sites in zip(measured, sites_of_frames)
+        for one in scan_orientation.labellings(calibration, arrangement)
+    ], OrientationEvidence.MARKS
     approximate = {name: one for name, one in positions.items() if one.measure}
     for some in (positions, approximate):
         near = {name: one.place for name, one in some.items()}
-        at_positions = scan_orientation.matching_positions(named, near, reach)
+        at_positions = scan_orientation.matching_positions(named, near, found.scale * settings.search_mm)
         if at_positions:
             named, evidence = at_positions, OrientationEvidence.POSITIONS if near else evidence
             break
     else:
         return FoundMarks(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
-    chosen, evidence, notices = namer.decide(named, evidence)
-    results = {mark: namer.results[site] for mark, site in chosen.sites.items() if site in namer.results}
-    return FoundMarks(results, frames[0].candidate.template, chosen.orientation, evidence, notices)
+    tests: dict[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]] = {
+        OrientationEvidence.DOTS: lambda some: scan_orientation.matching_dots(
+            some, _dot_counts(photo, template, found, places)
+        ),
+        OrientationEvidence.MARKS: lambda some: scan_orientation.matching_count(some, places),
+        OrientationEvidence.DATA_STRIP: lambda some: scan_orientation.matching_data_strip(
+            some, calibration, found, photo.columns, photo.rows
+        ),
+        OrientationEvidence.RESIDUALS: lambda some: scan_orientation.matching_residuals(
+            some, calibration, places, settings.model
+        ),
+    }
+    for kind, matching in tests.items():
+        left = matching(named) if len(named) > 1 else []
+        if left and len(left) < len(named):
+            named, evidence = left, kind
+    notices: tuple[Message, ...] = ()
+    if len(named) > 2 or (len(named) == 2 and evidence is not OrientationEvidence.DATA_STRIP):
+        evidence, notices = OrientationEvidence.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
+    plain = min(named, key=lambda one: (one.orientation.mirrored, one.orientation.turned))
+    by_name = {mark: results[site] for mark, site in plain.sites.items() if site in results}
+    return FoundMarks(by_name, template, plain.orientation, evidence, notices)
 
 
-class _Namer:
-    """Places in a photo, each measured once though several frames may have a mark there."""
-
-    def __init__(
-        self, photo: Photo, calibration: CameraCalibration, settings: OrientationSettings,
-        frames: Sequence[MeasuredFrame],
-    ) -> None:
-        self._photo, self._calibration, self._settings, self._frames = photo, calibration, settings, frames
-        self._sites: list[dict[str, str]] = []
-        """For each frame the place that each of its marks lies at."""
-        self.results: dict[str, MeasuredMark | UnmeasuredMark] = {}
-        """What was measured, by place."""
-        for number, frame in enumerate(frames):
-            self._sites.append({mark: self._site(mark, number, one) for mark, one in frame.marks.results.items()})
-
-    def _site(self, mark: str, number: int, result: MeasuredMark | UnmeasuredMark) -> str:
-        for site, known in self.results.items():
-            if isinstance(known, MeasuredMark) and isinstance(result, MeasuredMark) and _at_one_place(known, result):
-                return site
-        made = f"{number} {mark}"
-        self.results[made] = result
-        return made
-
-    def labellings(self) -> list[Labelling]:
-        """All ways to name the places that the calibration allows."""
-        return [
-            replace(one, sites={mark: sites[site] for mark, site in one.sites.items() if site in sites})
-            for frame, sites in zip(self._frames, self._sites)
-            for one in scan_orientation.labellings(
-                self._calibration, frame.candidate.frame, frame.candidate.arrangement
-            )
-        ]
-
-    def decide(
-        self, named: Sequence[Labelling], evidence: OrientationEvidence
-    ) -> tuple[Labelling, OrientationEvidence, tuple[Message, ...]]:
-        """The way to name the marks that the photo itself tells, what told it, and what is to be said of it."""
-        for kind, test in self._tests():
-            if len(named) == 1:
-                break
-            left = test(named)
-            if left and len(left) < len(named):
-                named, evidence = left, kind
-        plain = min(named, key=lambda one: (one.orientation.mirrored, one.orientation.turned))
-        if len(named) > 2 or (len(named) == 2 and evidence is not OrientationEvidence.DATA_STRIP):
-            return plain, OrientationEvidence.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
-        return plain, evidence, ()
-
-    def _tests(
-        self
-    ) -> Iterator[tuple[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]]]:
-        measured = {site: one for site, one in self.results.items() if isinstance(one, MeasuredMark)}
-        places = {site: (one.column, one.row) for site, one in measured.items()}
-        size, found = (self._photo.columns, self._photo.rows), self._frames[0].candidate.arrangement
-        yield OrientationEvidence.DOTS, lambda some: scan_orientation.matching_dots(some, self._dot_counts(places))
-        yield OrientationEvidence.MARKS, lambda some: scan_orientation.matching_count(some, places)
-        yield OrientationEvidence.DATA_STRIP, lambda some: scan_orientation.matching_data_strip(
-            some, self._calibration, found, *size
-        )
-        yield OrientationEvidence.RESIDUALS, lambda some: scan_orientation.matching_residuals(
-            some, self._calibration, places, self._settings.model
-        )
-
-    def _dot_counts(self, places: Mapping[str, Place]) -> dict[str, int]:
-        candidate = self._frames[0].candidate
-        template, found = candidate.template, candidate.arrangement
-        radius = template.size / 2 if isinstance(template, MarkShape) else min(template.pixels.shape) / 4
-        counts = {}
-        for site, place in places.items():
-            window = window_around(self._photo, place, math.ceil(2.6 * radius))
-            count = scan_orientation.count_numbering_dots(found.sign * window.pixels, radius, found.angle)
-            if count:
-                counts[site] = count
-        return counts
+def _measured_once(
+    frames: Sequence[Mapping[str, MeasuredMark]]
+) -> tuple[dict[str, MeasuredMark], list[dict[str, str]]]:
+    """What was measured by site, though several frames may have a mark there, and the site of each frame's marks."""
+    results: dict[str, MeasuredMark] = {}
+    sites: list[dict[str, str]] = []
+    for number, marks in enumerate(frames):
+        sites.append({})
+        for mark, one in marks.items():
+            known = (site for site, other in results.items() if within(one.place, other.place, limits.ONE_PLACE_PX))
+            site = next(known, f"{number} {mark}")
+            sites[-1][mark] = site
+            results.setdefault(site, one)
+    return results, sites
 
 
-def _at_one_place(one: MeasuredMark, other: MeasuredMark) -> bool:
-    return math.dist((one.column, one.row), (other.column, other.row)) < limits.ONE_PLACE_PX
-
-
-SEARCH_SIDE_PX = 3000  # the longer side of the photo for the first search: 80 um on a 23 cm photo
-SEARCH_WINDOW_PX = 768  # of a search window at its finest: larger ones are reduced
-SCALE_RANGE = (0.9, 1.1)  # against the scale that the positions imply, roughly placed as they are
-DISTINCT_SHARE = 1.5  # of a mark's size: so far around it nothing may look alike
-DISTINCT_FRAME_SHARE = 0.03  # of the frame: 6 mm on 23 cm, so that an arm's end is told from its counterpart
-MARK_ROOM = 0.05  # of the frame: around a search area, so that a mark at its edge is seen whole
+def _dot_counts(
+    photo: Photo, template: MarkShape | CutOut, found: Arrangement, places: Mapping[str, Place]
+) -> dict[str, int]:
+    """How many dots stand beside the mark at each site, where there are any."""
+    radius = template.size / 2 if isinstance(template, MarkShape) else min(template.pixels.shape) / 4
+    counts = {}
+    for site, place in places.items():
+        window = window_around(photo, place, math.ceil(2.6 * radius))
+        count = scan_orientation.count_numbering_dots(found.sign * window.pixels, radius, found.angle)
+        if count:
+            counts[site] = count
+    return counts
 
 
 def find_marks(
@@ -274,20 +237,20 @@ class _Finder:
         areas = tuple(_around(self._near[name], scale * self._settings.search_mm) for name in names)
         return MarkFrame(tuple(names), places, areas, frame.scales, frame.rotation)
 
-    def _search_views(self, frame: MarkFrame) -> list[ReducedView]:
+    def _search_views(self, frame: MarkFrame) -> list[PhotoView]:
         """The areas of a frame with room for a mark around them, reduced where they are large, all of one size."""
         room = math.ceil(MARK_ROOM * self._calibration.span * frame.scales[1])
         side = 2 * room + max(math.ceil(max(area.right - area.left, area.bottom - area.top)) for area in frame.areas)
         step = max(1, math.ceil(side / SEARCH_WINDOW_PX))
         side = step * math.ceil(side / step)
-        made: dict[int, ReducedView] = {}
+        made: dict[int, PhotoView] = {}
         for k in sorted(range(len(frame.areas)), key=lambda k: frame.areas[k].top):
             area = frame.areas[k]
             left, top = math.floor(area.left) - room, math.floor(area.top) - room
             if not (-side < left < self._photo.columns and -side < top < self._photo.rows):
                 raise PhotoError(messages.POSITION_OUTSIDE(mark=frame.marks[k]))
             pixels = self._photo.grey(PixelWindow(left, top, side, side))
-            made[k] = ReducedView(block_means(pixels, step) if step > 1 else pixels, left, top, step)
+            made[k] = PhotoView(block_means(pixels, step) if step > 1 else pixels, left, top, step)
         return [made[k] for k in range(len(frame.areas))]
 
     def _check_template(self, scale: float) -> None:
@@ -317,47 +280,46 @@ class _Finder:
         yield from candidates(self._photo, scene, frames, self._settings.template, shapes, sign, self._cancelled)
         if self._own_place is not None:
             for one in candidates(self._photo, scene, frames, None, shapes, sign, self._cancelled):
-                if len(one.frame.marks) == 1 or self._has_own_mark(one):
+                if len(one.arrangement.frame.marks) == 1 or self._has_own_mark(one):
                     yield one
 
     def _has_own_mark(self, candidate: Candidate) -> bool:
-        frame, found = candidate.frame, candidate.arrangement
-        reach = placing_tolerance(frame, found.uncertainty) + 2
-        return any(near_own_mark(self._own_place, place, reach) for place in found.predicted(frame.places))
+        found = candidate.arrangement
+        return any(within(self._own_place, place, found.reach + 2) for place in found.predicted(found.frame.places))
 
     def _named(self, candidate: Candidate) -> FoundMarks:
         """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
-        frames = [MeasuredFrame(candidate, self._measured(candidate, candidate.arrangement.scale))]
-        if frames[0].marks.found >= limits.MIN_SUPPORT:
-            for frame, arrangement in candidate.others:
-                other = replace(candidate, frame=frame, arrangement=arrangement)
-                measured = self._measured(other, arrangement.scale)
-                if measured.found >= limits.MIN_SUPPORT:
-                    frames.append(MeasuredFrame(other, measured))
-        return name_marks(self._photo, self._calibration, self._positions, self._settings, frames)
+        measured = [(candidate.arrangement, self._measured(candidate, candidate.arrangement.scale))]
+        for other in candidate.others if measured[0][1].found >= limits.MIN_SUPPORT else ():
+            marks = self._measured(replace(candidate, arrangement=other), other.scale)
+            if marks.found >= limits.MIN_SUPPORT:
+                measured.append((other, marks))
+        return name_marks(
+            self._photo, self._calibration, self._positions, self._settings, candidate.template, measured
+        )
 
     def _measured(self, candidate: Candidate, scale: float) -> FoundMarks:
         """Every mark of a frame at full resolution, those that were not among the arrangement's places too."""
-        frame, found = candidate.frame, candidate.arrangement
-        sites = {name: (float(x), float(y)) for name, (x, y) in zip(frame.marks, frame.places)}
+        found = candidate.arrangement
+        sites = found.frame.sites
         results = {}
         for name in sorted(sites, key=lambda one: found.places.get(one, (0, 0))[1]):
             if name in found.places:
                 near, reach = found.places[name], 2 * found.uncertainty + 2
             else:
                 (near,) = found.predicted(np.array([sites[name]]))
-                reach = placing_tolerance(frame, found.uncertainty) + 2
+                reach = found.reach + 2
             mark, sign = candidate.template, found.sign
             if isinstance(mark, MarkShape):
                 mark = turned_with_frame(mark, sites[name], found.angle)
-            if self._settings.template is not None and near_own_mark(self._own_place, near, reach + 2):
+            if self._settings.template is not None and within(self._own_place, near, reach + 2):
                 mark, sign, near, reach = self._settings.template, 1, self._own_place or near, 2.0
             results[name] = self._measured_at(MeasuringTemplate(mark, sign), mark, near, reach, scale)
         return FoundMarks(results, candidate.template)
 
     def _measured_at(
         self, template: MeasuringTemplate, mark: MarkShape | CutOut, near: Place, reach: float, scale: float
-    ) -> MeasuredMark | UnmeasuredMark:
+    ) -> MeasuredMark:
         around = max(reach, DISTINCT_SHARE * template.size)
         if not (isinstance(mark, MarkShape) and mark.kind is MarkKind.DOT):  # dots there are in every picture
             around = max(around, DISTINCT_FRAME_SHARE * self._calibration.span * scale)
@@ -365,15 +327,15 @@ class _Finder:
         try:
             window = window_around(self._photo, near, half)
         except PhotoError as error:
-            return UnmeasuredMark(error.message)
+            return MeasuredMark(reason=error.message)
         found = measure_mark(window, near, reach, template, self._settings.min_correlation, self._settings.surface)
-        if isinstance(found, MeasuredMark) and not self._photo.holds((found.column, found.row), template.radius):
-            return UnmeasuredMark(messages.MARK_AT_THE_EDGE(), found.correlation)
+        if found.place is not None and not self._photo.holds(found.place, template.radius):
+            return MeasuredMark(None, found.correlation, messages.MARK_AT_THE_EDGE())
         return found
 
     def _one_by_one(self, frame: MarkFrame, scale: float) -> FoundMarks:
         """No arrangement was found: every mark on its own, where it has a position."""
-        results: dict[str, MeasuredMark | UnmeasuredMark] = {}
+        results: dict[str, MeasuredMark] = {}
         template: MarkShape | CutOut | None = self._settings.template
         for k, name in enumerate(frame.marks):
             single = MarkFrame((name,), frame.places[k : k + 1], (frame.areas[k],), frame.scales, frame.rotation)
@@ -381,7 +343,7 @@ class _Finder:
             tries = islice(found, 1 if template is None else 2)  # with the user's own, then drawn
             best = _best((self._measured(candidate, scale) for candidate in tries), 1)
             if best is None:
-                results[name] = UnmeasuredMark(messages.MARK_NOT_SEEN())
+                results[name] = MeasuredMark(reason=messages.MARK_NOT_SEEN())
                 continue
             template = template or best.template
             results.update(best.results)

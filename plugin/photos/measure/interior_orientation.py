@@ -11,9 +11,9 @@ import numpy as np
 from ...imagery.errors import Message, PhotoError
 from . import limits, messages, scan_orientation
 from .camera_calibration import CameraCalibration, check_calibration
-from .finding_marks import find_marks
+from .finding_marks import find_marks, within
 from .mark_templates import CutOut, MarkKind, MarkShape
-from .measuring_marks import MarkWindow, UnmeasuredMark, window_around
+from .measuring_marks import MeasuredMark, window_around
 from .orientation import (
     FittedTransformation,
     FoundMarks,
@@ -23,12 +23,15 @@ from .orientation import (
     OrientationSettings,
     PhotoOrientation,
 )
-from .photo import Photo, Place
+from .photo import Photo, PhotoView, Place
 from .scan_orientation import OrientationEvidence, ScanOrientation
 from .transformations import LEAST_MARKS, PlaneModel, fit_transformation, redundancy
 
 CHANCE = 0.001  # that a photo without an outlier has a mark that stands out
 TELLING_SHARE = 0.25  # of the limit: 0.05 mm on 23 cm, which film and scanner leave on good photos
+PLAIN_FIGURES = (MarkKind.DOT, MarkKind.WEDGE)  # three roofs or crossroads of a picture may lie as three marks do
+SURE_OF_PLAIN = 0.75  # mean correlation of those: three chance ones had 0.69, true ones in little grain 0.9 and more
+MIN_PICTURE_PX = 20  # half a side of the picture of a mark
 
 
 def fail_misplaced_marks(marks: Sequence[MarkResult]) -> list[MarkResult]:
@@ -150,11 +153,6 @@ def _outlier(marks: Sequence[MarkResult], model: PlaneModel, least: float) -> tu
     return None if found is None else found[1:]
 
 
-PLAIN_FIGURES = (MarkKind.DOT, MarkKind.WEDGE)  # three roofs or crossroads of a picture may lie as three marks do
-SURE_OF_PLAIN = 0.75  # mean correlation of those: three chance ones had 0.69, true ones in little grain 0.9 and more
-MIN_PICTURE_PX = 20  # half a side of the picture of a mark
-
-
 def orient_photo(
     photo: Photo,
     calibration: CameraCalibration,
@@ -177,14 +175,17 @@ def orient_photo(
     marks = _supported(marks, positions, found.template)
     fitted, marks, left_out = fit_marks(marks, settings.model)
     if fitted is None and not any(mark.place for mark in marks):
-        _raise_nothing(photo, marks, bool(given))
+        why = next(mark.reason for mark in marks if mark.reason is not None)
+        raise PhotoError((messages.NO_MARK_TRUSTED if given else messages.NO_MARK_FOUND)(name=photo.ref.name, why=why))
     way, evidence = found.scan_orientation, found.evidence
     if fitted is not None and way is None:
         way, evidence = _nearest_scan_orientation(fitted), OrientationEvidence.POSITIONS
     notices = (*found.notices, *left_out)
-    expected = {} if fitted is None else {
-        mark.name: _place(fitted, mark.calibrated) for mark in marks if mark.place is None
-    }
+    expected: dict[str, Place] = {}
+    for mark in marks:
+        if fitted is not None and mark.place is None:
+            ((column, row),) = fitted.to_pixels(np.array([mark.calibrated]))
+            expected[mark.name] = float(column), float(row)
     views = _surroundings(photo, marks, expected, found.template)
     return PhotoOrientation(tuple(marks), fitted, way, evidence, found.template, notices, views, expected)
 
@@ -208,27 +209,19 @@ def _check_positions(
 def _mark(name: str, calibrated: Place, given: Mapping[str, Place], found: FoundMarks) -> MarkResult:
     if name in given:
         return MarkResult(name, calibrated, MarkStatus.GIVEN, given[name])
-    one = found.results.get(name, UnmeasuredMark(messages.MARK_NOT_ARRANGED()))
-    if isinstance(one, UnmeasuredMark):
-        return MarkResult(name, calibrated, MarkStatus.FAILED, None, one.correlation, one.reason)
-    return MarkResult(name, calibrated, MarkStatus.MEASURED, (one.column, one.row), one.correlation)
+    one = found.results.get(name, MeasuredMark(reason=messages.MARK_NOT_ARRANGED()))
+    status = MarkStatus.FAILED if one.place is None else MarkStatus.MEASURED
+    return MarkResult(name, calibrated, status, one.place, one.correlation, one.reason)
 
 
 def _without_doubles(marks: Sequence[MarkResult]) -> list[MarkResult]:
     """Two marks at one place are none."""
-    made = []
-    for mark in marks:
-        twin = next(
-            (
-                other for other in marks
-                if other is not mark and mark.place and other.place
-                and math.dist(mark.place, other.place) < limits.ONE_PLACE_PX
-            ),
-            None,
-        )
-        if twin is not None and mark.status is MarkStatus.MEASURED:
-            mark = replace(mark, status=MarkStatus.FAILED, place=None, reason=messages.MARK_TWICE(other=twin.name))
-        made.append(mark)
+    made = list(marks)
+    for index, mark in enumerate(marks):
+        for other in marks:
+            alike = other is not mark and within(mark.place, other.place, limits.ONE_PLACE_PX)
+            if alike and made[index].status is MarkStatus.MEASURED:
+                made[index] = _failed(mark, messages.MARK_TWICE(other=other.name))
     return made
 
 
@@ -245,27 +238,14 @@ def _supported(
         return list(marks)
     reason = messages.MARK_UNSUPPORTED(count=count, least=least)
     return [
-        replace(mark, status=MarkStatus.FAILED, place=None, reason=reason)
-        if mark.status is MarkStatus.MEASURED and mark.name not in positions else mark
+        _failed(mark, reason) if mark.status is MarkStatus.MEASURED and mark.name not in positions else mark
         for mark in marks
     ]
 
 
-def _raise_nothing(photo: Photo, marks: Sequence[MarkResult], given: bool) -> None:
-    why = next(mark.reason for mark in marks if mark.reason is not None)
-    if given:
-        raise PhotoError(messages.NO_MARK_TRUSTED(name=photo.ref.name, why=why))
-    raise PhotoError(messages.NO_MARK_FOUND(name=photo.ref.name, why=why))
-
-
-def _place(fitted: FittedTransformation, calibrated: Place) -> Place:
-    ((column, row),) = fitted.to_pixels(np.array([calibrated]))
-    return float(column), float(row)
-
-
 def _surroundings(
     photo: Photo, marks: Sequence[MarkResult], expected: Mapping[str, Place], template: MarkShape | CutOut | None
-) -> dict[str, MarkWindow]:
+) -> dict[str, PhotoView]:
     """The photo around every mark, where it is or should be, for the report."""
     size = template.size if isinstance(template, MarkShape) else max(template.pixels.shape) if template else 0.0
     half = math.ceil(max(size, 2 * MIN_PICTURE_PX) * 0.75)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,12 +30,12 @@ class ComparedMark:
     calibrated: tuple[float, float] | None = None
     """mm, where the layer has it."""
 
-
     @property
     def photo_key(self) -> str:
         """What the photo is known by: its name without a folder and a picture's ending."""
-        stem, _, ending = re.split(r"[\\/]", self.photo)[-1].rpartition(".")
-        return stem if stem and ending.lower() in PICTURE_ENDINGS else re.split(r"[\\/]", self.photo)[-1]
+        name = re.split(r"[\\/]", self.photo)[-1]
+        stem, _, ending = name.rpartition(".")
+        return stem if stem and ending.lower() in PICTURE_ENDINGS else name
 
 
 @dataclass(frozen=True)
@@ -70,45 +70,31 @@ class DifferenceStatistics:
         return DifferenceStatistics(self.count, *(length * factor for length in lengths))
 
 
-Marks = dict[MarkKey, ComparedMark]
-
-
-def mark_differences(first: Sequence[ComparedMark], second: Sequence[ComparedMark]) -> list[MarkDifference]:
-    """The marks that both have, in the first one's order.
+def mark_differences(
+    first: Sequence[ComparedMark], second: Sequence[ComparedMark]
+) -> tuple[list[MarkDifference], list[str]]:
+    """The marks that both have, in the first one's order, and those that one of them has only, with their photos.
 
     Marks are joined by photo and mark where both say the photo, else by mark. Raises PhotoError for a mark that a
     measurement has twice and where nothing is in both.
     """
-    one_side, other_side = _both_by_key(first, second)
-    both = [(one, other_side[key].place) for key, one in one_side.items() if key in other_side]
-    if not both:
-        raise PhotoError(messages.NOTHING_IN_COMMON(first=_named(one_side), second=_named(other_side)))
-    return [MarkDifference(one.photo, one.mark, x - one.place[0], y - one.place[1]) for one, (x, y) in both]
-
-
-def marks_alone(first: Sequence[ComparedMark], second: Sequence[ComparedMark]) -> list[str]:
-    """The marks that one of the measurements has only, with their photos."""
-    return [" ".join(filter(None, key)) for one, other in _either_way(*_both_by_key(first, second))
-            for key in one if key not in other]
-
-
-def _either_way(one: Marks, other: Marks) -> tuple[tuple[Marks, Marks], ...]:
-    return (one, other), (other, one)
-
-
-def _both_by_key(first: Sequence[ComparedMark], second: Sequence[ComparedMark]) -> tuple[Marks, Marks]:
     by_photo = any(one.photo for one in first) and any(one.photo for one in second)
-    return _by_key(first, by_photo), _by_key(second, by_photo)
+    ours, theirs = _by_key(first, by_photo), _by_key(second, by_photo)
+    both = [(one, theirs[key].place) for key, one in ours.items() if key in theirs]
+    if not both:
+        raise PhotoError(messages.NOTHING_IN_COMMON(first=_some_names(ours), second=_some_names(theirs)))
+    alone = [*(key for key in ours if key not in theirs), *(key for key in theirs if key not in ours)]
+    differences = [MarkDifference(one.photo, one.mark, x - one.place[0], y - one.place[1]) for one, (x, y) in both]
+    return differences, [" ".join(filter(None, key)) for key in alone]
 
 
-def _named(marks: Marks) -> str:
-    """A few of them."""
+def _some_names(marks: Mapping[MarkKey, ComparedMark]) -> str:
     names = [" ".join(filter(None, key)) for key in marks]
     return ", ".join(names[:3]) + (", ..." if len(names) > 3 else "") if names else "-"
 
 
-def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> Marks:
-    made: Marks = {}
+def _by_key(marks: Sequence[ComparedMark], by_photo: bool) -> dict[MarkKey, ComparedMark]:
+    made: dict[MarkKey, ComparedMark] = {}
     for one in marks:
         key = one.photo_key if by_photo else "", one.mark
         if key in made:
@@ -124,14 +110,6 @@ def distance_statistics(found: Sequence[MarkDifference]) -> DifferenceStatistics
     spread = float(distances.std(ddof=1)) if len(distances) > 1 else math.nan
     mean, largest, smallest = (float(value) for value in (distances.mean(), distances.max(), distances.min()))
     return DifferenceStatistics(len(distances), mean, spread, largest, smallest)
-
-
-def by_photo(found: Sequence[MarkDifference]) -> dict[str, list[MarkDifference]]:
-    """The differences of each photo, in their order."""
-    made: dict[str, list[MarkDifference]] = {}
-    for one in found:
-        made.setdefault(one.photo, []).append(one)
-    return made
 
 
 def pixel_size(marks: Sequence[ComparedMark]) -> float | None:

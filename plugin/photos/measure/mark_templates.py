@@ -6,7 +6,7 @@ any sub-pixel place, and its own centre is exact.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
 from functools import lru_cache
@@ -85,9 +85,8 @@ def draw(shape: MarkShape, offset: tuple[float, float] = (0.0, 0.0), margin: int
     turn = math.radians(shape.angle + (45.0 if shape.diagonal else 0.0))
     u, v = x * math.cos(turn) + y * math.sin(turn), y * math.cos(turn) - x * math.sin(turn)
     soft = max(shape.softness, limits.PIXEL_SOFTNESS)
-    parts = _PARTS[shape.kind](shape, u, v, soft)
     clear = np.ones(np.broadcast(u, v).shape)
-    for part in parts:
+    for part in _parts(shape, u, v, soft):
         clear *= 1 - part
     drawn = np.asarray(1 - clear)
     drawn.flags.writeable = False
@@ -116,44 +115,23 @@ def _arms(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float, length: f
     return arms
 
 
-def _ring(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> np.ndarray:
-    return _line(np.hypot(u, v) - shape.size / 2, max(shape.width * shape.size, 1.0), soft)
-
-
-def _disc(diameter: float, u: np.ndarray, v: np.ndarray, soft: float) -> np.ndarray:
-    return _below(np.hypot(u, v) - diameter / 2, soft)
-
-
-def _cross(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
-    return _arms(shape, u, v, soft, shape.size / 2, 0.15 * shape.size)
-
-
-def _dot(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
-    return [_disc(shape.size, u, v, soft)]
-
-
-def _ring_with_dot(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
-    return [_ring(shape, u, v, soft), _disc(max(2 * shape.width * shape.size, 1.0), u, v, soft)]
-
-
-def _ring_with_cross(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
+def _parts(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
+    """The pieces of a figure, each from 0 to 1, along its own axes."""
+    half = shape.size / 2
+    if shape.kind is MarkKind.CROSS:
+        return _arms(shape, u, v, soft, half, 0.15 * shape.size)
+    if shape.kind is MarkKind.WEDGE:
+        slope = math.radians(WEDGE_HALF_ANGLE_DEG)
+        side = np.abs(v) * math.cos(slope) - np.abs(u) * math.sin(slope)
+        return [_below(side, soft) * _below(np.abs(u) - half, soft)]
+    from_centre = np.hypot(u, v)
+    if shape.kind is MarkKind.DOT:
+        return [_below(from_centre - half, soft)]
+    ring = _line(from_centre - half, max(shape.width * shape.size, 1.0), soft)
+    if shape.kind is MarkKind.RING_WITH_DOT:
+        return [ring, _below(from_centre - max(2 * shape.width * shape.size, 1.0) / 2, soft)]
     thin = replace(shape, width=ARM_WIDTH * shape.width)
-    return [_ring(shape, u, v, soft), *_arms(thin, u, v, soft, shape.reach * shape.size / 2, 0.15 * shape.size)]
-
-
-def _wedge(shape: MarkShape, u: np.ndarray, v: np.ndarray, soft: float) -> list[np.ndarray]:
-    slope = math.radians(WEDGE_HALF_ANGLE_DEG)
-    side = np.abs(v) * math.cos(slope) - np.abs(u) * math.sin(slope)
-    return [_below(side, soft) * _below(np.abs(u) - shape.size / 2, soft)]
-
-
-_PARTS = {
-    MarkKind.CROSS: _cross,
-    MarkKind.DOT: _dot,
-    MarkKind.RING_WITH_DOT: _ring_with_dot,
-    MarkKind.RING_WITH_CROSS: _ring_with_cross,
-    MarkKind.WEDGE: _wedge,
-}
+    return [ring, *_arms(thin, u, v, soft, shape.reach * shape.size / 2, 0.15 * shape.size)]
 
 
 def all_shapes() -> tuple[MarkShape, ...]:
@@ -236,34 +214,21 @@ class Pattern:
     """None for a user's template; in pixels of the level."""
 
 
-Patterns = Callable[[float, Place], Iterator[Pattern]]
-"""The templates for pixels that are so many of the photo's wide, and a place in the frame in mm (for wedges)."""
+def patterns(mark: MarkShape | CutOut, factor: float, place: Place) -> Iterator[Pattern]:
+    """The templates of a mark for pixels that are ``factor`` of the photo's wide, at a place in the frame, mm.
 
-
-def drawn_patterns(kinds: Sequence[MarkShape]) -> Patterns:
-    """Drawn marks: every shape in the sizes of one octave. Wedges lie in line with the middle of the frame."""
-
-    def patterns(factor: float, place: Place) -> Iterator[Pattern]:
-        for shape in kinds:
-            for size in COARSE_SIZES_PX:
-                sized = wedge_to_middle(replace(shape, size=size), place)
-                pixels = draw(sized)
-                yield Pattern(pixels, (pixels.shape[1] / 2, pixels.shape[0] / 2), sized)
-
-    return patterns
-
-
-def cut_out_patterns(template: CutOut) -> Patterns:
-    """The user's template, reduced to each level; none where too little of it is left."""
-
-    def patterns(factor: float, place: Place) -> Iterator[Pattern]:
+    A drawn mark has the sizes of one octave, and wedges lie in line with the middle of the frame; a cut-out is reduced,
+    and there is none where too little of it is left.
+    """
+    if isinstance(mark, CutOut):
         step = int(factor)
-        rows, columns = (side // step for side in template.pixels.shape)
-        if min(rows, columns) < limits.MIN_TEMPLATE_PX:
-            return
-        yield Pattern(block_means(template.pixels, step), (template.centre[0] / step, template.centre[1] / step), None)
-
-    return patterns
+        if min(mark.pixels.shape) // step >= limits.MIN_TEMPLATE_PX:
+            yield Pattern(block_means(mark.pixels, step), (mark.centre[0] / step, mark.centre[1] / step), None)
+        return
+    for size in COARSE_SIZES_PX:
+        sized = wedge_to_middle(replace(mark, size=size), place)
+        pixels = draw(sized)
+        yield Pattern(pixels, (pixels.shape[1] / 2, pixels.shape[0] / 2), sized)
 
 
 def wedge_to_middle(shape: MarkShape, place: Place) -> MarkShape:

@@ -14,7 +14,7 @@ from ...imagery.shifts import shifted
 from . import messages
 from .correlation import SurfaceError, correlate, fit_surface, peak_pixel, subpixel_maximum, surface_extremum
 from .mark_templates import CutOut, MarkKind, MarkShape, draw
-from .photo import Photo, Place
+from .photo import Photo, PhotoView, Place
 
 BRIGHTNESS_REACH_PX = 2  # 5 x 5 grey values: they hold the grain itself
 SETTLING_ROUNDS = 5  # two or three are enough to stay within 0.005 px
@@ -33,47 +33,25 @@ class SurfaceBasis(Enum):
     BRIGHTNESS = "brightness"
 
 
-@dataclass(frozen=True, eq=False)
-class MarkWindow:
-    """A piece of the photo around where a mark should be."""
-
-    pixels: np.ndarray
-    """(rows, columns)."""
-    left: int
-    """Column of its first pixel in the photo."""
-    top: int
-    """Row of its first pixel in the photo."""
-
-
-def window_around(photo: Photo, place: Place, half: int) -> MarkWindow:
-    """The photo around a place, (2 half + 1, 2 half + 1), a little smoothed. Raises PhotoError outside the photo."""
+def window_around(photo: Photo, place: Place, half: int) -> PhotoView:
+    """(2 half + 1, 2 half + 1) around where a mark should be, a little smoothed. Raises PhotoError outside."""
     if not photo.contains(place):
         raise PhotoError(messages.MARK_OUTSIDE())
     left, top = math.floor(place[0]) - half, math.floor(place[1]) - half
     pixels = photo.grey(PixelWindow(left, top, 2 * half + 1, 2 * half + 1))
-    return MarkWindow(ndimage.gaussian_filter(pixels, SMOOTHING_PX), left, top)
+    return PhotoView(ndimage.gaussian_filter(pixels, SMOOTHING_PX), left, top)
 
 
 @dataclass(frozen=True)
 class MeasuredMark:
-    """A mark's place."""
+    """What became of one mark."""
 
-    column: float
-    """px, pixel centres at .5."""
-    row: float
-    """px, pixel centres at .5."""
-    correlation: float
-    """With the template at its very place, 1 at most."""
-
-
-@dataclass(frozen=True)
-class UnmeasuredMark:
-    """A mark that could not be measured."""
-
-    reason: Message
-    """Why."""
+    place: Place | None = None
+    """Column and row, px, pixel centres at .5; None where it could not be measured."""
     correlation: float | None = None
-    """The best one, where there was any."""
+    """With the template at its very place, 1 at most; of a mark that failed the best one, where there was any."""
+    reason: Message | None = None
+    """Why it could not be measured."""
 
 
 class MeasuringTemplate:
@@ -101,8 +79,8 @@ class MeasuringTemplate:
 
 
 def measure_mark(
-    window: MarkWindow, near: Place, reach: float, template: MeasuringTemplate, least: float, surface: SurfaceBasis
-) -> MeasuredMark | UnmeasuredMark:
+    window: PhotoView, near: Place, reach: float, template: MeasuringTemplate, least: float, surface: SurfaceBasis
+) -> MeasuredMark:
     """The mark's place: the correlation's best pixel within reach (px) of where it should be, then the extremum.
 
     With the surface over the correlation the template is moved to the sub-pixel place and correlated again until
@@ -111,14 +89,14 @@ def measure_mark(
     """
     field = correlate(window.pixels, template.at((0.0, 0.0)))
     if field.size == 0:
-        return UnmeasuredMark(messages.MARK_NO_ROOM())
+        return MeasuredMark(reason=messages.MARK_NO_ROOM())
     row, column = _best_near(field, window, near, reach, template)
     best = float(field[row, column])
     if best < least:
-        return UnmeasuredMark(messages.MARK_TOO_WEAK(value=max(best, 0.0), least=least), best)
+        return MeasuredMark(None, best, messages.MARK_TOO_WEAK(value=max(best, 0.0), least=least))
     second = _second_best(field, row, column, template.size)
     if second > MAX_SECOND_SHARE * best:
-        return UnmeasuredMark(messages.MARK_AMBIGUOUS(best=best, second=second), best)
+        return MeasuredMark(None, best, messages.MARK_AMBIGUOUS(best=best, second=second))
     try:
         if surface is SurfaceBasis.BRIGHTNESS:
             x, y = _brightness_extremum(window.pixels, column + template.centre[0], row + template.centre[1])
@@ -126,19 +104,19 @@ def measure_mark(
         else:
             x, y, best, pixels = _settled_place(window.pixels, template, (row, column))
     except SurfaceError as error:
-        return UnmeasuredMark(error.message, best)
+        return MeasuredMark(None, best, error.message)
     if best < least:
-        return UnmeasuredMark(messages.MARK_TOO_WEAK(value=max(best, 0.0), least=least), best)
+        return MeasuredMark(None, best, messages.MARK_TOO_WEAK(value=max(best, 0.0), least=least))
     if math.dist((window.left + x, window.top + y), near) > reach + 2:
-        return UnmeasuredMark(messages.MARK_WANDERS(), best)
+        return MeasuredMark(None, best, messages.MARK_WANDERS())
     doubt = _halves_doubt(pixels, template, (x, y))
     if doubt is not None:
-        return UnmeasuredMark(doubt, best)
-    return MeasuredMark(window.left + x, window.top + y, best)
+        return MeasuredMark(None, best, doubt)
+    return MeasuredMark((window.left + x, window.top + y), best)
 
 
 def _best_near(
-    field: np.ndarray, window: MarkWindow, near: Place, reach: float, template: MeasuringTemplate
+    field: np.ndarray, window: PhotoView, near: Place, reach: float, template: MeasuringTemplate
 ) -> tuple[int, int]:
     """Row and column of the best correlation among places within reach of one; the nearest where there are none."""
     rows, columns = np.indices(field.shape)

@@ -9,8 +9,8 @@ from enum import Enum
 from ...imagery.errors import Message
 from . import limits
 from .mark_templates import CutOut, MarkShape
-from .measuring_marks import MarkWindow, MeasuredMark, SurfaceBasis, UnmeasuredMark
-from .photo import Place
+from .measuring_marks import MeasuredMark, SurfaceBasis
+from .photo import PhotoView, Place
 from .scan_orientation import OrientationEvidence, ScanOrientation
 from .transformations import PlaneModel, Transformation
 
@@ -109,7 +109,7 @@ class PhotoOrientation:
     """What the marks were measured with."""
     notices: tuple[Message, ...] = ()
     """What the user should know."""
-    views: Mapping[str, MarkWindow] = field(default_factory=dict)
+    views: Mapping[str, PhotoView] = field(default_factory=dict)
     """The surroundings of each mark, for pictures; of a failed one where it should be."""
     expected: Mapping[str, Place] = field(default_factory=dict)
     """Where the transformation puts the marks that failed, px."""
@@ -123,7 +123,7 @@ class PhotoOrientation:
 class FoundMarks:
     """What became of the marks that were looked for."""
 
-    results: Mapping[str, MeasuredMark | UnmeasuredMark] = field(default_factory=dict)
+    results: Mapping[str, MeasuredMark] = field(default_factory=dict)
     """By the calibration's names; marks with a given place are not among them."""
     template: MarkShape | CutOut | None = None
     """What they were measured with."""
@@ -137,4 +137,4 @@ class FoundMarks:
     @property
     def found(self) -> int:
         """How many were measured."""
-        return sum(isinstance(one, MeasuredMark) for one in self.results.values())
+        return sum(one.place is not None for one in self.results.values())

@@ -1,11 +1,14 @@
-"""The files that other programs take from an interior orientation."""
+"""The files that other programs take from an interior orientation, and MicMac's measured marks.
+
+MicMac keeps them in ``Ori-InterneScan/MeasuresIm-PHOTO.xml``, a photo's marks in pixels.
+"""
 from __future__ import annotations
 
 import json
 import math
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, ParseError, SubElement
 
@@ -16,49 +19,23 @@ from ...imagery.errors import PhotoError
 from ...imagery.messages import system_reason
 from . import messages
 from .camera_calibration import CameraCalibration
-from .orientation import FittedTransformation, MarkResult, PhotoOrientation
+from .orientation import MarkResult, PhotoOrientation
 from .photo import Photo, Place
 
-
-@dataclass(frozen=True)
-class OrientationParameters:
-    """What a transformation says of a scan."""
-
-    pixel_size_um: dict[str, float]
-    """``x`` along the rows, ``y`` along the columns."""
-    rotation_deg: float
-    """Of the rows against the x axis."""
-    shear_deg: float
-    mirrored: bool
-    principal_point_px: dict[str, float]
-    """``column`` and ``row``."""
-    focal_length_px: float | None
+_SET, _PHOTO, _MARK = "SetOfMesureAppuisFlottants", "MesureAppuiFlottant1Im", "OneMesureAF1I"
 
 
-def orientation_parameters(
-    photo: Photo, calibration: CameraCalibration, made: PhotoOrientation
-) -> OrientationParameters:
-    """Of a photo that has a transformation; raises PhotoError where there is none."""
-    fitted = _fitted(made)
+def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> dict[str, Any]:
+    """All there is to know about the transformation of a photo that has one, ready for JSON."""
+    fitted, orientation = made.fitted, made.scan_orientation
+    assert fitted is not None
     corners = np.array([[0.0, 0.0], [photo.columns, 0.0], [0.0, photo.rows], [photo.columns, photo.rows]])
     linear = fitted.to_mm.linear(corners)[:, :2]
     across, down = (float(size) for size in np.hypot(*linear))
+    pixel_size = {"x": 1000 * across, "y": 1000 * down}
     cosine = float(np.clip(linear[:, 0] @ linear[:, 1] / (across * down), -1, 1))
     column, row = fitted.to_pixels(np.array([calibration.principal_point]))[0]
-    return OrientationParameters(
-        {"x": 1000 * across, "y": 1000 * down},
-        math.degrees(math.atan2(linear[1, 0], linear[0, 0])),
-        math.degrees(math.asin(cosine)),
-        bool(np.linalg.det(linear) > 0),
-        {"column": float(column), "row": float(row)},
-        None if calibration.focal_length is None else calibration.focal_length / math.sqrt(across * down),
-    )
-
-
-def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> dict[str, object]:
-    """All there is to know about a transformation, ready for JSON. Raises PhotoError where there is none."""
-    fitted, values = _fitted(made), orientation_parameters(photo, calibration, made)
-    orientation = made.scan_orientation
+    focal_length = calibration.focal_length
     return {
         "photo": photo.ref.name,
         "columns": photo.columns,
@@ -66,13 +43,13 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientat
         "pixel_coordinates": "column to the right, row downwards, the first pixel's centre at (0.5, 0.5)",
         "photo_coordinates": "mm, x to the right, y upwards",
         "model": fitted.to_mm.model.value,
-        "to_mm": _rows(fitted.to_mm.matrix),
-        "to_pixels": _rows(fitted.to_pixels.matrix),
-        "pixel_size_um": values.pixel_size_um,
-        "scale_px_per_mm": {axis: 1000 / size for axis, size in values.pixel_size_um.items()},
-        "rotation_deg": values.rotation_deg,
-        "shear_deg": values.shear_deg,
-        "mirrored": values.mirrored,
+        "to_mm": fitted.to_mm.matrix.tolist(),
+        "to_pixels": fitted.to_pixels.matrix.tolist(),
+        "pixel_size_um": pixel_size,  # along the rows and along the columns
+        "scale_px_per_mm": {axis: 1000 / size for axis, size in pixel_size.items()},
+        "rotation_deg": math.degrees(math.atan2(linear[1, 0], linear[0, 0])),  # of the rows against the x axis
+        "shear_deg": math.degrees(math.asin(cosine)),
+        "mirrored": bool(np.linalg.det(linear) > 0),
         "lies": None if orientation is None else {
             "turned_deg": orientation.turned,
             "mirrored": orientation.mirrored,
@@ -84,9 +61,9 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientat
         "rms_x_um": fitted.rms_x if fitted.redundancy else None,
         "rms_y_um": fitted.rms_y if fitted.redundancy else None,
         "principal_point_mm": {"x": calibration.principal_point[0], "y": calibration.principal_point[1]},
-        "principal_point_px": values.principal_point_px,
-        "focal_length_mm": calibration.focal_length,
-        "focal_length_px": values.focal_length_px,
+        "principal_point_px": {"column": float(column), "row": float(row)},
+        "focal_length_mm": focal_length,
+        "focal_length_px": None if focal_length is None else focal_length / math.sqrt(across * down),
         "notices": [str(notice) for notice in made.notices],
     }
 
@@ -94,12 +71,11 @@ def parameters(photo: Photo, calibration: CameraCalibration, made: PhotoOrientat
 def world_file(photo: Photo, made: PhotoOrientation) -> str:
     """The six lines of a world file that puts a photo's pixels in millimetres.
 
-    A projective transformation is replaced by the affine one that comes nearest at the photo's marks. Raises PhotoError
-    where there is no transformation.
+    A projective transformation is replaced by the affine one that comes nearest at the photo's marks.
     """
-    fitted = _fitted(made)
+    assert made.fitted is not None
     places = np.array([mark.place for mark in made.marks if mark.place is not None])
-    a, b, c, d, e, f = fitted.to_mm.linear(places).ravel()
+    a, b, c, d, e, f = made.fitted.to_mm.linear(places).ravel()
     lines = (a, d, b, e, a / 2 + b / 2 + c, d / 2 + e / 2 + f)
     return "".join(f"{value:.15g}\n" for value in lines)
 
@@ -107,19 +83,6 @@ def world_file(photo: Photo, made: PhotoOrientation) -> str:
 def parameters_text(photo: Photo, calibration: CameraCalibration, made: PhotoOrientation) -> str:
     """``parameters`` as JSON."""
     return json.dumps(parameters(photo, calibration, made), indent=2, ensure_ascii=False) + "\n"
-
-
-def _fitted(made: PhotoOrientation) -> FittedTransformation:
-    if made.fitted is None:
-        raise PhotoError(messages.NO_TRANSFORMATION())
-    return made.fitted
-
-
-def _rows(matrix: np.ndarray) -> list[list[float]]:
-    return [[float(value) for value in row] for row in matrix]
-
-
-_SET, _PHOTO, _MARK = "SetOfMesureAppuisFlottants", "MesureAppuiFlottant1Im", "OneMesureAF1I"
 
 
 def measures_text(photo: str, marks: Iterable[MarkResult]) -> str:

@@ -173,6 +173,11 @@ class MarkFrame:
     rotation: float
     """Largest rotation, radians."""
 
+    @property
+    def sites(self) -> dict[str, Place]:
+        """The places by mark."""
+        return {mark: (float(x), float(y)) for mark, (x, y) in zip(self.marks, self.places)}
+
 
 def image_pyramid(image: np.ndarray, coarsest: int) -> list[np.ndarray]:
     """An image and its halves, quarters, ... until a side would be shorter than ``coarsest`` px."""
@@ -189,8 +194,8 @@ def block_means(pixels: np.ndarray, step: int) -> np.ndarray:
 
 
 @dataclass(frozen=True, eq=False)
-class ReducedView:
-    """A piece of the photo, reduced."""
+class PhotoView:
+    """A piece of the photo, perhaps reduced."""
 
     pixels: np.ndarray
     """(rows, columns)."""
@@ -198,11 +203,11 @@ class ReducedView:
     """Column of its left edge in the photo, px."""
     top: float
     """Row of its upper edge in the photo, px."""
-    factor: float
+    factor: float = 1
     """Pixels of the photo that one of its pixels is wide."""
 
 
-Scene = Callable[[MarkFrame], Sequence[Sequence[ReducedView]]]
+Scene = Callable[[MarkFrame], Sequence[Sequence[PhotoView]]]
 """One view for each mark of a frame, for each level, coarse to fine."""
 
 
@@ -212,7 +217,7 @@ def whole_photo_views(image: np.ndarray, factor: int) -> Scene:
     return lambda frame: [[_cut(level, area, factor * 2.0**k) for area in frame.areas] for k, level in levels]
 
 
-def window_views(views: Sequence[ReducedView]) -> Scene:
+def window_views(views: Sequence[PhotoView]) -> Scene:
     """Views of one window for each mark, of one size."""
     pyramids = [image_pyramid(view.pixels, COARSEST_WINDOW_PX) for view in views]
     count = min(len(pyramid) for pyramid in pyramids)
@@ -223,7 +228,7 @@ def window_views(views: Sequence[ReducedView]) -> Scene:
     return lambda frame: made
 
 
-def _cut(level: np.ndarray, area: SearchArea, factor: float) -> ReducedView:
+def _cut(level: np.ndarray, area: SearchArea, factor: float) -> PhotoView:
     left, top = max(int(area.left / factor), 0), max(int(area.top / factor), 0)
     piece = level[top : math.ceil(area.bottom / factor), left : math.ceil(area.right / factor)]
-    return ReducedView(piece, left * factor, top * factor, factor)
+    return PhotoView(piece, left * factor, top * factor, factor)

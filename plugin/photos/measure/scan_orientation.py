@@ -105,19 +105,17 @@ class Labelling:
     """The place where each mark was looked for (as the frame calls it), by the mark's own name."""
 
 
-def labellings(calibration: CameraCalibration, frame: MarkFrame, found: Arrangement) -> list[Labelling]:
+def labellings(calibration: CameraCalibration, found: Arrangement) -> list[Labelling]:
     """All ways to name the places of an arrangement that the calibration allows."""
     made = []
-    names = tuple(calibration.marks)
+    names, frame = tuple(calibration.marks), found.frame
     for orientation in SCAN_ORIENTATIONS:
         places = centred_marks(calibration) @ orientation.matrix.T
         if not _same_places(places, frame.places):
             continue
         distances = np.hypot(*(places[:, np.newaxis] - frame.places[np.newaxis]).transpose(2, 0, 1))
         sites = {name: frame.marks[int(row.argmin())] for name, row in zip(names, distances)}
-        predicted = np.column_stack([places, np.ones(len(places))]) @ found.matrix.T
-        by_name = {name: (float(x), float(y)) for name, (x, y) in zip(names, predicted)}
-        made.append(Labelling(orientation, by_name, sites))
+        made.append(Labelling(orientation, dict(zip(names, found.predicted(places))), sites))
     return made
 
 

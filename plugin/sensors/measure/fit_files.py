@@ -1,20 +1,18 @@
 """The files of a fit: its model file, RPC in three forms, and points for the georeferencer."""
 from __future__ import annotations
 
-import dataclasses
 import json
-import math
 import typing
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, fields, is_dataclass
 from functools import cached_property
+from operator import methodcaller
 from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
 
-from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import save_text
-from ...imagery.documents import document_bytes, json_document
+from ...imagery.documents import json_document
 from ...imagery.errors import Message, RasterError, SensorModelError
 from ...imagery.open_raster import OpenRaster
 from ...imagery.reference_systems import metres_per_unit
@@ -23,13 +21,13 @@ from .adjustment import Adjustment
 from .point_checks import ImageBox
 from .points import write_point_file
 from .rpc import Domain, RpcOfModel, located, rpc_heights, rpc_of, write_image_with_rpc, write_rpc
-from .sensor_model import WGS84, SensorModel
+from .sensor_model import WGS84, SensorModel, file_content
 
 FORMAT = "seam_inspector sensor model"
 VERSION = 1
 
 
-@dataclasses.dataclass(frozen=True)
+@dataclass(frozen=True)
 class ModelFile:
     """What a model file holds."""
 
@@ -56,19 +54,19 @@ def save_model(file: ModelFile, path: Path) -> None:
             "terms": "1 x y z xy xz yz xx yy zz xyz xxx xyy xzz xxy yyy yzz xxz yyz zzz; in a plane without z",
         },
         "crs": file.wkt,
-        "domain": dataclasses.asdict(file.domain),
-        "parameters": _plain(file.model),
-        "facts": _plain(file.facts),
+        "domain": asdict(file.domain),
+        "parameters": asdict(file.model),
+        "facts": file.facts,
     }
-    save_text(json.dumps(document, indent=1, allow_nan=False) + "\n", path)
+    text = json.dumps(document, default=methodcaller("tolist"))
+    plain = json.loads(text, parse_constant=lambda name: None)  # what is no number stands as null
+    save_text(json.dumps(plain, indent=1, allow_nan=False) + "\n", path)
 
 
 def load_model(path: Path) -> ModelFile:
     """Read a model file. Raises SensorModelError when it is none, or one of a newer version."""
     try:
-        document = json_document(document_bytes(path).decode())
-    except OSError:
-        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+        document = json_document(file_content(path).decode())
     except ValueError:
         raise SensorModelError(messages.NO_MODEL_FILE(name=path.name)) from None
     if not isinstance(document, dict) or document.get("format") != FORMAT:
@@ -78,23 +76,11 @@ def load_model(path: Path) -> ModelFile:
     try:
         model = _built(registry.KINDS[document["model"]].model_class(), document["parameters"])
         plain = document["domain"]
-        parts = [(float(plain[field.name][0]), float(plain[field.name][1])) for field in dataclasses.fields(Domain)]
+        parts = [(float(plain[field.name][0]), float(plain[field.name][1])) for field in fields(Domain)]
         domain = Domain(*parts)
         return ModelFile(model, str(document["crs"]), domain, document.get("facts", {}))
     except (KeyError, IndexError, TypeError, ValueError, AttributeError):
         raise SensorModelError(messages.NO_MODEL_FILE(name=path.name)) from None
-
-
-def _plain(value: Any) -> Any:
-    if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return {field.name: _plain(getattr(value, field.name)) for field in dataclasses.fields(value)}
-    if isinstance(value, dict):
-        return {name: _plain(one) for name, one in value.items()}
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return [_plain(one) for one in (value.tolist() if isinstance(value, np.ndarray) else value)]
-    if isinstance(value, np.generic):
-        value = value.item()
-    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _built(kind: Any, plain: Any) -> Any:
@@ -104,9 +90,9 @@ def _built(kind: Any, plain: Any) -> Any:
         if not np.isfinite(array).all():
             raise ValueError
         return array
-    if isinstance(kind, type) and dataclasses.is_dataclass(kind):
+    if isinstance(kind, type) and is_dataclass(kind):
         hints = typing.get_type_hints(kind)
-        return kind(**{field.name: _built(hints[field.name], plain[field.name]) for field in dataclasses.fields(kind)})
+        return kind(**{field.name: _built(hints[field.name], plain[field.name]) for field in fields(kind)})
     return kind(plain)
 
 

@@ -16,8 +16,7 @@ from xml.etree.ElementTree import Element, ParseError
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ...imagery import messages as imagery_messages
-from ...imagery.documents import document_bytes, json_document, looks_like_xml, xml_root
+from ...imagery.documents import json_document, looks_like_xml, xml_root
 from ...imagery.errors import Message, SensorModelError
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
@@ -27,7 +26,7 @@ from . import messages
 from .heights import ELLIPSOID, HIGHEST_M, LOWEST_M, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
 from .limits import EXTERIOR_DATUMS
 from .rpc import Domain
-from .sensor_model import WGS84, SensorModel
+from .sensor_model import WGS84, SensorModel, file_content
 
 
 @dataclass(frozen=True)
@@ -107,10 +106,7 @@ def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInteri
     Raises SensorModelError for a file that is none, a camera of another shape than the image, a distortion that is
     not known here.
     """
-    try:
-        content = document_bytes(path)
-    except OSError:
-        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+    content = file_content(path)
     try:
         if looks_like_xml(content):
             made, own_size = _micmac_interior(content, path)
@@ -237,10 +233,7 @@ def read_exterior(path: Path, image: str) -> FrameExterior:
 
     Raises SensorModelError for a file that is none and for one that does not name the image.
     """
-    try:
-        content = document_bytes(path)
-    except OSError:
-        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+    content = file_content(path)
     try:
         if looks_like_xml(content):
             found = _micmac_exterior(content)

@@ -9,13 +9,12 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal
 
-from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import save_text
-from ...imagery.documents import document_bytes
 from ...imagery.errors import Message, SensorModelError
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import ON_ITS_OWN_PIXELS
 from . import messages
+from .sensor_model import file_content
 
 CONTROL, CHECK = "control", "check"
 _COLUMNS = (("sourceX", "pixelX"), ("sourceY", "pixelY"), ("mapX",), ("mapY",))  # of a georeferencer's file
@@ -119,10 +118,7 @@ def file_points(path: Path, wkt: str, geotransform: Sequence[float] | None) -> t
     is called by its number in the file, the first 1. Raises SensorModelError for a file that is none, with the line
     that can't be read, without points, and without a reference system.
     """
-    try:
-        lines = document_bytes(path).decode("utf-8-sig", errors="replace").splitlines()
-    except OSError:
-        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+    lines = file_content(path).decode("utf-8-sig", errors="replace").splitlines()
     named = next((line[len("#CRS:") :].strip() for line in lines if line.startswith("#CRS:")), "")
     rows = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
     header = [name.strip() for name in rows[0][1].split(",")] if rows else []

@@ -13,7 +13,7 @@ from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import save_text
-from ...imagery.documents import document_bytes, looks_like_xml, xml_root
+from ...imagery.documents import looks_like_xml, xml_root
 from ...imagery.errors import CancelledError, Message, SensorModelError, SettingsError
 from ...imagery.gdal_calls import gdal_silenced, gdal_writing
 from ...imagery.open_raster import OpenRaster
@@ -22,7 +22,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import metres_per_unit, same_system, transform_points
 from . import messages
 from .polynomials import Rational, fit_rational
-from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, least_squares, locate, reprojected
+from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares, locate, reprojected
 
 
 def open_image(ref: RasterRef) -> OpenRaster:
@@ -260,10 +260,7 @@ def read_rpc(path: Path) -> Rational:
 
     Raises SensorModelError.
     """
-    try:
-        content = document_bytes(path)
-    except OSError:
-        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+    content = file_content(path)
     if looks_like_xml(content):
         return from_metadata(_dimap_items(content, path.name), path.name, DIMAP_FIRST_PIXEL)
     text = content.decode(errors="replace")

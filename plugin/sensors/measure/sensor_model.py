@@ -2,10 +2,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Callable, ClassVar
 
 import numpy as np
 
+from ...imagery import messages as imagery_messages
+from ...imagery.documents import document_bytes
 from ...imagery.errors import SensorModelError
 from ...imagery.reference_systems import transform_points
 from . import limits, messages
@@ -13,13 +16,22 @@ from . import limits, messages
 WGS84 = "EPSG:4326"
 
 
+def file_content(path: Path) -> bytes:
+    """Of a file that the user names. Raises SensorModelError where there is none that can be read."""
+    try:
+        return document_bytes(path)
+    except OSError:
+        raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+
+
 def reprojected(ground: np.ndarray, wkt: str, target: str) -> np.ndarray:
     """(n, 3) x, y (longitude first) and height above the ellipsoid, m, in another reference system; heights stay."""
     return np.column_stack([transform_points(ground, wkt, target), ground[:, 2]])
 
 
+@dataclass(frozen=True)
 class SensorModel:
-    """From the ground to the image. A model file holds the fields of the class, which is a dataclass."""
+    """From the ground to the image. A model file holds the fields of the class."""
 
     GEOGRAPHIC: ClassVar[bool] = False
     """Whether the ground is longitude and latitude (WGS 84) instead of the points' own reference system."""

@@ -27,13 +27,11 @@ from seam_inspector.plugin.photos.measure.mark_templates import (
     draw,
 )
 from seam_inspector.plugin.photos.measure.measuring_marks import (
-    MarkWindow,
-    MeasuredMark,
     MeasuringTemplate,
     SurfaceBasis,
-    UnmeasuredMark,
     measure_mark,
 )
+from seam_inspector.plugin.photos.measure.photo import PhotoView
 from skimage.feature import match_template
 
 from tests.numbers.photos.photos import SAMPLES, Look, figure
@@ -140,8 +138,8 @@ def test_shapes_are_chosen_by_words() -> None:
     assert [one.kind for one in chosen_shapes("dot", True, True)] == [MarkKind.DOT]
 
 
-def window(pixels: np.ndarray) -> MarkWindow:
-    return MarkWindow(pixels, 100, 200)
+def window(pixels: np.ndarray) -> PhotoView:
+    return PhotoView(pixels, 100, 200)
 
 
 @pytest.mark.parametrize(("surface", "offset"), list(product(SurfaceBasis, ((0.0, 0.0), (0.31, -0.44), (-0.5, 0.2)))))
@@ -149,9 +147,9 @@ def test_a_mark_is_measured_where_it_is(surface: SurfaceBasis, offset: tuple[flo
     shape = MarkShape(MarkKind.RING_WITH_DOT, 20, softness=1.0)
     pixels = 30 + 50 * draw(shape, offset, margin=40) + 0.2 * np.arange(81)
     found = measure_mark(window(pixels), (140.5, 240.5), 5, MeasuringTemplate(shape, 1), 0.5, surface)
-    assert isinstance(found, MeasuredMark)
+    assert found.place is not None
     tolerance = 0.01 if surface is SurfaceBasis.CORRELATION else 0.2
-    assert (found.column, found.row) == pytest.approx((140.5 + offset[0], 240.5 + offset[1]), abs=tolerance)
+    assert found.place == pytest.approx((140.5 + offset[0], 240.5 + offset[1]), abs=tolerance)
 
 
 def test_two_alike_or_none_or_half_a_mark_is_a_failure() -> None:
@@ -164,14 +162,14 @@ def test_two_alike_or_none_or_half_a_mark_is_a_failure() -> None:
 
     def reason(pixels: np.ndarray) -> str:
         made = measure_mark(window(pixels), (150.5, 250.5), 8, template, 0.5, SurfaceBasis.CORRELATION)
-        assert isinstance(made, UnmeasuredMark), made
+        assert made.place is None, made
         return str(made.reason)
 
     assert "two places look nearly alike" in reason(two + noise)
     assert "correlation is" in reason(noise)
     assert "differ by" in reason(halved + noise)
     small = measure_mark(window(one[:9, :9]), (104.5, 204.5), 2, template, 0.5, SurfaceBasis.CORRELATION)
-    assert isinstance(small, UnmeasuredMark)
+    assert small.place is None
     assert "larger than" in str(small.reason)
 
 

@@ -221,7 +221,8 @@ def test_comparison_by_hand() -> None:
     first = [ComparedMark("a", "1", (0, 0), (0, 0)), ComparedMark("a", "2", (10, 0), (0.2, 0))]
     first.append(ComparedMark("b", "1", (5, 5)))
     second = [ComparedMark("b", "1", (5, 6)), ComparedMark("a", "1", (3, 4)), ComparedMark("c", "1", (0, 0))]
-    found = mark_differences(first, second)
+    found, alone = mark_differences(first, second)
+    assert alone == ["a 2", "c 1"]
     assert [(one.photo, one.mark, one.distance) for one in found] == [("a", "1", 5), ("b", "1", 1)]
     made = distance_statistics(found)
     assert (made.count, made.mean, made.maximum, made.minimum) == (2, 3, 5, 1)

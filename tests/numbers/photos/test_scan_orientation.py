@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -43,8 +44,9 @@ def candidates(calibration: CameraCalibration) -> tuple[list[Labelling], Arrange
     frame, *_ = possible_frames(calibration, 5000, 5000)
     matrix = np.array([[SCALE, 0, MARGIN + SCALE * 106], [0, SCALE, MARGIN + SCALE * 106]])
     places = np.column_stack([frame.places, np.ones(len(frame.places))]) @ matrix.T
-    found = Arrangement(None, 1, dict(zip(frame.marks, map(tuple, places))), dict.fromkeys(frame.marks, 1.0), matrix)
-    return labellings(calibration, frame, found), found
+    by_mark = dict(zip(frame.marks, map(tuple, places)))
+    found = Arrangement(frame, None, 1, by_mark, dict.fromkeys(frame.marks, 1.0), matrix)
+    return labellings(calibration, found), found
 
 
 @pytest.mark.parametrize("orientation", SCAN_ORIENTATIONS, ids=lambda one: f"{one.turned}{'m' * one.mirrored}")
@@ -63,7 +65,7 @@ def test_the_data_strip_lies_where_the_scan_goes_on(orientation: ScanOrientation
     beyond = np.array([max(-strip[0], 0), max(-strip[1], 0), max(strip[0] - size, 0), max(strip[1] - size, 0)])
     more = np.where(beyond > 0, MARGIN, 0)  # on one side only, so that the strip is in the scan
     moved = {name: (x + more[0], y + more[1]) for name, (x, y) in found.places.items()}
-    farther = Arrangement(None, 1, moved, found.values, found.matrix)
+    farther = replace(found, places=moved)
     columns, rows = round(size + more[0] + more[2]), round(size + more[1] + more[3])
     chosen = [one.orientation for one in matching_data_strip(every, STRIP, farther, columns, rows)]
     assert orientation in chosen
