@@ -218,18 +218,14 @@ class Desk:
         ]
 
     def curves_of(self, fid: int) -> bool:
-        """Whether the chart shows a window's curves, drawn."""
+        """Whether the chart shows a window's curves."""
         result, panel = self.session.result(fid), self.dock.panels["curves"].curves
-        chart = panel._chart
-        if result is None or chart is None or not chart.is_drawn:
-            return False
-        return bool(panel._export._results == [result])
+        return bool(result is not None and panel._export._results == [result])
 
     def first_curves_of(self, fid: int) -> bool:
-        """Whether the chart shows the curves of a window's clips, drawn, whatever else is still to come."""
+        """Whether the chart shows the curves of a window's clips, whatever else is still to come."""
         clips, panel = self.session.clips(fid), self.dock.panels["curves"].curves
-        chart = panel._chart
-        return bool(clips is not None and chart is not None and chart.is_drawn and panel.shown == [clips])
+        return bool(clips is not None and panel.shown == [clips])
 
     def noise_of(self, fid: int) -> bool:
         """Whether the noise tab shows what was measured in a window, drawn."""

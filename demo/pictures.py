@@ -13,9 +13,9 @@ from seam_inspector.plugin.imagery.clips import read_clip
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve
-from seam_inspector.plugin.seams.charts.curve_chart import draw_curves
 from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
 
+from demo.curve_chart import draw_curves
 from demo.findings import Inspected, Profile
 
 PICTURE_PX = (220, 150)  # width and height of the mosaic and a source below the curves, at about 2x magnification

@@ -18,11 +18,11 @@ from matplotlib.figure import Figure
 from seam_inspector import OpenRaster, WindowResult, inspect_window, open_block
 from seam_inspector.plugin.imagery import limits as imagery_limits
 from seam_inspector.plugin.imagery.clips import read_clip
-from seam_inspector.plugin.seams.charts.curve_chart import draw_curves
-from seam_inspector.plugin.seams.charts.window_curves import window_curves
+from seam_inspector.plugin.seams.charts.chart_curves import window_curves
 from seam_inspector.plugin.seams.words import LOSS_OPACITY, loss_rgba
 
 from demo import block
+from demo.curve_chart import draw_curves
 from demo.findings import Profile, ProfilePoint
 from demo.pictures import draw_profile, stretched
 from demo.screenshot import shrink

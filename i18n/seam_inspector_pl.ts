@@ -79,7 +79,7 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="186"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="184"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -479,22 +479,22 @@
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/curve_chart.py" line="62"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="220"/>
         <source>significant loss below</source>
         <translation>istotna strata poniżej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="79"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="189"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/charts/variance_axes.py" line="22"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="150"/>
         <source>level</source>
         <translation>poziom rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="47"/>
+        <location filename="../plugin/seams/charts/curves_painter.py" line="157"/>
         <source>relative variance</source>
         <translation>wariancja względna</translation>
     </message>
@@ -514,27 +514,27 @@
         <translation>Wczytaj obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="60"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="54"/>
         <source>Click an entry to hide its curve or to show it again; right click for more</source>
         <translation>Kliknij pozycję, aby ukryć lub pokazać jej krzywą; prawy przycisk myszy: więcej opcji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="138"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="132"/>
         <source>limit</source>
         <translation>granica</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="177"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="171"/>
         <source>Click to show this curve</source>
         <translation>Kliknij, aby pokazać tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="177"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="171"/>
         <source>Click to hide this curve</source>
         <translation>Kliknij, aby ukryć tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="218"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="200"/>
         <source>Show all curves</source>
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
@@ -724,12 +724,12 @@
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="28"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="280"/>
         <source>{count} of the {selected} selected windows: mean and range</source>
         <translation>{count} z {selected} zaznaczonych okien: średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="31"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="283"/>
         <source>{count} windows: mean and range</source>
         <translation>{count} {count:okno|okna|okien}: średnia i zakres</translation>
     </message>
@@ -739,22 +739,22 @@
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="35"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="287"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="48"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="300"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="51"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="303"/>
         <source>None of the selected windows can be compared.</source>
         <translation>Żadnego z zaznaczonych okien nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="54"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="306"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
@@ -764,12 +764,12 @@
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="61"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="313"/>
         <source>The curves are not kept with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="62"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="314"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
@@ -999,82 +999,82 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="69"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="70"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="90"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="91"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="95"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="96"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="99"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="100"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="132"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="133"/>
         <source>src.</source>
         <translation>źr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="129"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="130"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="136"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="141"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="28"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="29"/>
         <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="95"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="96"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="130"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="131"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="136"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="137"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="142"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="71"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="72"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="76"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="77"/>
         <source>log</source>
         <translation>log</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_panel.py" line="77"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="78"/>
         <source>Logarithmic axis, which shows the fine levels; off: linear axis</source>
         <translation>Oś logarytmiczna, która uwidacznia najdokładniejsze poziomy; po wyłączeniu: oś liniowa</translation>
     </message>
@@ -1114,82 +1114,82 @@
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="25"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="138"/>
         <source>Save or copy what is shown: as a picture, or as a table of all values</source>
         <translation>Zapisz lub skopiuj to, co widać: jako obraz albo jako tabelę wszystkich wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="30"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
         <source>The picture, for documents</source>
         <translation>Obraz do dokumentów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="31"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
         <source>Save as SVG...</source>
         <translation>Zapisz jako SVG...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="31"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
         <source>The picture, sharp at every size</source>
         <translation>Obraz ostry w każdej wielkości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="32"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="63"/>
         <source>Save as CSV...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="32"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="139"/>
         <source>All rasters and bands of the windows</source>
         <translation>Wszystkie rastry i kanały w oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="33"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
         <source>Copy picture</source>
         <translation>Kopiuj obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="33"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
         <source>To the clipboard</source>
         <translation>Do schowka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="34"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="65"/>
         <source>Copy values</source>
         <translation>Kopiuj wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="34"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="59"/>
         <source>To the clipboard, for a spreadsheet</source>
         <translation>Do schowka, do arkusza kalkulacyjnego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="44"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="77"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="48"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="81"/>
         <source>SVG picture</source>
         <translation>Obraz SVG</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="52"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="85"/>
         <source>Table with commas</source>
         <translation>Tabela rozdzielana przecinkami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="76"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="168"/>
         <source>Save curves</source>
         <translation>Zapisz krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="88"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="169"/>
         <source>The curves were not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano krzywych w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="87"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="168"/>
         <source>The curves were saved to {path}.</source>
         <translation>Zapisano krzywe w {path}.</translation>
     </message>
@@ -1334,42 +1334,42 @@
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="63"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="173"/>
         <source>mosaic (mean)</source>
         <translation>ortofotomapa (śr.)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="63"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="173"/>
         <source>sources (mean)</source>
         <translation>źródła (śr.)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="79"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="189"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="83"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="193"/>
         <source> (range {low} to {high})</source>
         <translation> (zakres od {low} do {high})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="90"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="200"/>
         <source> ({percent:.0f} % of the lowest source)</source>
         <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="92"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="202"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
         <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="95"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="205"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_export.py" line="30"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
         <source>Save as PNG...</source>
         <translation>Zapisz jako PNG...</translation>
     </message>
@@ -1384,17 +1384,17 @@
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="42"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="152"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="180"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="174"/>
         <source>What a hard cut of the sources along the seam, levelled to the mosaic&apos;s tone, would have</source>
         <translation>Co miałoby ostre cięcie ortoobrazów wzdłuż linii mozaikowania, z tonacją wyrównaną do ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="217"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="199"/>
         <source>Show only this curve</source>
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
@@ -1434,12 +1434,12 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="123"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="124"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="124"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="125"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -4630,12 +4630,12 @@
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/curve_pictures.py" line="88"/>
+        <location filename="../plugin/seams/report/curve_pictures.py" line="40"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/curve_pictures.py" line="90"/>
+        <location filename="../plugin/seams/report/curve_pictures.py" line="42"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -4706,7 +4706,7 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="186"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="184"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
@@ -4729,7 +4729,7 @@
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="252"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="250"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
@@ -4759,7 +4759,7 @@
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS, albo zainstaluj to, co wymienia requirements.txt w katalogu wtyczki, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/window_curves.py" line="88"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="198"/>
         <source> ({percent:.0f} % of the composite)</source>
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
@@ -4964,17 +4964,17 @@
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/curve_pictures.py" line="91"/>
+        <location filename="../plugin/seams/report/curve_pictures.py" line="43"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="101"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="102"/>
         <source>What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first.</source>
         <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="106"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="107"/>
         <source>kept</source>
         <translation>zachow.</translation>
     </message>
@@ -5285,7 +5285,7 @@
         <translation>zachow. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_legend.py" line="140"/>
+        <location filename="../plugin/seams/desk/charts/curves_legend.py" line="134"/>
         <source>On or below this line a loss is significant by curves: against the sources (paper), or their composite</source>
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
@@ -5535,167 +5535,167 @@
         <translation>Z {given:.0f} m linii mozaikowania {outside:.0f} m leży poza ortofotomapą i zostało pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="88"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="91"/>
         <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="89"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="92"/>
         <source>The scan starts anew, since {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="90"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="93"/>
         <source>The scan starts anew, since nothing in {path} can be read any more.</source>
         <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="91"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="94"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="93"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="96"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="95"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="98"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="97"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="100"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="101"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="104"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="104"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="107"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="105"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="108"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="106"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="109"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="107"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="110"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="108"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="109"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="112"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="117"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="110"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="43"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="46"/>
         <source>The seamline layer has no field &apos;{field}&apos;; choose one of its fields: {known}.</source>
         <translation>Warstwa linii mozaikowania nie ma pola „{field}”; wybierz jedno z jej pól: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="45"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="48"/>
         <source>None of the {count} features of the seamline layer lies on the mosaic; check the reference systems of both.</source>
         <translation>Żaden z obiektów warstwy linii mozaikowania (liczba: {count}) nie leży na ortofotomapie; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="51"/>
         <source>The seamline layer names no orthoimages beside its seams, in a field &apos;source&apos; for instance; where orthoimages are given, the mosaic itself tells which it follows.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="52"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="55"/>
         <source>The seamline layer names no orthoimages; what lies beside its seams is called by its dates, of the field &apos;{field}&apos;.</source>
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów; to, co leży po obu stronach linii, jest nazywane według dat z pola „{field}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="56"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="59"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="60"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="63"/>
         <source>The geometry of no feature of the seamline layer can be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii żadnego obiektu warstwy linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="63"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="66"/>
         <source>Lines of the seamline layer that cross themselves: {count}; they are measured as they are.</source>
         <translation>Linie w warstwie linii mozaikowania, które przecinają same siebie: {count}; są mierzone tak, jak biegną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="66"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="69"/>
         <source>Polygons of the seamline layer whose outline crosses itself, repaired: {count}.</source>
         <translation>Naprawione poligony warstwy linii mozaikowania, których obrys przecinał sam siebie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="69"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="72"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all; which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m²); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="73"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="76"/>
         <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all ({names} first of all); which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="77"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="80"/>
         <source>Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no seams.</source>
         <translation>Szczeliny między poligonami warstwy linii mozaikowania: {count}, łącznie {area:.1f} m²; ich krawędzie nie są liniami mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="81"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="84"/>
         <source>Orthoimages that the seamline layer names and that are not given: {count} ({names} first of all).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="84"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="87"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="141"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="144"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="145"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="148"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="149"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="152"/>
         <source>Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep {low:.0f} to {high:.0f} %.</source>
         <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
     </message>
@@ -5710,17 +5710,17 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="153"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="156"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="157"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="160"/>
         <source>Without orthoimages a piece of seam can be judged on this mosaic from some {length:.0f} m on.</source>
         <translation>Bez ortoobrazów źródłowych odcinek linii mozaikowania można na tej ortofotomapie ocenić od długości około {length:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="163"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -5740,7 +5740,7 @@
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="115"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
@@ -5750,7 +5750,7 @@
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="123"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
@@ -5860,7 +5860,7 @@
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="136"/>
         <source>{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
         <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
     </message>
@@ -5885,12 +5885,12 @@
         <translation>{name} wszędzie jest taki jak ortofotomapa i nie ma innego ortoobrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc ortoobrazy źródłowe, z których ortofotomapa powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="124"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="127"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="127"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="130"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
@@ -5900,7 +5900,7 @@
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="130"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
         <source>{metres:.0f} of {all:.0f} m of seam have no verdict; the field &apos;reason&apos; of the seams says why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie ma oceny; pole „reason” mówi dlaczego.</translation>
     </message>
@@ -6315,7 +6315,7 @@
         <translation>do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/curves/curves_selection.py" line="41"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="293"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
         <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
@@ -6410,122 +6410,117 @@
         <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="36"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="76"/>
         <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="36"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="76"/>
         <source>&gt; {near} m: {kept} %</source>
         <translation>&gt; {near} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="38"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="78"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="39"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="79"/>
         <source>{near} to {far} m: {kept} %</source>
         <translation>od {near} do {far} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="56"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="96"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="56"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="96"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="58"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="98"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="137"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="206"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="153"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="214"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="155"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="216"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="34"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="177"/>
         <source>Save or copy the seam profile: as a picture, or as a table of all levels</source>
         <translation>Zapisz lub skopiuj profil linii mozaikowania: jako obraz albo jako tabelę wszystkich poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="39"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="178"/>
         <source>All levels and distances</source>
         <translation>Wszystkie poziomy i odległości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="73"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="202"/>
         <source>Save seam profile</source>
         <translation>Zapisz profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="77"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="203"/>
         <source>The seam profile was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano profilu linii mozaikowania w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="76"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="202"/>
         <source>The seam profile was saved to {path}.</source>
         <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_export.py" line="116"/>
-        <source>the picture could not be written</source>
-        <translation>nie udało się zapisać obrazu</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="95"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="95"/>
         <source>Seam profile</source>
         <translation>Profil linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="97"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="97"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="120"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="120"/>
         <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
         <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="151"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="151"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="157"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="157"/>
         <source>The profile is not at hand. Inspect again to see it.</source>
         <translation>Nie ma profilu pod ręką. Aby go zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="162"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="162"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="163"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="163"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_panel.py" line="184"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="184"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
@@ -6680,77 +6675,77 @@
         <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="30"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="28"/>
         <source>{metres} m</source>
         <translation>{metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="149"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="150"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="151"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="152"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="155"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="156"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="156"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="157"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="160"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="161"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="161"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="162"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="165"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="166"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="168"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="169"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="170"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="171"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="87"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="90"/>
         <source>kept from</source>
         <translation>zach. od</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="88"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="91"/>
         <source>Lower end of the 95 % interval of what is kept along the seam.</source>
         <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="92"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="95"/>
         <source>kept to</source>
         <translation>zach. do</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="93"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="96"/>
         <source>Upper end of the 95 % interval of what is kept along the seam.</source>
         <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="98"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="101"/>
         <source>Width of the band along the seam in which detail was lost.</source>
         <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
     </message>
@@ -6770,42 +6765,42 @@
         <translation>dodane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="136"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="137"/>
         <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
         <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="141"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="142"/>
         <source>explained</source>
         <translation>wyjaśnione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="142"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="143"/>
         <source>Share of the pixels whose detail the given sources explain.</source>
         <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="77"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="82"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="177"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="178"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="178"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="179"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="181"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="182"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="182"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="183"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
@@ -6870,12 +6865,12 @@
         <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="115"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="116"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="117"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="118"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict was taken by.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
@@ -7157,7 +7152,7 @@
         <translation>Nie ma takiej zmiany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="109"/>
+        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="110"/>
         <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
@@ -8547,17 +8542,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="159"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="157"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="160"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="158"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="164"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="162"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -10267,7 +10262,7 @@
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="97"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="100"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
@@ -11010,7 +11005,7 @@
         <translation>jego data, z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="58"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="65"/>
         <source>ratio of the background</source>
         <translation>stosunek tła</translation>
     </message>
@@ -11030,22 +11025,22 @@
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="72"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="77"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="140"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="141"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="154"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="155"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="159"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="160"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
@@ -11065,12 +11060,12 @@
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="63"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="69"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="68"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="73"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
@@ -11263,12 +11258,12 @@
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="110"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="113"/>
         <source>visibility</source>
         <translation>widoczność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="113"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="116"/>
         <source>How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable differences, JND).</source>
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
@@ -11358,52 +11353,52 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="42"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="82"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="179"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="234"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="181"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="236"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/profile/profile_painter.py" line="61"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="101"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="102"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="105"/>
         <source>feather width</source>
         <translation>szerokość wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="105"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="108"/>
         <source>Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut.</source>
         <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="120"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="123"/>
         <source>misfit</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="121"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="124"/>
         <source>How far apart the two images lie where they meet, as the mosaic has them.</source>
         <translation>O ile oba obrazy są od siebie odsunięte tam, gdzie się stykają, tak jak leżą w ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="78"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="83"/>
         <source>All that happened to the contrast, what took most first.</source>
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="41"/>
+        <location filename="../plugin/seams/desk/windows/more_columns.py" line="39"/>
         <source>{length} px</source>
         <translation>{length} px</translation>
     </message>
@@ -11488,7 +11483,7 @@
         <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="119"/>
+        <location filename="../plugin/seams/tables/window_fields.py" line="122"/>
         <source>images apart in the mosaic (px)</source>
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>

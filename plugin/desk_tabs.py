@@ -4,8 +4,8 @@ from __future__ import annotations
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from .noise.desk.noise_panel import NoisePanel
+from .seams.desk.charts.curves_and_profile import CurvesAndProfile
 from .seams.desk.images.images_panel import ImagesPanel
-from .seams.desk.profile.curves_and_profile import CurvesAndProfile
 from .toolkit.desk.tabs import DeskTab
 
 TABS = (

@@ -31,13 +31,15 @@ DRAWN = (
     ("fitsensormodel", "REPORT"),
     ("measureresolution", "CHART"),
     ("measureresolution", "REPORT"),
-    ("report", "OUTPUT"),
 )
 """Algorithms and their files with charts."""
-PAGES = (*(one for one in DRAWN if one[1] != "CHART"), ("interiororientation", "REPORT"), ("acceptmosaic", "QUALITY"))
+PAGES = (
+    *(one for one in DRAWN if one[1] != "CHART"), ("report", "OUTPUT"), ("interiororientation", "REPORT"),
+    ("acceptmosaic", "QUALITY"),
+)  # fmt: skip
 """Algorithms and their pages."""
 DRAWING = """acceptance.kept_chart acceptance.paper.charts
-resolution.charts resolution.report seams.charts.calibration_chart seams.charts.curve_chart noise.charts
+resolution.charts resolution.report seams.charts.calibration_chart noise.charts
 noise.report radiometry.report toolkit.charts.variance_axes toolkit.charts.figure_files""".split()
 """Modules that can't be imported without matplotlib."""
 WRITING = """acceptance.paper.acceptance_report acceptance.paper.quality_document

@@ -36,7 +36,7 @@ class Report(SeamInspectorAlgorithm):
 
     ID = "report"
     NAME = QT_TRANSLATE_NOOP("@default", "Report of an inspection")
-    DRAWN = PAGES = (OUTPUT,)
+    DRAWN, PAGES = (), (OUTPUT,)
     HELP = QT_TRANSLATE_NOOP(
         "@default",
         "Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map "

@@ -1,11 +1,26 @@
-"""The curves that a chart of relative variances shows. No matplotlib, so that it loads at once."""
+"""What a chart of relative variances shows: curves of windows, their limit and scale, and words for their points."""
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from ...toolkit.translation import formatted
+from ...toolkit.translation import BAND_ORDER, filled, formatted, tr
+from ..measure.window_records import COMPOSITE, REFERENCES
+
+if TYPE_CHECKING:
+    from ..measure.window.window_result import ClipResult, WindowCurves
+
+Key = tuple[bool, str]
+"""What tells a curve from others, and stays from window to window: whether it is the mosaic's, and its name."""
+Point = tuple[int, int]
+"""A curve's index and a component's."""
+_LOWEST_SHARE = 1e-6  # a logarithmic axis goes no further down: what the measurement resolves
+_DIGITS = (1, 2, 5)
+_MOST_LINEAR_TICKS = 6
+_TICK_LINES = 1.4  # of the font, that ticks of a logarithmic axis are apart
 
 
 @dataclass(frozen=True)
@@ -28,14 +43,33 @@ class ChartCurve:
     """Whether the verdict is taken against it alone, and not against the sources."""
 
     @property
-    def key(self) -> tuple[bool, str]:
-        """What tells it from the other curves of the chart, and stays from window to window."""
+    def key(self) -> Key:
+        """What it is known by."""
         return self.is_mosaic, self.label
 
     @property
     def values(self) -> tuple[float, ...]:
         """Levels 1..R, then the background; NaN for a constant clip."""
         return (*self.detail, self.background)
+
+
+@dataclass(frozen=True)
+class Chart:
+    """All that a chart shows."""
+
+    curves: tuple[ChartCurve, ...]
+    max_ratio: float
+    """The limit of a significant loss at level 1, relative to the least sharp source."""
+    logarithmic: bool = True
+    hidden: frozenset[Key] = frozenset()
+    """Curves that are not drawn, but count for limit and scale."""
+
+
+def numbered(curves: Sequence[ChartCurve]) -> list[tuple[int, ChartCurve]]:
+    """The curves with their numbers among the sources."""
+    sources = [curve for curve in curves if not (curve.is_mosaic or curve.is_composite)]
+    places = {curve.key: number for number, curve in enumerate(sources)}
+    return [(places.get(curve.key, 0), curve) for curve in curves]
 
 
 def least_of_sources(curves: Sequence[ChartCurve], component: int) -> float | None:
@@ -61,3 +95,111 @@ def share_text(share: float) -> str:
     if not share > 0:
         return formatted(share, "g")
     return formatted(share, f".{min(max(2 - math.floor(math.log10(share)), 2), 7)}f")
+
+def share_range(chart: Chart) -> tuple[float, float]:
+    """Limits of the axis, rounded so that they seldom change from window to window."""
+    shares = [share for curve in chart.curves for share in curve.values]
+    shares += [share for curve in chart.curves for ends in curve.spread for share in ends]
+    shares.append(significance_limit(chart.curves, chart.max_ratio) or math.nan)
+    positive = [share for share in shares if share > 0]
+    if not chart.logarithmic:
+        return 0, 1.05 * math.ceil(10 * max(positive, default=1)) / 10
+    lowest = max(min(positive, default=0.01) * 0.9, _LOWEST_SHARE)
+    decade = 10.0 ** math.floor(math.log10(lowest))
+    return decade * max(digit for digit in _DIGITS if digit * decade <= lowest * (1 + 1e-9)), 1.25
+
+
+def share_ticks(low: float, high: float, logarithmic: bool, room: float) -> list[float]:
+    """Round shares within an axis: as many as there is room for, in lines of the font."""
+    if not logarithmic:
+        step = next(step for step in (0.02, 0.05, 0.1, 0.2, 0.5) if high / step <= _MOST_LINEAR_TICKS)
+        return [step * number for number in range(int(high / step) + 1)]
+    first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
+    ticks: list[float] = []
+    for digits, step in (((1, 2, 5), 1), ((1, 3), 1), ((1,), 1), ((1,), 2), ((1,), 3)):
+        shares = (digit * 10.0**decade for decade in range(last, first - 1, -step) for digit in digits)
+        ticks = sorted(share for share in shares if low * (1 - 1e-9) <= share <= high)
+        if len(ticks) <= max(room / _TICK_LINES, 2):
+            break
+    return ticks
+
+
+def bands_of(results: Iterable[WindowCurves]) -> list[str]:
+    """The bands of the mosaics, luminance and colours first."""
+    names = {name: None for result in results for clip in result.clips[:1] for name in clip.curves}
+    known = [name for name in BAND_ORDER if name in names]
+    return [*known, *(name for name in names if name not in known)]
+
+
+def window_curves(
+    result: WindowCurves, band: str, colours: Mapping[str, int], reference: str = REFERENCES[0]
+) -> list[ChartCurve]:
+    """The curves of one window and band, the mosaic's first, the sources' composite last.
+
+    ``colours``: numbers by file name. ``reference``: what the verdict is taken against, as in ``Settings``.
+    """
+    curves = []
+    seen: Counter[str] = Counter()
+    for clip in result.with_composite:
+        if band not in clip.curves:
+            continue
+        is_mosaic = clip.role == "mosaic"
+        seen[clip.raster] += not is_mosaic
+        twin = f" ({seen[clip.raster]})" if seen[clip.raster] > 1 and not is_mosaic else ""
+        curve = clip.curves[band]
+        if clip.role == COMPOSITE:
+            label, is_reference = tr("composite"), reference == clip.role
+            curves.append(ChartCurve(label, False, curve.detail, curve.background, None, (), True, is_reference))
+            continue
+        colour = None if is_mosaic else colours.get(clip.raster)
+        curves.append(ChartCurve(clip.raster + twin, is_mosaic, curve.detail, curve.background, colour))
+    return curves
+
+
+def mean_curves(results: Sequence[WindowCurves], band: str) -> list[ChartCurve]:
+    """Mean and range of the mosaics of many windows, and of all their sources.
+
+    Windows measured with other levels than most are left out.
+    """
+    clips = [clip for result in results for clip in result.clips if band in clip.curves]
+    depths = Counter(len(clip.curves[band].detail) for clip in clips if clip.role == "mosaic")
+    if not depths:
+        return []
+    depth = depths.most_common(1)[0][0]
+    clips = [clip for clip in clips if len(clip.curves[band].detail) == depth and clip.curves[band].variance > 0]
+    mosaics = [clip for clip in clips if clip.role == "mosaic"]
+    sources = [clip for clip in clips if clip.role == "source"]
+    titles = tr("mosaic (mean)"), tr("sources (mean)")
+    return [_mean(group, band, title) for group, title in zip((mosaics, sources), titles) if group]
+
+
+def _mean(clips: Sequence[ClipResult], band: str, label: str) -> ChartCurve:
+    columns = list(zip(*((*clip.curves[band].detail, clip.curves[band].background) for clip in clips)))
+    means = [math.fsum(column) / len(column) for column in columns]
+    spread = tuple((min(column), max(column)) for column in columns)
+    return ChartCurve(label, clips[0].role == "mosaic", tuple(means[:-1]), means[-1], 0, spread)
+
+
+def point_words(curves: Sequence[ChartCurve], index: int, component: int) -> tuple[str, str]:
+    """A curve's name, and the text about one of its points."""
+    curve = curves[index]
+    value = curve.values[component]
+    is_background = component == len(curve.detail)
+    place = tr("background") if is_background else filled(tr("level {number}"), number=component + 1)
+    words = f", {place}: {share_text(value)}"
+    if curve.spread:
+        low, high = (share_text(share) for share in curve.spread[component])
+        return curve.label, words + filled(tr(" (range {low} to {high})"), low=low, high=high)
+    mosaic = next((other.values[component] for other in curves if other.is_mosaic), math.nan)
+    least = least_of_sources(curves, component)
+    if curve.is_mosaic and least is not None and value == value:
+        if any(other.is_reference for other in curves):
+            template = tr(" ({percent:.0f} % of the composite)")
+        elif is_background:
+            template = tr(" ({percent:.0f} % of the lowest source)")
+        else:
+            template = tr(" ({percent:.0f} % of the least sharp source)")
+        return curve.label, words + filled(template, percent=100 * value / least)
+    if not curve.is_mosaic and value > 0 and mosaic == mosaic:
+        return curve.label, words + filled(tr(" (mosaic: {percent:.0f} % of it)"), percent=100 * mosaic / value)
+    return curve.label, words

@@ -16,7 +16,7 @@ from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, Profile
 from ..window_summary import LOSSES, by_the_paper, window_sentence
 from ..words import cause_sentence, cause_word, observer_word, verdict_word
 from .clip_parts import ClipJob, PartPicture, WindowParts, window_parts
-from .curve_pictures import CurveDrawer, curve_legend
+from .curve_pictures import curve_legend, curves_svg
 from .profile_picture import ProfilePicture, profile_picture
 from .variance_table import anchor, paper_words, two_digits
 
@@ -70,7 +70,7 @@ class WindowSections:
         """What could not be shown."""
         self._block, self._curves, self._pairs = block, curves, pairs
         self._profiles, self._losses, self._min_kept = profiles, losses, min_kept
-        self._drawer = CurveDrawer(max_ratio)
+        self._max_ratio = max_ratio
         self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)
 
     def sections(self, records: Sequence[WindowRecord]) -> Iterator[WindowSection]:
@@ -111,7 +111,7 @@ class WindowSections:
             *_ratios(record),
             problem,
             self._profile(record),
-            self._drawer.draw(same) if same else "",
+            curves_svg(same, self._max_ratio) if same else "",
             curve_legend(same) if same else (),
             clips.pictures,
             "" if clips.extent is None else _place_words(clips),

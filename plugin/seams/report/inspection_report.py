@@ -32,7 +32,6 @@ from ..window_summary import judged_value, judged_words
 from ..words import VERDICTS, cause_sentence, cause_word, loss_legend, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, WindowSection, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
-from .profile_picture import HEIGHT, WIDTH
 from .reading_terms import reading_terms
 from .variance_table import anchor, window_rows
 
@@ -117,7 +116,6 @@ def write_report(
             sections=shown(),
             magnification=limits.JUDGED_MAGNIFICATION,
             chart_mm=CHART_MM,
-            profile_size=(WIDTH, HEIGHT),
             loss_legend=[(f"rgb{colour[:3]}", words) for words, colour in loss_legend()],
         )
     except _CancelledError:

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Union
 
 BAND_COLOURS = {"red": "#d62728", "green": "#2ca02c", "blue": "#1f77b4", "nir": "#8c564b"}
 """Of bands that are drawn together."""
@@ -45,10 +44,6 @@ DARK = ChartStyle(
     quiet="#a8b0b8",
     sources=("#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#f0e442", "#d55e00"),  # theirs that show on black
 )
-
-
-LineStyle = Union[str, tuple[int, tuple[float, ...]]]
-"""As matplotlib takes it: a word, or an offset with lengths of dashes and gaps in widths of the line."""
 
 
 def source_look(number: int, style: ChartStyle) -> tuple[str, str]:

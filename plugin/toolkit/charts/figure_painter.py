@@ -13,7 +13,6 @@ from matplotlib.font_manager import FontProperties, fontManager  # isort: skip
 from .local_ticks import set_local_ticks  # isort: skip
 
 
-TICK_PX = 10  # a tick and the gap to its label: 7 points, matplotlib's own
 ROOMY_LINES = 12  # a lower chart does without the axes' titles
 _FALLBACK_FAMILY = "DejaVu Sans"  # matplotlib brings it along
 

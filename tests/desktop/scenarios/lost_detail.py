@@ -50,7 +50,7 @@ def play(desk: Desk) -> None:
     body = dock.widget()
     bottom = dock.judge.mapTo(body, dock.judge.rect().bottomLeft()).y()
     desk.report["judge_bar_in_sight"] = bottom <= body.height()
-    placed = profile.painter_for(profile.shown)
+    placed = profile.painter()
     QTest.mouseMove(profile, QPoint(round(placed.x_of(0.6)), profile.height() // 2))
     desk.pause(0.3)
     desk.report["pointed"] = profile.pointed_bin is not None

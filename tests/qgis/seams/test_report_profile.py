@@ -9,17 +9,26 @@ from typing import Any
 import numpy as np
 import pytest
 from osgeo import gdal
+from qgis.PyQt.QtCore import QRectF
 from scipy.ndimage import gaussian_filter
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.seams.measure.inspection import Block
+from seam_inspector.plugin.seams.charts.chart_painter import paper_font
+from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, ShownProfile
+from seam_inspector.plugin.seams.measure.inspection import Block, Source
 from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
-from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.seams.measure.window_records import ProfileRecord, WindowRecord
 from seam_inspector.plugin.seams.report.inspection_report import ReportRequest, write_report
 from seam_inspector.plugin.seams.report.loss_overview import PlacedLoss, loss_overview, most_lost
-from seam_inspector.plugin.seams.report.profile_picture import HEIGHT, profile_picture
+from seam_inspector.plugin.seams.report.profile_picture import (
+    SIZE_PX,
+    ProfilePicture,
+    level_legend,
+    profile_picture,
+    shown_profile,
+)
+from seam_inspector.plugin.toolkit.charts.chart_style import PAPER
 
 from tests.numbers.synthetic import texture, write_raster
 from tests.pages import Outline, outline
@@ -43,57 +52,66 @@ def rows(level: int = 1, pixel: float = PIXEL) -> list[ProfileRecord]:
 # --- the chart -------------------------------------------------------------------------------------------------
 
 
+def painter(shown: ShownProfile | None) -> ProfilePainter:
+    """The chart in the report's size."""
+    assert shown is not None
+    return ProfilePainter(shown, QRectF(0, 0, *SIZE_PX), PAPER, paper_font(11))
+
+
+def lines(picture: ProfilePicture, colour: str) -> list[list[tuple[float, float]]]:
+    """The points of the lines of a colour."""
+    found = re.findall(f'<g [^>]*stroke="{colour}"[^>]*><polyline [^>]*points="([^"]*)"', picture.svg)
+    return [[(float(x), float(y)) for x, y in (point.split(",") for point in line.split())] for line in found]
+
+
 @pytest.mark.parametrize("known", [PIXEL, None])
 def test_the_chart_shows_what_the_table_says(qgis_app: object, known: float | None) -> None:
-    chart = profile_picture(FEATHERED, [*rows(), *rows(2)], known, 0.7)
-    assert chart is not None
-    assert [words for _, words in chart.legend] == ["level 1", "level 2", "share of the other image"]
-    shares = {words: y for y, words, _ in chart.shares}
-    (points, colour, _) = chart.lines[-1]
-    assert colour == chart.legend[0][0]
-    places = [tuple(map(float, point.split(","))) for point in points.split()]
+    table = FEATHERED, [*rows(), *rows(2)], known, 0.7
+    picture, chart = profile_picture(*table), painter(shown_profile(*table))
+    assert picture is not None
+    assert [words for _, words in picture.legend] == ["level 1", "level 2"]
+    (places,) = lines(picture, picture.legend[0][0])
     assert len(places) == 2 * len(MIDDLES)
-    left, _, right, bottom = chart.axes
-    assert places[0][0] == pytest.approx(left)
-    assert places[-1][0] == pytest.approx(right, abs=0.1)
-    assert sorted({y for _, y in places}) == pytest.approx([shares["100 %"], shares["50 %"]], abs=0.1)
+    assert places[0][0] == pytest.approx(chart.axes.left())
+    assert places[-1][0] == pytest.approx(chart.axes.right(), abs=0.1)
+    assert sorted({y for _, y in places}) == pytest.approx([chart.y_of(1), chart.y_of(0.5)], abs=0.1)
     edge = next(x for x, y in places if y == places[-1][1])  # where all is kept again: 8 px from the seam
-    ticks = {words: x for x, words in chart.distances}
+    ticks = {words: x for x, words in chart.distance_ticks()}
     assert next(x for words, x in ticks.items() if float(words) >= 1) > edge > ticks["0"]
-    assert edge == pytest.approx(left + (right - left) * math.sqrt(8 / 400), abs=0.2)
-    assert chart.limit == (pytest.approx(bottom - (bottom - shares["100 %"]) * 0.7), "limit 70 %")
-    assert bottom < HEIGHT
-    assert len(chart.intervals) == len(MIDDLES)
+    assert edge == pytest.approx(chart.axes.left() + chart.axes.width() * math.sqrt(8 / 400), abs=0.2)
+    for words in ("100 %", "50 %", "limit 70 %", "share of the other image", "distance from the seam (m)", *ticks):
+        assert f">{words}</text>" in picture.svg
+    (limit,) = lines(picture, PAPER.limit)
+    assert limit[0][1] == pytest.approx(chart.axes.bottom() - (chart.axes.bottom() - chart.y_of(1)) * 0.7, abs=0.1)
+    assert picture.svg.count("<rect") == 1 + len(MIDDLES)  # the paper and the intervals
 
 
 def test_the_mixture_is_drawn_beside_the_finest_level_alone(qgis_app: object) -> None:
-    chart, coarse = (profile_picture(FEATHERED, rows(level), PIXEL, 0.7) for level in (1, 2))
-    assert chart is not None
-    assert coarse is not None
-    shares = {words: y for y, words, _ in chart.shares}
-    places = [tuple(map(float, point.split(","))) for point in chart.mixture.split()]
-    assert places[0] == pytest.approx((chart.axes[0], shares["50 %"]), abs=0.1)
+    chart, coarse = (painter(shown_profile(FEATHERED, rows(level), PIXEL, 0.7)) for level in (1, 2))
+    places = chart.mixture
+    assert places[0] == pytest.approx((chart.axes.left(), chart.y_of(0.5)), abs=0.1)
     assert [y for _, y in places] == sorted(y for _, y in places)  # it falls with the distance
-    assert places[-1][1] == pytest.approx(shares["0 %"], abs=0.1)
-    assert places[-1][0] < chart.axes[2]  # and ends where nothing was looked for
-    assert (coarse.mixture, len(coarse.legend)) == ("", 1)
+    assert places[-1][1] == pytest.approx(chart.y_of(0), abs=0.1)
+    assert places[-1][0] < chart.axes.right()  # and ends where nothing was looked for
+    assert not coarse.mixture
 
 
 @pytest.mark.parametrize("share", [None, 0.02])
 def test_a_cut_shows_no_mixture(qgis_app: object, share: float | None) -> None:
     table = [ProfileRecord(1, PIXEL * middle, 1.0, 0.9, 1.1, share) for middle in MIDDLES]
-    chart = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
-    assert chart is not None
-    assert (chart.mixture, len(chart.legend)) == ("", 1)
+    picture = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
+    assert picture is not None
+    assert "other image" not in picture.svg
+    assert not painter(shown_profile(WindowRecord(1, None), table, PIXEL, 0.7)).mixture
 
 
 def test_words_below_the_axis_never_run_into_each_other(qgis_app: object) -> None:
     for pixel in (0.003, 0.03, 0.1, 0.25, 5.0, 0.3048):
-        chart = profile_picture(FEATHERED, rows(pixel=pixel), pixel, 0.7)
-        assert chart is not None
-        assert len(chart.distances) > 3
-        for (x, words), (after, later) in zip(chart.distances, chart.distances[1:]):
-            assert after - x > 3.2 * (len(words) + len(later))
+        chart = painter(shown_profile(FEATHERED, rows(pixel=pixel), pixel, 0.7))
+        ticks = chart.distance_ticks()
+        assert len(ticks) > 3
+        for (x, words), (after, later) in zip(ticks, ticks[1:]):
+            assert after - x > chart.metrics.horizontalAdvance(words + later) / 2 + 3
 
 
 @pytest.mark.parametrize(
@@ -106,10 +124,10 @@ def test_a_table_that_says_nothing_gives_no_chart(qgis_app: object, table: list[
 
 def test_an_interval_that_is_not_known_is_not_drawn(qgis_app: object) -> None:
     table = [ProfileRecord(1, PIXEL * middle, 0.5, math.nan, math.nan) for middle in MIDDLES]
-    chart = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
-    assert chart is not None
-    assert chart.intervals == []
-    assert "nan" not in str(chart.lines)
+    picture = profile_picture(WindowRecord(1, None), table, PIXEL, 0.7)
+    assert picture is not None
+    assert picture.svg.count("<rect") == 1  # the paper
+    assert "nan" not in picture.svg
 
 
 # --- lost detail -----------------------------------------------------------------------------------------------
@@ -185,7 +203,11 @@ def test_the_table_of_profiles_is_drawn(provider: Any, tmp_path: Path) -> None:
         assert run("report", **given, **parameters).complaint is None
         page = path.read_text(encoding="utf-8")
         outline(page)
-        assert page.count("<polyline") == 4  # three levels and the mixture
+        charts = re.findall("<svg .*?</svg>", page, flags=re.DOTALL)
+        (chart,) = (one for one in charts if "distance from the seam (m)" in one)
+        colours = [colour for colour, _ in level_legend({1, 2, 3})]
+        for colour in (*colours, PAPER.quiet):  # three levels and the mixture
+            assert f'stroke="{colour}"' in chart
         assert f"limit {65 if parameters else 70} %" in page
     other = layer("None", [None], window_id=("integer", [1]))
     assert_refused("report", "no field 'level'", **{**given, "PROFILES": other})

@@ -21,7 +21,7 @@ from ...words import LOSS_OPACITY, loss_legend, loss_rgba
 from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 if TYPE_CHECKING:
-    from ..profile.profile_panel import ProfilePanel
+    from ..charts.profile_panel import ProfilePanel
     from ..session import Session
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult

@@ -2,12 +2,9 @@
 from __future__ import annotations
 
 import csv
-import gc
 import os
 import subprocess
 import sys
-import threading
-import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -18,21 +15,23 @@ from qgis.PyQt.QtGui import QColor, QMouseEvent, QPalette
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.wavelets import Curve
-from seam_inspector.plugin.seams.charts.chart_curves import ChartCurve, share_text, significance_limit
-from seam_inspector.plugin.seams.charts.curve_chart import COMPOSITE_DASHES, curve_look, numbered
-from seam_inspector.plugin.seams.charts.window_curves import point_words
-from seam_inspector.plugin.seams.desk.curves.curves_chart import CurvesChart
-from seam_inspector.plugin.seams.desk.curves.curves_panel import CurvesPanel
+from seam_inspector.plugin.seams.charts.chart_curves import (
+    ChartCurve,
+    numbered,
+    point_words,
+    share_text,
+    share_ticks,
+    significance_limit,
+)
+from seam_inspector.plugin.seams.charts.curves_painter import COMPOSITE_DASHES, CurvesPainter, curve_look
+from seam_inspector.plugin.seams.desk.charts.curves_panel import CurvesPanel
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict, judge
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, WindowClips, WindowCurves, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.charts.chart_style import DARK, PAPER
-from seam_inspector.plugin.toolkit.desk.theme import contrast
-
-from demo.gaps import Gaps
-from tests.patience import MOST_WORK_S, PATIENCE_S
+from seam_inspector.plugin.toolkit.desk.theme import chart_style, contrast
 
 BANDS = ("luminance", "red", "green", "blue")
 
@@ -127,14 +126,6 @@ def settle(times: int = 4) -> None:
     """Let timers, drawings and paintings happen."""
     for _ in range(times):
         QApplication.processEvents()
-    end = time.monotonic() + PATIENCE_S
-    while not all(chart.is_drawn for chart in charts_in_sight()):
-        QApplication.processEvents()
-        assert time.monotonic() < end, "the chart is not drawn"
-
-
-def charts_in_sight() -> list[CurvesChart]:
-    return [widget for widget in QApplication.allWidgets() if isinstance(widget, CurvesChart) and widget.isVisible()]
 
 
 def wait_for_timer(panel: CurvesPanel) -> None:
@@ -151,7 +142,6 @@ def session(qgis_app: object) -> FakeSession:
 @pytest.fixture
 def panel(session: FakeSession) -> Iterator[CurvesPanel]:
     made = CurvesPanel(session)
-    made._loader.join()
     made.resize(420, 300)
     made.show()
     settle()
@@ -165,14 +155,33 @@ def text_of(panel: CurvesPanel) -> str:
     return panel._text.text() if panel._pages.currentWidget() is panel._text else ""
 
 
+def painter(panel: CurvesPanel) -> CurvesPainter:
+    made = panel._chart.painter()
+    assert made is not None
+    return made
+
+
 def labels(panel: CurvesPanel) -> list[str]:
-    """The curves that are drawn."""
-    return [a.get_label() for a in panel._chart.painter.artists if not a.get_label().startswith("_")]
+    """The curves that are drawn, and the limit."""
+    chart = panel._chart.chart
+    shown = [curve.label for curve in chart.curves if curve.key not in chart.hidden]
+    return [*shown, "limit"] if painter(panel).limit is not None else shown
+
+
+def seen(panel: CurvesPanel, point: tuple[int, int]) -> QColor:
+    """The chart's colour on a point of a curve."""
+    x, y = place_of(panel, point)
+    return panel._chart.grab().toImage().pixelColor(round(x), round(y))
+
+
+def place_of(panel: CurvesPanel, point: tuple[int, int]) -> tuple[float, float] | None:
+    place = painter(panel).places.get(point)
+    return None if place is None else (place.x(), place.y())
 
 
 def point_at(panel: CurvesPanel, point: tuple[int, int]) -> None:
     chart = panel._chart
-    x, y = chart.place_of(point)
+    x, y = place_of(panel, point)
     none = Qt.MouseButton.NoButton
     where = QPointF(x + 1, y + 1)
     event = QMouseEvent(QEvent.Type.MouseMove, where, none, none, Qt.KeyboardModifier.NoModifier)
@@ -223,23 +232,6 @@ def test_it_says_why_there_is_nothing_to_draw(session: FakeSession, panel: Curve
     assert panel._export.isEnabled()
 
 
-def test_it_asks_for_the_chart_s_room_before_there_is_anything_to_draw(session: FakeSession) -> None:
-    """Else those around it give it what the words need, and the chart comes without room."""
-    panel = CurvesPanel(session)
-    panel._loader.join()
-    panel.resize(420, 300)
-    panel.show()
-    panel._warmer.stop()
-    for _ in range(4):
-        QApplication.processEvents()
-    before = panel.minimumSizeHint().height()  # the layout has measured all, without the chart
-    panel._build_chart()
-    asked, least = panel.minimumSizeHint().height(), panel._chart.minimumHeight()
-    panel.close()
-    panel.deleteLater()
-    assert before < least < asked
-
-
 def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: FakeSession, panel: CurvesPanel) -> None:
     session.rows_by_fid = {
         1: WindowRecord(12, None, "reduced"), 2: WindowRecord(13, None, "not_comparable", "No source here.")
@@ -252,24 +244,10 @@ def test_a_window_of_an_earlier_session_says_how_to_see_its_curves(session: Fake
     assert text_of(panel) == "No source here."
 
 
-def test_without_matplotlib_it_says_how_to_get_it(
-    session: FakeSession, panel: CurvesPanel, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    for name in ("seams.desk.curves.curves_chart", "seams.desk.curves.curves_painter"):
-        monkeypatch.delitem(sys.modules, f"seam_inspector.plugin.{name}", raising=False)
-    monkeypatch.setitem(sys.modules, "matplotlib.backends.backend_agg", None)
-    select_one(session)
-    assert "python3-matplotlib" in text_of(panel)
-    monkeypatch.undo()
-    session.select([1])
-    settle()
-    assert text_of(panel) == ""
-
-
-def test_matplotlib_is_loaded_with_the_first_chart_only(repository: Path) -> None:
+def test_it_needs_no_matplotlib(repository: Path) -> None:
     code = (
         "import sys, qgis.core, qgis.gui; qgis_has = set(sys.modules); "  # newer ones bring numpy
-        "import seam_inspector.plugin.seams.desk.curves.curves_panel; "
+        "import seam_inspector.plugin.seams.desk.charts.curves_panel; "
         "print([m for m in ('matplotlib', 'numpy', 'pywt') if m in sys.modules and m not in qgis_has])"
     )
     environment = {**os.environ, "PYTHONPATH": str(repository / "build" / "plugins")}
@@ -283,17 +261,18 @@ def test_matplotlib_is_loaded_with_the_first_chart_only(repository: Path) -> Non
 def test_one_window_shows_mosaic_sources_and_limit(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
     assert labels(panel) == [
-        "significant loss below",
-        "ortho_2024_flight_0412_0031.tif",
-        "ortho_2024_flight_0412_0032.tif",
-        "mosaic.tif",
+        "mosaic.tif", "ortho_2024_flight_0412_0031.tif", "ortho_2024_flight_0412_0032.tif", "limit",
     ]
-    lines = {artist.get_label(): artist for artist in panel._chart.painter.artists}
-    assert list(lines["mosaic.tif"].get_ydata()) == pytest.approx([0.016, 0.0452, 0.086, 0.8528])
-    assert lines["mosaic.tif"].get_linewidth() > 2 * lines["ortho_2024_flight_0412_0031.tif"].get_linewidth()
-    assert lines["significant loss below"].get_ydata()[0] == pytest.approx(0.5 * 0.039)
-    ticks = [label.get_text().strip() for label in panel._chart.painter.axes.get_xticklabels()]
-    assert ticks == ["1", "2", "3", "background"]
+    assert panel._chart.chart.curves[0].values == pytest.approx([0.016, 0.0452, 0.086, 0.8528])
+    placed = painter(panel)
+    for component, share in enumerate((0.016, 0.0452, 0.086, 0.8528)):
+        place = placed.places[0, component]
+        assert (place.x(), place.y()) == pytest.approx((placed.x_of(component), placed.y_of(share)))
+        assert seen(panel, (0, component)) == QColor(chart_style(panel._chart).text)
+    assert placed.limit == pytest.approx(0.5 * 0.039)
+    picture = panel._chart.grab().toImage()
+    x, y = round(placed.x_of(-0.2)), round(placed.y_of(placed.limit))
+    assert QColor(PAPER.limit) in [picture.pixelColor(x, y + away) for away in (-1, 0, 1)]
     assert panel._status.text() == "Window 12"
 
 
@@ -302,21 +281,18 @@ def test_the_limit_follows_the_inputs(session: FakeSession, panel: CurvesPanel) 
     session.inputs.max_ratio = 0.8
     session.inputsChanged.emit()
     settle()
-    limit = next(a for a in panel._chart.painter.artists if a.get_label() == "significant loss below")
-    assert limit.get_ydata()[0] == pytest.approx(0.8 * 0.039)
+    assert painter(panel).limit == pytest.approx(0.8 * 0.039)
 
 
-def test_values_under_the_mouse_without_drawing_the_chart_again(session: FakeSession, panel: CurvesPanel) -> None:
+def test_values_under_the_mouse(session: FakeSession, panel: CurvesPanel) -> None:
     panel.resize(900, 300)
     select_one(session)
-    drawn = panel._chart.painter.frames_drawn, panel._chart.painter.curves_drawn
     point_at(panel, (0, 0))
     assert panel._status.text() == "mosaic.tif, level 1: 0.0160 (41 % of the least sharp source)"
     point_at(panel, (1, 0))
     assert panel._status.text() == "ortho_2024_flight_0412_0031.tif, level 1: 0.0390 (mosaic: 41 % of it)"
     point_at(panel, (0, 3))
     assert panel._status.text().startswith("mosaic.tif, background: 0.853 (")
-    assert (panel._chart.painter.frames_drawn, panel._chart.painter.curves_drawn) == drawn
     QApplication.sendEvent(panel._chart, QEvent(QEvent.Type.Leave))
     assert panel._status.text() == "Window 12"
 
@@ -336,10 +312,9 @@ def test_a_hidden_raster_stays_hidden_by_its_name(session: FakeSession, panel: C
     panel._legend.itemClicked.emit(panel._legend.item(1))
     settle()
     assert name not in labels(panel)
-    assert panel._chart.place_of((1, 0)) is None
+    assert place_of(panel, (1, 0)) is None
     assert ink(panel, 1) < 0.8 * ink(panel, 2)
-    limit = next(a for a in panel._chart.painter.artists if a.get_label() == "significant loss below")
-    assert limit.get_ydata()[0] == pytest.approx(0.5 * 0.039)  # what is hidden still counts
+    assert painter(panel).limit == pytest.approx(0.5 * 0.039)  # what is hidden still counts
 
     session.add(2, make_result(13, level_1=0.02))
     session.select([2])
@@ -354,7 +329,7 @@ def test_only_one_source_and_all_again(session: FakeSession, panel: CurvesPanel)
     select_one(session, make_result(sources=4))
     panel._legend.soloed.emit(panel._chart.chart.curves[2].key)
     settle()
-    assert labels(panel)[1:] == ["ortho_2024_flight_0412_0032.tif", "mosaic.tif"]
+    assert labels(panel) == ["mosaic.tif", "ortho_2024_flight_0412_0032.tif", "limit"]
     panel._legend.soloed.emit(None)
     settle()
     assert len(labels(panel)) == 6
@@ -372,11 +347,12 @@ def test_the_limit_in_the_legend_cannot_be_hidden(session: FakeSession, panel: C
 def test_a_source_keeps_its_colour_from_window_to_window(session: FakeSession, panel: CurvesPanel) -> None:
     whole = make_result(sources=3)
     select_one(session, whole)
-    colour = next(a.get_color() for a in panel._chart.painter.artists if a.get_label().endswith("0033.tif"))
+    colour = seen(panel, (3, 1))
+    assert colour == QColor(PAPER.sources[2])
     session.add(2, replace(whole, window_id=13, clips=(whole.clips[0], whole.clips[3])))
     session.select([2])
     settle()
-    assert next(a.get_color() for a in panel._chart.painter.artists if a.get_label().endswith("0033.tif")) == colour
+    assert seen(panel, (1, 1)) == colour
 
 
 def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, panel: CurvesPanel) -> None:
@@ -400,11 +376,13 @@ def test_the_band_is_kept_while_there_is_one_of_that_name(session: FakeSession, 
 
 def test_linear_or_logarithmic(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
-    assert panel._chart.painter.axes.get_yscale() == "log"
+    placed = painter(panel)
+    assert placed.y_of(0.1) - placed.y_of(1) == pytest.approx(placed.y_of(0.02) - placed.y_of(0.2))
     panel._logarithmic.setChecked(False)
     settle()
-    assert panel._chart.painter.axes.get_yscale() == "linear"
-    assert panel._chart.painter.axes.get_ylim()[0] == 0
+    placed = painter(panel)
+    assert placed.y_of(0.1) - placed.y_of(0.2) == pytest.approx(placed.y_of(0.7) - placed.y_of(0.8))
+    assert placed.low == 0
 
 
 def test_several_windows_show_mean_and_range(session: FakeSession, panel: CurvesPanel) -> None:
@@ -418,7 +396,7 @@ def test_several_windows_show_mean_and_range(session: FakeSession, panel: Curves
     assert mosaic.detail[0] == pytest.approx(0.03)
     assert mosaic.spread[0] == pytest.approx((0.01, 0.06))
     assert sources.spread[0] == pytest.approx((0.039, 0.042))
-    assert labels(panel) == ["sources (mean)", "mosaic (mean)"]  # each window would have a limit of its own
+    assert labels(panel) == ["mosaic (mean)", "sources (mean)"]  # each window would have a limit of its own
     assert panel._status.text() == "3 of the 4 selected windows: mean and range"
     point_at(panel, (0, 0))
     assert panel._status.text() == "mosaic (mean), level 1: 0.0300 (range 0.0100 to 0.0600)"
@@ -434,9 +412,9 @@ def test_constant_clips_and_sources_without_detail_are_drawn_as_far_as_they_go(
         ClipResult("smooth.tif", "source", dict.fromkeys(BANDS, Curve((0.0, 0.0, 0.1), 0.9, 5.0))),
     )
     select_one(session, replace(result, clips=(*result.clips, *odd)))
-    assert panel._chart.place_of((3, 0)) is None
-    assert panel._chart.place_of((4, 0)) is None
-    assert panel._chart.place_of((4, 2)) is not None
+    assert place_of(panel, (3, 0)) is None
+    assert place_of(panel, (4, 0)) is None
+    assert place_of(panel, (4, 2)) is not None
     panel._logarithmic.setChecked(False)
     settle()
     point_at(panel, (4, 0))
@@ -449,27 +427,29 @@ def test_constant_clips_and_sources_without_detail_are_drawn_as_far_as_they_go(
 def test_it_draws_only_what_has_changed(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
     settle(8)
-    chart = panel._chart.painter
-    drawn = chart.frames_drawn, chart.curves_drawn
+    shown: list[object] = []
+    panel._chart.pointed.connect(shown.append)  # nobody points at a new chart
     session.windowsChanged.emit()
     session.inputsChanged.emit()
     session.selectionChanged.emit()
     session.add(99, make_result(99))  # not selected
     wait_for_timer(panel)
-    assert (chart.frames_drawn, chart.curves_drawn) == drawn
+    assert shown == []
+    axes = painter(panel).axes
     session.add(1, make_result(level_1=0.017))
     settle()
-    assert (chart.frames_drawn, chart.curves_drawn) == (drawn[0], drawn[1] + 1)  # the axes are as they were
+    assert shown == [None]
+    assert painter(panel).axes == axes
 
 
 def test_out_of_sight_nothing_is_drawn(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
     settle(8)
     panel.hide()
-    drawn = panel._chart.painter.curves_drawn
+    before = panel._chart.chart
     session.add(1, make_result(level_1=0.03))
     settle()
-    assert panel._chart.painter.curves_drawn == drawn
+    assert panel._chart.chart is before
     panel.show()
     settle()
     assert panel._chart.chart.curves[0].detail[0] == 0.03
@@ -487,23 +467,6 @@ def test_it_can_be_deleted_while_the_session_goes_on(session: FakeSession) -> No
     settle()
 
 
-def test_its_thread_ends_with_it(session: FakeSession) -> None:
-    panel = CurvesPanel(session)
-    panel._loader.join()
-    panel.show()
-    select_one(session)
-    threads = [thread for thread in threading.enumerate() if thread.name.startswith("seam-inspector-chart")]
-    assert threads
-    panel.close()
-    panel.deleteLater()
-    del panel
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    gc.collect()
-    for thread in threads:
-        thread.join(PATIENCE_S)
-    assert not any(thread.is_alive() for thread in threads)
-
-
 def test_the_curve_under_the_mouse_stands_out(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
     plain = panel._chart.grab().toImage()
@@ -514,26 +477,15 @@ def test_the_curve_under_the_mouse_stands_out(session: FakeSession, panel: Curve
     assert panel._chart.grab().toImage() == plain
 
 
-def test_the_interface_goes_on_while_a_chart_is_drawn(session: FakeSession, panel: CurvesPanel) -> None:
-    session.add(1, make_result())
-    session.select([1])
-    with Gaps() as gaps:
-        end = time.monotonic() + PATIENCE_S
-        while not (panel._chart and panel._chart.is_drawn) and time.monotonic() < end:
-            QApplication.processEvents()
-    assert panel._chart.is_drawn
-    assert gaps.longest_work_s <= MOST_WORK_S
-
-
 def test_it_takes_its_colours_from_the_palette(session: FakeSession, panel: CurvesPanel) -> None:
     select_one(session)
-    assert panel._chart.painter.artists[2].get_color() == PAPER.sources[0]
+    assert seen(panel, (2, 1)) == QColor(PAPER.sources[1])
     dark = QPalette(panel.palette())
     dark.setColor(QPalette.ColorRole.Base, QColor("#232629"))
     dark.setColor(QPalette.ColorRole.Text, QColor("#eff0f1"))
     panel.setPalette(dark)
     settle(8)
-    assert panel._chart.painter.artists[2].get_color() == DARK.sources[0]
+    assert seen(panel, (2, 1)) == QColor(DARK.sources[1])
     image = panel._chart.grab().toImage()
     assert image.pixelColor(1, 1).name() == "#232629"
 
@@ -543,11 +495,11 @@ def test_at_any_size_the_axes_are_inside(session: FakeSession, panel: CurvesPane
     for width, height in ((420, 240), (300, 200), (1600, 240), (420, 900)):
         panel.resize(width, height)
         settle()
-        box = panel._chart.painter.axes.get_window_extent()
-        assert box.width > 60
-        assert box.height > 40
-        last = panel._chart.painter.axes.get_xticklabels()[-1].get_window_extent()
-        assert last.x1 <= panel._chart.width() * panel._chart.devicePixelRatioF()
+        placed = painter(panel)
+        assert placed.axes.width() > 60
+        assert placed.axes.height() > 40
+        last = placed.x_of(3) + placed.metrics.horizontalAdvance("background") / 2
+        assert last <= panel._chart.width()
 
 
 @pytest.mark.parametrize(("width", "beside"), [(420, False), (1000, True)])
@@ -637,6 +589,20 @@ def test_the_clipboard_gets_picture_and_values(session: FakeSession, panel: Curv
 
 
 @pytest.mark.parametrize(
+    ("low", "high", "logarithmic", "room", "ticks"),
+    [
+        (0.01, 1.25, True, 20, [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1]), (0.01, 1.25, True, 7, [0.01, 0.03, 0.1, 0.3, 1]),
+        (0.01, 1.25, True, 5, [0.01, 0.1, 1]), (1e-6, 1.25, True, 2, [1e-5, 0.01]),
+        (0, 0.945, False, 20, [0, 0.2, 0.4, 0.6, 0.8]), (0, 0.105, False, 20, [0, 0.02, 0.04, 0.06, 0.08, 0.1]),
+    ],
+)  # fmt: skip
+def test_ticks_are_round_and_no_more_than_there_is_room_for(
+    low: float, high: float, logarithmic: bool, room: float, ticks: list[float]
+) -> None:
+    assert share_ticks(low, high, logarithmic, room) == pytest.approx(ticks)
+
+
+@pytest.mark.parametrize(
     ("share", "text"),
     [(0.016, "0.0160"), (0.412, "0.412"), (0.000521, "0.000521"), (1.0, "1.00"), (0.0, "0"), (float("nan"), "nan")],
 )
@@ -672,6 +638,6 @@ def test_the_composite_is_dashed_in_the_colour_of_words() -> None:
         ChartCurve("c", False, (0.2,), 0.8, is_composite=True),
     ]  # fmt: skip
     looks = [curve_look(curve, number, PAPER) for number, curve in numbered(curves)]
-    assert looks[0] == (PAPER.text, "-")
+    assert looks[0] == (PAPER.text, Qt.PenStyle.SolidLine)
     assert [look[0] for look in looks[1:3]] == list(PAPER.sources[:2])
     assert looks[3] == (PAPER.text, COMPOSITE_DASHES)

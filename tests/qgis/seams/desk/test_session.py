@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 from qgis.core import QgsApplication, QgsVectorLayer
 from qgis.PyQt.QtCore import QEventLoop
-from seam_inspector.plugin.seams.desk.curves.curves_selection import selected_windows
+from seam_inspector.plugin.seams.desk.charts.curves_panel import selected_windows
 from seam_inspector.plugin.seams.desk.judge_bar import JudgeBar
 from seam_inspector.plugin.seams.desk.judging import Judging
 

@@ -12,10 +12,10 @@ from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.desk.profile.profile_chart import ProfileChart
-from seam_inspector.plugin.seams.desk.profile.profile_export import COLUMNS, table_text
-from seam_inspector.plugin.seams.desk.profile.profile_painter import bin_words, level_colour, summary_words
-from seam_inspector.plugin.seams.desk.profile.profile_panel import ProfilePanel
+from seam_inspector.plugin.seams.charts.profile_painter import bin_words, level_colour, summary_words
+from seam_inspector.plugin.seams.desk.charts.chart_export import PROFILE_COLUMNS, csv_text, profile_table
+from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
+from seam_inspector.plugin.seams.desk.charts.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.live_window import LiveWindow
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
@@ -44,7 +44,7 @@ def panel(session: ProfileSession) -> Iterator[ProfilePanel]:
 
 
 def chart_pixel(chart: ProfileChart, distance_m: float, kept: float) -> QColor:
-    placed = chart.painter_for(chart.shown)
+    placed = chart.painter()
     return chart.grab().toImage().pixelColor(round(placed.x_of(distance_m)), round(placed.y_of(kept)))
 
 
@@ -55,7 +55,7 @@ def near(one: QColor, other: QColor) -> bool:
 def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(panel: ProfilePanel) -> None:
     chart = panel.chart
     style = chart_style(chart)
-    line, limit, back = level_colour(1, style), QColor(style.limit), QColor(style.background)
+    line, limit, back = QColor(level_colour(1, style)), QColor(style.limit), QColor(style.background)
     assert near(chart_pixel(chart, 4 * PIXEL, 0.5), line)
     assert near(chart_pixel(chart, 12 * PIXEL, 0.8), line)
     assert near(chart_pixel(chart, 200 * PIXEL, 1.0), line)
@@ -63,7 +63,7 @@ def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(pan
     assert not near(inside, line)
     assert inside != back
     assert outside == back
-    placed = chart.painter_for(chart.shown)
+    placed = chart.painter()
     row = [chart.grab().toImage().pixelColor(x, round(placed.y_of(0.7))) for x in range(300, 340)]
     assert any(near(colour, limit) for colour in row)  # dashed
 
@@ -74,7 +74,7 @@ def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -
     panel.show_profile(mixed, PIXEL, 0.7)
     shown = panel.chart.shown
     assert shown is not None
-    placed = panel.chart.painter_for(shown)
+    placed = panel.chart.painter()
     points = placed.mixture
     assert points[0] == pytest.approx((placed.axes.left(), placed.y_of(0.4)))
     assert [y for _, y in points[1:]] == pytest.approx([placed.y_of(0.4), placed.y_of(0.1), placed.y_of(0.1)])
@@ -83,12 +83,14 @@ def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -
     drawn = panel.chart.grab().toImage()
     panel.show_profile(PROFILE, PIXEL, 0.7)
     assert panel.chart.grab().toImage() != drawn
-    assert not panel.chart.painter_for(replace(shown, levels=frozenset({2}))).mixture
-    assert not panel.chart.painter_for(replace(shown, profile=PROFILE)).mixture
+    assert not panel.chart.painter().mixture
+    panel.show_profile(mixed, PIXEL, 0.7)
+    panel.chart.show_levels(frozenset({2}))
+    assert not panel.chart.painter().mixture
 
 
 def test_distance_and_place_are_each_others_inverse(panel: ProfilePanel) -> None:
-    placed = panel.chart.painter_for(panel.chart.shown)
+    placed = panel.chart.painter()
     for distance in (0.0, 0.3, 1.0, 7.7, 25.0):
         assert placed.distance_at(placed.x_of(distance)) == pytest.approx(distance, abs=1e-6)
 
@@ -96,7 +98,7 @@ def test_distance_and_place_are_each_others_inverse(panel: ProfilePanel) -> None
 def test_the_mouse_points_at_a_bin_and_its_words_are_said(panel: ProfilePanel) -> None:
     told: list[object] = []
     panel.pointed.connect(told.append)
-    placed = panel.chart.painter_for(panel.chart.shown)
+    placed = panel.chart.painter()
     QTest.mouseMove(panel.chart, QPoint(round(placed.x_of(12 * PIXEL)), 60))
     settle()
     assert told == [PROFILE.bins[1]]
@@ -120,7 +122,7 @@ def test_the_maps_distance_is_marked(panel: ProfilePanel) -> None:
 
 
 def test_levels_can_be_chosen(panel: ProfilePanel) -> None:
-    second = level_colour(2, chart_style(panel.chart))
+    second = QColor(level_colour(2, chart_style(panel.chart)))
     assert not near(chart_pixel(panel.chart, 6 * PIXEL, 0.7), second)
     panel._levels[1].click()
     assert near(chart_pixel(panel.chart, 6 * PIXEL, 0.69), second) or near(
@@ -206,8 +208,8 @@ def test_while_a_window_is_moved_its_own_profile_is_shown(panel: ProfilePanel, s
 def test_the_table_and_the_picture_leave_it(
     panel: ProfilePanel, session: ProfileSession, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    rows = list(csv.DictReader(table_text(session.results[1], ",").splitlines()))
-    assert list(rows[0]) == list(COLUMNS)
+    rows = list(csv.DictReader(csv_text(profile_table(session.results[1])).splitlines()))
+    assert list(rows[0]) == list(PROFILE_COLUMNS)
     assert [(float(row["from"]), row["to"], float(row["kept"])) for row in rows] == [
         (0, "0.8", 0.5), (0.8, "1.6", 0.8), (6.4, "", 1.0), (0, "1.6", 0.7),
     ]  # fmt: skip

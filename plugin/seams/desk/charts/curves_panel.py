@@ -1,40 +1,44 @@
 """The tab with the curves of the selected windows."""
 from __future__ import annotations
 
-from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import Qt
-from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
+from qgis.PyQt.QtGui import QResizeEvent
 from qgis.PyQt.QtWidgets import QComboBox, QHBoxLayout, QSplitter, QToolButton, QWidget
 
-from ....toolkit.charts.chart_loader import chart_missing
-from ....toolkit.desk.chart_panel import MatplotlibPanel
+from ....toolkit.desk.chart_panel import ChartPanel
+from ....toolkit.desk.theme import chart_style
 from ....toolkit.desk.widgets import ClippedLabel, plain_tip, single_shot
-from ....toolkit.translation import BAND_ORDER, band_title, tr
-from ...charts.chart_curves import ChartCurve, significance_limit
-from ...charts.window_curves import bands_of, mean_curves, point_words, window_curves
-from .curves_export import CurvesExport
-from .curves_selection import live_title, selected_windows, title
+from ....toolkit.translation import BAND_ORDER, band_title, filled, sentence, tr
+from ...charts.chart_curves import (
+    Chart,
+    ChartCurve,
+    Key,
+    bands_of,
+    mean_curves,
+    point_words,
+    significance_limit,
+    window_curves,
+)
+from .chart_export import CurvesExport
+from .chart_widgets import CurvesChart
+from .curves_legend import CurvesLegend
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from ...measure.live_window import LiveWindow
     from ...measure.window.window_result import WindowCurves
     from ..session import Session
-    from .curves_chart import CurvesChart
-    from .curves_legend import CurvesLegend
-
-    Key = tuple[bool, str]
 
 _TOGETHER_MS = 150  # results of many selected windows that come within this time are drawn once
-_WARM_UP_MS = 500  # after the panel came into sight the chart is made, before the first curves are waited for
 _PATIENCE_MS = 400  # that a chart of another window stays as it is while the next one is measured
 _WIDE_CHARACTERS = 85  # a panel narrower than that has the legend below the chart
 _MAX_LEGEND_SHARE = 0.3  # of the panel, until the user moves the border
 
 
-class CurvesPanel(MatplotlibPanel):
+class CurvesPanel(ChartPanel):
     """Curves of one window, or mean and range of several; words where there is nothing to draw."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
@@ -44,13 +48,10 @@ class CurvesPanel(MatplotlibPanel):
         self._colours: dict[str, int] = {}
         self._band = ""  # the user's choice, kept while other windows lack it
         self._idle_text = ""
-        self._chart: CurvesChart | None = None
-        self._legend: CurvesLegend | None = None
         self.shown: Sequence[WindowCurves] = ()
         """What the chart is asked to draw."""
         self._legend_width = 0
         self._border_moved = False
-        self._warmer = single_shot(self, self._warm_up, _WARM_UP_MS)
         self._dimmer = single_shot(self, self._dim, _PATIENCE_MS)
         self._build()
         session.selectionChanged.connect(self._refresh_now)
@@ -81,6 +82,16 @@ class CurvesPanel(MatplotlibPanel):
         self._splitter = QSplitter(Qt.Orientation.Horizontal)
         self._splitter.setChildrenCollapsible(False)
         self._splitter.splitterMoved.connect(self._on_border_moved)
+        self._chart = CurvesChart()
+        self._chart.pointed.connect(self._on_pointed)
+        self._legend = CurvesLegend()
+        self._legend.toggled.connect(self._on_toggled)
+        self._legend.soloed.connect(self._on_soloed)
+        self._legend.entered.connect(self._chart.mark)
+        self._splitter.addWidget(self._chart)
+        self._splitter.addWidget(self._legend)
+        self._splitter.setStretchFactor(0, 1)
+        self._splitter.setStretchFactor(1, 0)
         self._pages.addWidget(self._splitter)
         self._status = ClippedLabel(1)
         self._status.setContentsMargins(*[self.fontMetrics().height() // 6] * 4)
@@ -90,37 +101,7 @@ class CurvesPanel(MatplotlibPanel):
         tools.addStretch()
         tools.addWidget(self._export)
         self._lay_out(tools, self._status)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        if self._chart is None:
-            self._warmer.start()
-
-    def _warm_up(self) -> None:
-        if self._loader.is_alive():
-            self._warmer.start()
-        elif self._chart is None:
-            with suppress(ImportError):  # said when there is something to draw
-                self._build_chart()
-
-    def _build_chart(self) -> None:
-        """Put the chart in its place."""
-        from .curves_chart import CurvesChart
-        from .curves_legend import CurvesLegend
-
-        self._chart = CurvesChart(self._splitter)
-        self._legend = CurvesLegend(self._splitter)
-        self._splitter.addWidget(self._chart)
-        self._splitter.addWidget(self._legend)
-        self._splitter.setStretchFactor(0, 1)
-        self._splitter.setStretchFactor(1, 0)
-        self._fit_legend()
-        self._pages.updateGeometry()  # Qt tells nobody what a page out of sight needs
         self.setTabOrder(self._export, self._legend)
-        self._chart.pointed.connect(self._on_pointed)
-        self._legend.toggled.connect(self._on_toggled)
-        self._legend.soloed.connect(self._on_soloed)
-        self._legend.entered.connect(self._chart.mark)
 
     # when to draw
 
@@ -156,22 +137,12 @@ class CurvesPanel(MatplotlibPanel):
             else:
                 self._show_text(missing)
             return
-        if self._chart is None and self._loader.is_alive():
-            self._refresh_soon()
-            return
         if live is None:
             self._fill_bands(bands_of(results))
-        try:
-            if self._chart is None:
-                self._build_chart()
-        except ImportError:
-            self._show_text(chart_missing())
-            return
-        if live is None:
-            self._idle_text = title(self._session, results)
+            self._idle_text = _title(self._session, results)
             self._draw(results, self._curves(results, self._bands.currentData()))
         else:
-            self._idle_text = live_title(live)
+            self._idle_text = _live_title(live)
             self._draw(results, self._curves(results, next(iter(live.clips.clips[0].curves))))
 
     @property
@@ -187,7 +158,7 @@ class CurvesPanel(MatplotlibPanel):
         self._show_point()
 
     def _dim(self) -> None:
-        if self._chart is not None and not self.shown:
+        if not self.shown:
             self._chart.setEnabled(False)
 
     def _fill_bands(self, names: list[str]) -> None:
@@ -205,12 +176,7 @@ class CurvesPanel(MatplotlibPanel):
         return tuple(window_curves(results[0], band, self._colours, self._session.inputs.reference))
 
     def _draw(self, results: list[WindowCurves], curves: tuple[ChartCurve, ...]) -> None:
-        from ....toolkit.desk.theme import chart_style
         from ...measure.window.window_result import WindowResult
-        from .curves_painter import Chart
-
-        assert self._chart is not None
-        assert self._legend is not None
         hidden = frozenset(self._hidden & {curve.key for curve in curves})
         chart = Chart(curves, self._session.inputs.max_ratio, self._logarithmic.isChecked(), hidden)
         style = chart_style(self._legend)  # one sheet with it
@@ -220,7 +186,7 @@ class CurvesPanel(MatplotlibPanel):
         self._fit_legend()
         self._dimmer.stop()
         self._chart.setEnabled(True)
-        self._chart.show_chart(chart, style)
+        self._chart.show_chart(chart)
         self.shown = results
         complete = [result for result in results if isinstance(result, WindowResult)]
         self._export.offer(complete, chart, self._idle_text, self._bands.currentData())
@@ -239,8 +205,6 @@ class CurvesPanel(MatplotlibPanel):
 
         As wide as the longest name so far, so that the axes seldom move from window to window.
         """
-        if self._legend is None:
-            return
         is_wide = self.width() > _WIDE_CHARACTERS * self.fontMetrics().averageCharWidth()
         orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
         if orientation != self._splitter.orientation():
@@ -271,22 +235,22 @@ class CurvesPanel(MatplotlibPanel):
         self._refresh_now()
 
     def _on_soloed(self, key: Key | None) -> None:
-        chart = self._chart.chart if self._chart else None
+        chart = self._chart.chart
         self._hidden.clear()
         if key is not None and chart is not None:
             self._hidden |= {curve.key for curve in chart.curves if not curve.is_mosaic and curve.key != key}
         self._refresh_now()
 
     def _on_pointed(self, point: tuple[int, int] | None) -> None:
-        chart = self._chart.chart if self._chart else None
-        if self._legend is not None and chart is not None:
+        chart = self._chart.chart
+        if chart is not None:
             self._legend.mark(chart.curves[point[0]].key if point else None)
         self._show_point()
 
     def _show_point(self) -> None:
         """The values under the mouse, the name elided where there is no room for it, but never the values."""
-        chart = self._chart.chart if self._chart else None
-        point = self._chart.point if self._chart else None
+        chart = self._chart.chart
+        point = self._chart.point
         if chart is None or point is None or self._pages.currentWidget() is not self._splitter:
             self._status.setText(self._idle_text)
             return
@@ -296,3 +260,52 @@ class CurvesPanel(MatplotlibPanel):
         room = max(width - metrics.horizontalAdvance(words + " "), metrics.horizontalAdvance("0" * 7))
         self._status.setText(metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, room) + words)
         self._status.setToolTip(plain_tip(name + words))
+
+
+def selected_windows(session: Session) -> tuple[list[WindowCurves], str]:
+    """What there is of the selected windows that can be compared; without any, why not."""
+    selected = session.selected()
+    found = [result for result in map(session.clips, selected) if result is not None]
+    usable = [result for result in found if result.is_compared and result.clips]
+    return usable, "" if usable else _why_nothing(session, selected)
+
+
+def _title(session: Session, results: Sequence[WindowCurves]) -> str:
+    """Which windows are drawn."""
+    selected = session.selected()
+    if len(results) > 1 and len(results) < len(selected):
+        template = tr("{count} of the {selected} selected windows: mean and range")
+        return filled(template, count=len(results), selected=len(selected))
+    if len(results) > 1:
+        return filled(tr("{count} windows: mean and range"), count=len(results))
+    text = filled(tr("Window {number}"), number=results[0].window_id)
+    row = session.row(selected[0]) if len(selected) == 1 else None
+    if row is not None and row.stale:
+        text += tr(", out of date: inspect it again")
+    return text
+
+
+def _live_title(live: LiveWindow) -> str:
+    """Which window is drawn while it is being moved."""
+    template = tr("Live, {band}: {columns} x {rows} px under the mouse")
+    band = band_title(next(iter(live.clips.clips[0].curves)))
+    return filled(template, band=band, columns=live.window.width, rows=live.window.height)
+
+
+def _why_nothing(session: Session, selected: Sequence[int]) -> str:
+    if not selected:
+        return tr("Select a window in the table or on the map, or draw one.")
+    found = [result for result in map(session.result, selected) if result is not None]
+    if found and len(selected) > 1:
+        return tr("None of the selected windows can be compared.")
+    if found:
+        reason = found[0].judgement.reason
+        return sentence(reason) if reason else tr("This window can't be compared.")
+    if any(map(session.is_pending, selected)):
+        return tr("Measuring ...")
+    rows = [row for row in map(session.row, selected) if row is not None]
+    if len(rows) == 1 and rows[0].verdict and not rows[0].is_compared and rows[0].reason and not rows[0].stale:
+        return rows[0].reason
+    if any(row.verdict for row in rows):
+        return tr("The curves are not kept with the project. Inspect again to see them.")
+    return tr("Not inspected yet")

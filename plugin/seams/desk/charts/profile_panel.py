@@ -4,16 +4,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import Qt, pyqtSignal
-from qgis.PyQt.QtGui import QIcon, QPixmap, QResizeEvent
+from qgis.PyQt.QtGui import QColor, QIcon, QPixmap, QResizeEvent
 from qgis.PyQt.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
 from ....toolkit.desk.chart_panel import ChartPanel
 from ....toolkit.desk.theme import chart_style
 from ....toolkit.desk.widgets import ClippedLabel
 from ....toolkit.translation import filled, sentence, tr
-from .profile_chart import ProfileChart
-from .profile_export import ProfileExport
-from .profile_painter import bin_words, level_colour, summary_words
+from ...charts.profile_painter import bin_words, level_colour, summary_words
+from .chart_export import ProfileExport
+from .chart_widgets import ProfileChart
 
 if TYPE_CHECKING:
     from ...measure.profile.seam_profile import ProfileBin, SeamProfile
@@ -130,7 +130,7 @@ class ProfilePanel(ChartPanel):
         style, side = chart_style(self), self.fontMetrics().ascent()
         for level, button in enumerate(self._levels, 1):
             swatch = QPixmap(side, max(side // 4, 3))
-            swatch.fill(level_colour(level, style))
+            swatch.fill(QColor(level_colour(level, style)))
             button.setIcon(QIcon(swatch))
 
     def _choose_levels(self) -> None:

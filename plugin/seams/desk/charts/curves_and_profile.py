@@ -8,7 +8,7 @@ from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QScrollArea, QSplitter, QVBoxLayout, QWidget
 
 from ....toolkit.desk.widgets import single_shot
-from ..curves.curves_panel import CurvesPanel
+from ..charts.curves_panel import CurvesPanel
 from .profile_panel import ProfilePanel
 
 if TYPE_CHECKING:

@@ -3,8 +3,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from qgis.PyQt.QtCore import QEvent, QModelIndex, QPoint, QPointF, QSize, Qt, pyqtSignal
-from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPainter, QPalette, QPen, QPixmap, QResizeEvent
+from qgis.PyQt.QtCore import QEvent, QModelIndex, QPoint, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QIcon, QKeyEvent, QPainter, QPalette, QPixmap, QResizeEvent
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -17,19 +17,13 @@ from qgis.PyQt.QtWidgets import (
     QWidget,
 )
 
-from ....toolkit.charts.chart_style import ChartStyle, LineStyle
+from ....toolkit.charts.chart_style import ChartStyle
 from ....toolkit.desk.theme import ReadableItems, blended, plain_icon
 from ....toolkit.desk.widgets import plain_tip
 from ....toolkit.translation import tr
-from ...charts.chart_curves import ChartCurve
-from ...charts.curve_chart import curve_look, numbered
+from ...charts.chart_curves import ChartCurve, Key, numbered
+from ...charts.curves_painter import PenStyle, curve_look, paint_piece
 
-_PENS = {
-    "-": Qt.PenStyle.SolidLine,
-    "--": Qt.PenStyle.DashLine,
-    ":": Qt.PenStyle.DotLine,
-    "-.": Qt.PenStyle.DashDotLine,
-}
 _KEY = Qt.ItemDataRole.UserRole
 _IS_HIDDEN = _KEY + 1
 _HIDDEN_SHARE = 0.55  # of the text's colour: fainter, and still to be read
@@ -119,7 +113,7 @@ class CurvesLegend(QListWidget):
         return text + self.iconSize().width() + metrics.height()
 
     def show_curves(
-        self, curves: Sequence[ChartCurve], hidden: Collection[tuple[bool, str]], style: ChartStyle, has_limit: bool
+        self, curves: Sequence[ChartCurve], hidden: Collection[Key], style: ChartStyle, has_limit: bool
     ) -> None:
         """Fill the list; ``hidden`` holds the keys of those to grey."""
         shown = (tuple(curves), frozenset(hidden), style, has_limit, self.font().key())
@@ -143,10 +137,10 @@ class CurvesLegend(QListWidget):
         for row, (number, curve) in enumerate(numbered(curves)):
             self._look(self.item(row), curve, number, curve.key in hidden, style)
         if has_limit:
-            self.item(len(curves)).setIcon(self._piece(QColor(style.limit), "-", 0.15, 0))
+            self.item(len(curves)).setIcon(self._piece(QColor(style.limit), Qt.PenStyle.SolidLine, 0.15, 0))
         self.updateGeometry()
 
-    def mark(self, key: tuple[bool, str] | None) -> None:
+    def mark(self, key: Key | None) -> None:
         """Underline the entry of the curve that the mouse points at in the chart."""
         for row in range(self.count()):
             item = self.item(row)
@@ -180,26 +174,14 @@ class CurvesLegend(QListWidget):
             label = tr("What a hard cut of the sources along the seam, levelled to the mosaic's tone, would have")
         item.setToolTip(plain_tip(f"{label}\n{click}"))
 
-    def _piece(self, colour: QColor, line: LineStyle, width: float, radius: float) -> QIcon:
+    def _piece(self, colour: QColor, line: PenStyle, width: float, radius: float) -> QIcon:
         """A piece of a line with one of its points, sizes in heights of the icon."""
         size, ratio = self.iconSize(), self.devicePixelRatioF()
         pixmap = QPixmap(size * ratio)
         pixmap.setDevicePixelRatio(ratio)
         pixmap.fill(Qt.GlobalColor.transparent)
-        height, middle = size.height(), size.height() / 2
         painter = QPainter(pixmap)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        pen = QPen(colour, width * height, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap)
-        if isinstance(line, str):
-            pen.setStyle(_PENS[line])
-        else:
-            pen.setDashOffset(line[0])
-            pen.setDashPattern(line[1])
-        painter.setPen(pen)
-        painter.drawLine(QPointF(0, middle), QPointF(size.width(), middle))
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(colour)
-        painter.drawEllipse(QPointF(size.width() / 2, middle), radius * height, radius * height)
+        paint_piece(painter, QRectF(0, 0, size.width(), size.height()), colour, line, width, radius)
         painter.end()
         return plain_icon(pixmap)
 

@@ -1,0 +1,208 @@
+"""How a chart of relative variances is painted: the mosaic bold, its sources thin, the limit of a significant loss."""
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Union
+
+from qgis.PyQt.QtCore import QPointF, QRectF, Qt
+from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
+
+from ...toolkit.charts.chart_style import ChartStyle, source_look
+from ...toolkit.translation import formatted, tr
+from .chart_curves import Chart, ChartCurve, Point, numbered, share_range, share_ticks, significance_limit
+from .chart_painter import PT, ChartPainter
+
+PenStyle = Union[Qt.PenStyle, tuple[float, ...]]
+"""Lengths of dashes and gaps in widths of the line, where Qt has no word for it."""
+_PENS = {
+    "-": Qt.PenStyle.SolidLine,
+    "--": Qt.PenStyle.DashLine,
+    ":": Qt.PenStyle.DotLine,
+    "-.": Qt.PenStyle.DashDotLine,
+}
+COMPOSITE_DASHES = (4.0, 2.0)
+_ROOMY_LINES = 12  # a lower chart does without the axes' titles
+_LABEL_PX = 10  # below the axis: a tick, and the gap to its label
+_OUTER = 0.4  # components beyond the first and the last one
+_LIMIT_REACH = 0.25  # components on either side of level 1
+
+
+def curve_look(curve: ChartCurve, number: int, style: ChartStyle) -> tuple[str, PenStyle]:
+    """Colour and dashes of a curve; ``number`` counts the sources, for one that has no colour of its own."""
+    if curve.is_mosaic:
+        return style.text, Qt.PenStyle.SolidLine
+    if curve.is_composite:
+        return style.text, COMPOSITE_DASHES
+    colour, line = source_look(number if curve.colour is None else curve.colour, style)
+    return colour, _PENS[line]
+
+
+def curve_pen(colour: QColor, dashes: PenStyle, width: float) -> QPen:
+    """Of a width in px."""
+    pen = QPen(colour, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap, Qt.PenJoinStyle.RoundJoin)
+    if isinstance(dashes, tuple):
+        pen.setDashPattern(dashes)
+    else:
+        pen.setStyle(dashes)
+    return pen
+
+
+def paint_piece(
+    painter: QPainter, box: QRectF, colour: QColor, dashes: PenStyle, width: float, radius: float
+) -> None:
+    """A piece of a line with one of its points, for a legend; sizes in heights of the box."""
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(curve_pen(colour, dashes, width * box.height()))
+    painter.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()))
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colour)
+    painter.drawEllipse(box.center(), radius * box.height(), radius * box.height())
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+class CurvesPainter(ChartPainter):
+    """A ``Chart`` in a rectangle, and where its points are."""
+
+    def __init__(
+        self, chart: Chart, room: QRectF, style: ChartStyle, font: QFont, marked: int | None = None,
+        point: Point | None = None,
+    ) -> None:
+        """``marked``: index of the curve that stands out; ``point``: that of it which has a ring."""
+        super().__init__(room, style, font)
+        self.chart, self._marked, self._point = chart, marked, point
+        self._levels = len(chart.curves[0].detail) if chart.curves else 0
+        self.low, self.high = share_range(chart)
+        self.limit = significance_limit(chart.curves, chart.max_ratio)
+        """Share at level 1 at or below which the loss is significant; None for none."""
+        self._lay_out()
+        self.places = {
+            (index, component): self._place(component, share)
+            for index, curve in enumerate(chart.curves) if curve.key not in chart.hidden
+            for component, share in enumerate(curve.values) if self._is_shown(share)
+        }  # fmt: skip
+        """Of the points that can be seen."""
+
+    def _lay_out(self) -> None:
+        """Margins for the words around the axes, whatever the numbers are, so that they stay from window to window."""
+        digit, word = self.metrics.horizontalAdvance("0"), 1.15 * self.metrics.horizontalAdvance(tr("background"))
+        self._is_roomy = self.room.height() > _ROOMY_LINES * self.line
+        left = _LABEL_PX + 5.5 * digit + self.line * (1.3 if self._is_roomy else 0.1)
+        step = (self.room.width() - left) / (self._levels + 1.0)
+        self._in_two_rows = step < 0.6 * word  # the long word in a row of its own where it would not fit
+        right = max(0.5 * self.line, word / 2 - 0.4 * step)
+        bottom = _LABEL_PX + self.line * (2.2 if self._is_roomy or self._in_two_rows else 1.2)
+        self.axes = self.room.adjusted(left, 0.6 * self.line, -right, -bottom)
+
+    def x_of(self, component: float) -> float:
+        """Of a component: 0 is level 1, the last one the background."""
+        share = (component + _OUTER) / (max(self._levels, 1) + 2 * _OUTER)
+        return float(self.axes.left() + share * self.axes.width())
+
+    def y_of(self, share: float) -> float:
+        """Of a share; what is below the axis stays at its end."""
+        low, high, share = self.low, self.high, max(share, self.low)
+        if self.chart.logarithmic:
+            low, high, share = math.log10(low), math.log10(high), math.log10(share)
+        return float(self.axes.bottom() - self.axes.height() * (share - low) / (high - low))
+
+    def _is_shown(self, share: float) -> bool:
+        return share == share and (share > 0 or not self.chart.logarithmic)
+
+    def _place(self, component: int, share: float) -> QPointF:
+        return QPointF(self.x_of(component), self.y_of(share))
+
+    def _paint(self, painter: QPainter) -> None:
+        self._paint_frame(painter)
+        curves = [
+            (index, *curve_look(curve, number, self.style))
+            for index, (number, curve) in enumerate(numbered(self.chart.curves)) if curve.key not in self.chart.hidden
+        ]  # fmt: skip
+        curves.sort(key=lambda curve: self.chart.curves[curve[0]].is_mosaic)
+        for index, colour, _ in curves:
+            self._paint_spread(painter, self.chart.curves[index], QColor(colour))
+        self._paint_limit(painter)
+        for index, colour, dashes in curves:
+            self._paint_curve(painter, index, QColor(colour), dashes)
+        for index, colour, dashes in curves:
+            if index == self._marked:
+                self._paint_curve(painter, index, QColor(colour), dashes, 1.6)
+        if self._point in self.places:
+            painter.setPen(QPen(QColor(self.style.text), 1.4 * PT))
+            painter.drawEllipse(self.places[self._point], 5 * PT * self.style.scale, 5 * PT * self.style.scale)
+
+    def _paint_frame(self, painter: QPainter) -> None:
+        axes, style = self.axes, self.style
+        for share in share_ticks(self.low, self.high, self.chart.logarithmic, axes.height() / self.line):
+            self._share_tick(painter, self.y_of(share), formatted(share, "g"), style.grid, _LABEL_PX / 2)
+        for component in range(self._levels + 1):
+            x = self.x_of(component)
+            self._rule(painter, (x, axes.top()), (x, axes.bottom()), style.grid)
+            painter.setPen(QColor(style.text))
+            if component < self._levels:
+                self._tick_below(painter, x, str(component + 1))
+            else:
+                self._tick_below(painter, x, "" if self._in_two_rows else tr("background"))
+        second_row = axes.bottom() + 2.2 * self.line
+        if self._in_two_rows:
+            self._words_around(painter, self.x_of(self._levels), second_row, tr("background"))
+        elif self._is_roomy:
+            self._words_left_of(painter, axes.right(), second_row + 0.1 * self.line, tr("level"))
+        self._rule(painter, (axes.left(), axes.top()), (axes.left(), axes.bottom()), style.text)
+        self._rule(painter, (axes.left(), axes.bottom()), (axes.right(), axes.bottom()), style.text)
+        if self._is_roomy:
+            painter.save()
+            painter.translate(self.room.left() + self.line, axes.center().y())
+            painter.rotate(-90)
+            self._words_around(painter, 0, 0, tr("relative variance"))
+            painter.restore()
+
+    def _paint_limit(self, painter: QPainter) -> None:
+        if self.limit is None:
+            return
+        left, right, y = self.x_of(-_LIMIT_REACH), self.x_of(_LIMIT_REACH), self.y_of(self.limit)
+        colour = QColor(self.style.limit)
+        colour.setAlphaF(0.15)
+        painter.fillRect(QRectF(left, y, right - left, self.axes.bottom() - y), colour)
+        self._rule(painter, (left, y), (right, y), self.style.limit, 2 * PT * self.style.scale)
+
+    def _paint_spread(self, painter: QPainter, curve: ChartCurve, colour: QColor) -> None:
+        """The range of a mean."""
+        if not curve.spread:
+            return
+        lower = [self._place(component, low) for component, (low, _) in enumerate(curve.spread)]
+        upper = [self._place(component, high) for component, (_, high) in enumerate(curve.spread)]
+        colour.setAlphaF(0.2)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        painter.drawPolygon(QPolygonF([*lower, *reversed(upper)]))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+
+    def _paint_curve(
+        self, painter: QPainter, index: int, colour: QColor, dashes: PenStyle, wider: float = 0.0
+    ) -> None:
+        is_mosaic = self.chart.curves[index].is_mosaic
+        width, radius = ((2.6, 3.0) if is_mosaic else (1.2, 2.0))
+        painter.setPen(curve_pen(colour, dashes, (width + wider) * PT * self.style.scale))
+        for piece in self._pieces(index):
+            painter.drawPolyline(QPolygonF(piece))
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(colour)
+        radius *= PT * self.style.scale
+        for piece in self._pieces(index):
+            for place in piece:
+                painter.drawEllipse(place, radius, radius)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+
+    def _pieces(self, index: int) -> Iterator[list[QPointF]]:
+        """The curve, without the points that can't be drawn."""
+        piece: list[QPointF] = []
+        for component in range(len(self.chart.curves[index].values)):
+            place = self.places.get((index, component))
+            if place is not None:
+                piece.append(place)
+            elif piece:
+                yield piece
+                piece = []
+        if piece:
+            yield piece

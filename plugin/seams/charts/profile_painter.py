@@ -1,0 +1,240 @@
+"""The chart of a seam profile: kept detail against the distance from the seam, and what is said of it."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import floor, isfinite, isinf, log10
+from typing import TYPE_CHECKING
+
+from qgis.PyQt.QtCore import QPointF, QRectF, Qt
+from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
+
+from ...toolkit.charts.chart_style import ChartStyle
+from ...toolkit.translation import filled, percent, shown_number, tr
+from .chart_painter import ChartPainter
+
+if TYPE_CHECKING:
+    from ..measure.profile.seam_profile import ProfileBin, SeamProfile
+
+FARTHEST_PX = 400.0
+"""Where the last bin, which has no end, is drawn to."""
+_LOWEST_TOP, _HIGHEST_TOP = 1.2, 2.0  # of the axis of shares, between which the values choose
+_HIGHEST_END = 1.45  # of an interval that is shown whole
+_LEAST_MIXTURE = 0.05  # of any bin: a cut mixes nothing, but for a pixel on a border that was found
+_TICK_STEPS = (1.0, 2.0, 5.0)
+_NARROW = 0.6  # of the axis: words of the mixture's line may take so much of it
+_WORDS_AT = 0.375  # between two lines of shares: farther off no feather has as much
+_ROOMY_LINES = 13  # of the font: a lower chart has no title below its axis
+_HIGH_LINES = 7  # of the font: axes that are higher have a line at every quarter, others at halves
+
+
+@dataclass(frozen=True)
+class ShownProfile:
+    """What a chart shows."""
+
+    profile: SeamProfile
+    pixel_m: float
+    """The mosaic's pixel size, m."""
+    min_kept: float
+    """Share at or below which a loss is significant."""
+    levels: frozenset[int] = frozenset({1})
+    """Which are drawn; the finest of them with its interval."""
+
+    def bins(self, level: int) -> list[ProfileBin]:
+        """Of one level, from the seam outwards."""
+        return [one for one in self.profile.bins if one.level == level]
+
+    @property
+    def main_level(self) -> int:
+        """The finest that is drawn."""
+        return min(self.levels, default=1)
+
+    @property
+    def mixed(self) -> list[ProfileBin]:
+        """Where the images' mixture is drawn, from the seam outwards: beside level 1, where anything is mixed."""
+        known = [one for one in self.bins(1) if one.mixture is not None] if 1 in self.levels else []
+        return known if any((one.mixture or 0) >= _LEAST_MIXTURE for one in known) else []
+
+    def bin_at(self, distance_m: float) -> ProfileBin | None:
+        """The main level's bin at a distance from the seam; None where nothing was measured."""
+        away = distance_m / self.pixel_m
+        return next((one for one in self.bins(self.main_level) if one.near_px <= away < one.far_px), None)
+
+
+def level_colour(level: int, style: ChartStyle) -> str:
+    """Of a level's line."""
+    return style.sources[(level - 1) % len(style.sources)]
+
+
+def bin_words(shown: ShownProfile, one: ProfileBin) -> list[str]:
+    """What was measured in a bin, in full and in short."""
+    values = {
+        "near": shown_number(one.near_px * shown.pixel_m), "far": shown_number(one.far_px * shown.pixel_m),
+        "kept": percent(one.kept), "low": percent(one.low), "high": percent(one.high),
+        "other": percent(one.mixture or 0),
+    }  # fmt: skip
+    if isinf(one.far_px):
+        long, short = tr("beyond {near} m from the seam: {kept} % kept ({low} to {high} %)"), tr("> {near} m: {kept} %")
+    else:
+        long = tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)")
+        short = tr("{near} to {far} m: {kept} %")
+    words = [long, short]
+    if one in shown.mixed:
+        words.insert(0, tr("{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image"))
+    return [filled(text, **values) for text in words]
+
+
+def summary_words(shown: ShownProfile) -> list[str]:
+    """What is kept beside the seam, in full and in short."""
+    profile = shown.profile
+    if profile.kept[0] is None:
+        return [""]
+    values = {
+        "kept": percent(profile.kept[0]), "low": percent(profile.low), "high": percent(profile.high),
+        "width": shown_number(profile.band_width_px * shown.pixel_m, 1),
+        "feather": shown_number((profile.feather_width_px or 0) * shown.pixel_m, 1),
+    }  # fmt: skip
+    words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
+    if profile.band_width_px:
+        words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m"))
+        if profile.feather_width_px:
+            words.insert(
+                0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m")
+            )
+    return [filled(text, **values) for text in words]
+
+
+class ProfilePainter(ChartPainter):
+    """A profile in a rectangle, and where everything is.
+
+    The axis of distances goes by their square roots: bins near the seam are narrow, and matter most.
+    """
+
+    def __init__(
+        self, shown: ShownProfile, room: QRectF, style: ChartStyle, font: QFont,
+        pointed: ProfileBin | None = None, marked_m: float | None = None,
+    ) -> None:
+        """``pointed``: the bin under the mouse; ``marked_m``: the distance that the mouse has on the map."""
+        super().__init__(room, style, font)
+        self._shown, self._pointed, self._marked_m = shown, pointed, marked_m
+        left = self.metrics.horizontalAdvance("100 %") + 0.6 * self.line
+        self._is_roomy = room.height() > _ROOMY_LINES * self.line
+        bottom = (2.5 if self._is_roomy else 1.5) * self.line
+        self.axes = room.adjusted(left, 0.6 * self.line, -0.9 * self.line, -bottom)
+        highest = max((one.kept for level in shown.levels for one in shown.bins(level)), default=1.0)
+        ends = max((min(one.high, _HIGHEST_END) for one in self._main_bins()), default=1.0)
+        self.most_kept = min(max(1.08 * highest, 1.03 * ends, _LOWEST_TOP), _HIGHEST_TOP)
+        """The share at the axis's upper end."""
+
+    def x_of(self, distance_m: float) -> float:
+        """Of a distance from the seam."""
+        away = min(max(distance_m / self._shown.pixel_m, 0.0), FARTHEST_PX)
+        return float(self.axes.left() + self.axes.width() * (away / FARTHEST_PX) ** 0.5)
+
+    def distance_at(self, x: float) -> float:
+        """From the seam, m."""
+        share = min(max((x - self.axes.left()) / max(self.axes.width(), 1.0), 0.0), 1.0)
+        return float(share**2 * FARTHEST_PX * self._shown.pixel_m)
+
+    def y_of(self, kept: float) -> float:
+        """Of a share that is kept; what is above the axis stays at its end."""
+        return float(self.axes.bottom() - self.axes.height() * min(max(kept, 0.0), self.most_kept) / self.most_kept)
+
+    def ends(self, one: ProfileBin) -> tuple[float, float]:
+        """Left and right of a bin."""
+        metres = self._shown.pixel_m
+        return self.x_of(one.near_px * metres), self.x_of(min(one.far_px, FARTHEST_PX) * metres)
+
+    @property
+    def mixture(self) -> list[tuple[float, float]]:
+        """The line of the image beyond the seam: through the middles of the bins, from end to end; empty for none."""
+        shown = self._shown.mixed
+        if not shown:
+            return []
+        points = [(self.x_of(one.middle_px * self._shown.pixel_m), self.y_of(one.mixture or 0)) for one in shown]
+        return [(self.ends(shown[0])[0], points[0][1]), *points, (self.ends(shown[-1])[1], points[-1][1])]
+
+    def distance_ticks(self) -> list[tuple[float, str]]:
+        """Places of round distances and their words, as many as there is room for."""
+        farthest = FARTHEST_PX * self._shown.pixel_m
+        metres, size = [0.0], 10.0 ** floor(log10(farthest) - 3)
+        while size <= farthest:
+            metres += [float(f"{step * size:.3g}") for step in _TICK_STEPS if step * size <= farthest]
+            size *= 10
+        ticks: list[tuple[float, str]] = []
+        end = self.axes.left() - self.line
+        for tick in metres:
+            if 0 < tick < 2 * self._shown.pixel_m:
+                continue
+            words = shown_number(tick, len(f"{tick:.12g}".partition(".")[2]))
+            x, half = self.x_of(tick), self.metrics.horizontalAdvance(words) / 2
+            if x - half >= end + 0.4 * self.line and x <= self.axes.right():
+                ticks.append((x, words))
+                end = x + half
+        return ticks
+
+    def _main_bins(self) -> list[ProfileBin]:
+        """Those whose interval is drawn and known."""
+        bins = self._shown.bins(self._shown.main_level)
+        return [one for one in bins if isfinite(one.low) and isfinite(one.high)]
+
+    def _paint(self, painter: QPainter) -> None:
+        axes = self.axes
+        if self._pointed is not None:
+            left, right = self.ends(self._pointed)
+            painter.fillRect(QRectF(left, axes.top(), right - left, axes.height()), QColor(self.style.grid))
+        self._paint_frame(painter)
+        self._paint_interval(painter)
+        self._paint_mixture(painter)
+        for level in sorted(self._shown.levels, reverse=True):
+            steps = [QPointF(x, self.y_of(one.kept)) for one in self._shown.bins(level) for x in self.ends(one)]
+            width = 2.2 if level == self._shown.main_level else 1.5
+            painter.setPen(QPen(QColor(level_colour(level, self.style)), width * self.style.scale))
+            painter.drawPolyline(QPolygonF(steps))
+        if self._marked_m is not None:
+            x, dashes = self.x_of(self._marked_m), Qt.PenStyle.DashLine
+            self._rule(painter, (x, axes.top()), (x, axes.bottom()), self.style.text, 1.5 * self.style.scale, dashes)
+
+    def _paint_frame(self, painter: QPainter) -> None:
+        axes, line, style = self.axes, self.line, self.style
+        step = 0.25 if axes.height() > _HIGH_LINES * line else 0.5
+        for number in range(int(self.most_kept / step) + 1):
+            share = number * step
+            words = f"{percent(share) if share else 0} %"
+            self._share_tick(painter, self.y_of(share), words, style.text if share == 1 else style.grid)
+        limit, dashes = self.y_of(self._shown.min_kept), Qt.PenStyle.DashLine
+        self._rule(painter, (axes.left(), limit), (axes.right(), limit), style.limit, 1.3 * style.scale, dashes)
+        words = filled(tr("limit {percent} %"), percent=percent(self._shown.min_kept))
+        self._words_left_of(painter, axes.right(), limit + 0.95 * line, words)
+        self._rule(painter, (axes.left(), axes.bottom()), (axes.right(), axes.bottom()), style.text)
+        for x, words in self.distance_ticks():
+            self._tick_below(painter, x, words)
+        if not self._is_roomy:
+            painter.drawText(QPointF(axes.right() - 0.1 * line, axes.bottom() + 1.1 * line), "m")
+            return
+        words = tr("distance from the seam (m)")
+        if self.metrics.horizontalAdvance(words) > axes.width():
+            words = tr("from the seam (m)")
+        self._words_around(painter, axes.center().x(), axes.bottom() + 2.2 * line, words)
+
+    def _paint_interval(self, painter: QPainter) -> None:
+        colour = QColor(level_colour(self._shown.main_level, self.style))
+        colour.setAlphaF(0.22)
+        for one in self._main_bins():
+            left, right = self.ends(one)
+            painter.fillRect(QRectF(QPointF(left, self.y_of(one.high)), QPointF(right, self.y_of(one.low))), colour)
+
+    def _paint_mixture(self, painter: QPainter) -> None:
+        """With its words at the right, above where a feather ends and below what is kept."""
+        points = self.mixture
+        if not points:
+            return
+        line = self.line
+        painter.setPen(QPen(QColor(self.style.quiet), 1.3 * self.style.scale, Qt.PenStyle.DotLine))
+        painter.drawPolyline(QPolygonF([QPointF(*point) for point in points]))
+        words, room = tr("share of the other image"), _NARROW * self.axes.width() - 2 * line
+        if self.metrics.horizontalAdvance(words) > room:
+            words = tr("other image")
+        y, left = self.y_of(_WORDS_AT) + line / 3, self.axes.right() - self.metrics.horizontalAdvance(words)
+        painter.drawLine(QPointF(left - 2 * line, y - 0.3 * line), QPointF(left - 0.4 * line, y - 0.3 * line))
+        painter.setPen(QColor(self.style.quiet))
+        painter.drawText(QPointF(left, y), words)
