@@ -1,7 +1,8 @@
 """The tabs of the inspection desk, in their order. A new one is an entry here."""
+
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from .noise.desk.noise_panel import NoisePanel
 from .seams.desk.charts.curves_and_profile import CurvesAndProfile
@@ -11,9 +12,8 @@ from .toolkit.desk.tabs import DeskTab
 TABS = (
     DeskTab(
         "curves",
-        QT_TRANSLATE_NOOP("@default", "Curves"),
-        QT_TRANSLATE_NOOP(
-            "@default",
+        QT_TR_NOOP("Curves"),
+        QT_TR_NOOP(
             "How the variance of the selected windows spreads over the levels of detail, and how much detail is "
             "kept by the distance from the seam"
         ),
@@ -22,14 +22,14 @@ TABS = (
     ),
     DeskTab(
         "images",
-        QT_TRANSLATE_NOOP("@default", "Images"),
-        QT_TRANSLATE_NOOP("@default", "The clips of the selected window side by side, to judge the loss by eye"),
+        QT_TR_NOOP("Images"),
+        QT_TR_NOOP("The clips of the selected window side by side, to judge the loss by eye"),
         ImagesPanel,
     ),
     DeskTab(
         "noise",
-        QT_TRANSLATE_NOOP("@default", "Noise"),
-        QT_TRANSLATE_NOOP("@default", "How much random noise the mosaic, or a source, has in the selected window"),
+        QT_TR_NOOP("Noise"),
+        QT_TR_NOOP("How much random noise the mosaic, or a source, has in the selected window"),
         NoisePanel,
     ),
 )

@@ -21,7 +21,7 @@ from tools import template_texts
 CHECKOUT = Path(__file__).parents[1]
 CONTEXT = "@default"
 """Where the plugin looks for all translations."""
-_ARGUMENT = {"tr": 0, "Message": 0, "QT_TRANSLATE_NOOP": 1}
+_ARGUMENT = {"tr": 0, "Message": 0, "QT_TRANSLATE_NOOP": 1, "QT_TR_NOOP": 0}
 """Which argument of a call is a text to translate."""
 
 

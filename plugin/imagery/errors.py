@@ -22,6 +22,11 @@ _FORMULA = re.compile(r"[=+@\t\r-](?![\s\d.,%]*$)")
 _LONGEST = 300  # letters of a name in a sentence
 
 
+def QT_TR_NOOP(text: str) -> str:  # noqa: N802
+    """As Qt's, which is not known here: marks a text that is translated where it is shown."""
+    return text
+
+
 def printable(text: str) -> str:
     """A text with a question mark in a box for each character that shows nothing or does something."""
     return _UNPRINTABLE.sub("\ufffd", text)

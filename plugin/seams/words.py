@@ -3,13 +3,14 @@
 A cause has its word, what it means, and what is said of a window where it was found. Lost detail has one fixed scale of
 colours for the windows' pictures, the map and the scan, so that all compare.
 """
+
 from __future__ import annotations
 
 from collections.abc import Callable
 from math import log
 from typing import TYPE_CHECKING, NamedTuple
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.translation import filled, percent, shown_number, tr
 from .measure.causes import MIN_BALANCED_GAIN, Cause
@@ -32,19 +33,13 @@ class ShownVerdict(NamedTuple):
 
 
 VERDICTS = {
-    "significant": ShownVerdict(
-        QT_TRANSLATE_NOOP("@default", "significant"), "#d55e00", QT_TRANSLATE_NOOP("@default", "Significant loss.")
-    ),
-    "reduced": ShownVerdict(QT_TRANSLATE_NOOP("@default", "reduced"), "#f0c800"),
-    "preserved": ShownVerdict(QT_TRANSLATE_NOOP("@default", "preserved"), "#0072b2"),
+    "significant": ShownVerdict(QT_TR_NOOP("significant"), "#d55e00", QT_TR_NOOP("Significant loss.")),
+    "reduced": ShownVerdict(QT_TR_NOOP("reduced"), "#f0c800"),
+    "preserved": ShownVerdict(QT_TR_NOOP("preserved"), "#0072b2"),
     "not_comparable": ShownVerdict(
-        QT_TRANSLATE_NOOP("@default", "not comparable"),
-        "#8a8a8a",
-        QT_TRANSLATE_NOOP("@default", "The mosaic could not be compared with a source here."),
+        QT_TR_NOOP("not comparable"), "#8a8a8a", QT_TR_NOOP("The mosaic could not be compared with a source here.")
     ),
-    "": ShownVerdict(
-        QT_TRANSLATE_NOOP("@default", "not inspected"), "#c8c8c8", QT_TRANSLATE_NOOP("@default", "Not inspected yet.")
-    ),
+    "": ShownVerdict(QT_TR_NOOP("not inspected"), "#c8c8c8", QT_TR_NOOP("Not inspected yet.")),
 }
 """By the word that tables hold, the worst first; the empty one is that of a window not inspected."""
 
@@ -107,153 +102,141 @@ class ShownCause(NamedTuple):
 
 CAUSES: dict[str, ShownCause] = {
     Cause.BLUR.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "blur"),
-        QT_TRANSLATE_NOOP(
-            "@default", "The mosaic is less sharp than its sources, beyond what tone and feathering explain."
-        ),
-        (QT_TRANSLATE_NOOP("@default", "blur explains it"), QT_TRANSLATE_NOOP("@default", "it is blurred")),
+        QT_TR_NOOP("blur"),
+        QT_TR_NOOP("The mosaic is less sharp than its sources, beyond what tone and feathering explain."),
+        (QT_TR_NOOP("blur explains it"), QT_TR_NOOP("it is blurred")),
         (
-            QT_TRANSLATE_NOOP("@default", "blur to {value} % of their sharpness explains it"),
-            QT_TRANSLATE_NOOP("@default", "it is blurred to {value} % of their sharpness"),
+            QT_TR_NOOP("blur to {value} % of their sharpness explains it"),
+            QT_TR_NOOP("it is blurred to {value} % of their sharpness"),
         ),
         lambda found: found.sharpness,
         percent,
-        QT_TRANSLATE_NOOP("@default", "blur took {value} %"),
+        QT_TR_NOOP("blur took {value} %"),
     ),
     Cause.FEATHERING.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "feathering"),
-        QT_TRANSLATE_NOOP("@default", "Two images that differ were mixed by weights along the seam."),
+        QT_TR_NOOP("feathering"),
+        QT_TR_NOOP("Two images that differ were mixed by weights along the seam."),
+        (QT_TR_NOOP("feathering explains it"), QT_TR_NOOP("images are feathered")),
         (
-            QT_TRANSLATE_NOOP("@default", "feathering explains it"),
-            QT_TRANSLATE_NOOP("@default", "images are feathered"),
-        ),
-        (
-            QT_TRANSLATE_NOOP("@default", "feathering of images {value} px apart explains it"),
-            QT_TRANSLATE_NOOP("@default", "images {value} px apart are feathered"),
+            QT_TR_NOOP("feathering of images {value} px apart explains it"),
+            QT_TR_NOOP("images {value} px apart are feathered"),
         ),
         lambda found: found.misfit if (found.misfit or 0) >= MIN_SHOWN_PX else None,
         _tenths,
     ),
     Cause.OTHER_MIXTURE.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "other mixture"),
-        QT_TRANSLATE_NOOP(
-            "@default", "Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand."
-        ),
-        (QT_TRANSLATE_NOOP("@default", "images are mixed by another rule than weights"),),
+        QT_TR_NOOP("other mixture"),
+        QT_TR_NOOP("Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand."),
+        (QT_TR_NOOP("images are mixed by another rule than weights"),),
     ),
     Cause.NARROWED_HISTOGRAM.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "narrowed histogram"),
-        QT_TRANSLATE_NOOP("@default", "Grey values were pressed together by a linear function."),
-        (QT_TRANSLATE_NOOP("@default", "the histogram is narrowed"),),
-        (QT_TRANSLATE_NOOP("@default", "the histogram is narrowed, gain {value}"),),
+        QT_TR_NOOP("narrowed histogram"),
+        QT_TR_NOOP("Grey values were pressed together by a linear function."),
+        (QT_TR_NOOP("the histogram is narrowed"),),
+        (QT_TR_NOOP("the histogram is narrowed, gain {value}"),),
         lambda found: max((tone.gain for tone in found.evidence.tones if tone.gain), default=None),
     ),
     Cause.GAMMA.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "gamma"),
-        QT_TRANSLATE_NOOP("@default", "Grey values were changed by a power function."),
-        (QT_TRANSLATE_NOOP("@default", "grey values are bent by a gamma"),),
-        (QT_TRANSLATE_NOOP("@default", "grey values are bent, gamma {value}"),),
+        QT_TR_NOOP("gamma"),
+        QT_TR_NOOP("Grey values were changed by a power function."),
+        (QT_TR_NOOP("grey values are bent by a gamma"),),
+        (QT_TR_NOOP("grey values are bent, gamma {value}"),),
         lambda found: max(
             (tone.gamma for tone in found.evidence.tones), key=lambda gamma: abs(log(gamma)), default=None
         ),
     ),
     Cause.CLIPPING.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "clipping"),
-        QT_TRANSLATE_NOOP("@default", "Highlights or shadows were driven into the limits."),
-        (QT_TRANSLATE_NOOP("@default", "highlights or shadows are clipped"),),
-        (QT_TRANSLATE_NOOP("@default", "{value} % of the pixels are clipped"),),
+        QT_TR_NOOP("clipping"),
+        QT_TR_NOOP("Highlights or shadows were driven into the limits."),
+        (QT_TR_NOOP("highlights or shadows are clipped"),),
+        (QT_TR_NOOP("{value} % of the pixels are clipped"),),
         lambda found: judged_change(found).clipped,
         percent,
-        QT_TRANSLATE_NOOP("@default", "clipping took {value} %"),
+        QT_TR_NOOP("clipping took {value} %"),
     ),
     Cause.COLOUR_SHIFT.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "colour shift"),
-        QT_TRANSLATE_NOOP("@default", "The channels were corrected one by one, so that colours turned."),
-        (QT_TRANSLATE_NOOP("@default", "the colours are shifted"),),
-        (QT_TRANSLATE_NOOP("@default", "the colours are shifted, gains differ by a factor of {value}"),),
+        QT_TR_NOOP("colour shift"),
+        QT_TR_NOOP("The channels were corrected one by one, so that colours turned."),
+        (QT_TR_NOOP("the colours are shifted"),),
+        (QT_TR_NOOP("the colours are shifted, gains differ by a factor of {value}"),),
         lambda found: max((tone.colour_shift for tone in found.evidence.tones if tone.colour_shift), default=None),
     ),
     Cause.MISREGISTRATION.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "misregistration"),
-        QT_TRANSLATE_NOOP("@default", "Images that meet in the mosaic do not lie on each other there."),
-        (QT_TRANSLATE_NOOP("@default", "images do not fit where they meet"),),
-        (QT_TRANSLATE_NOOP("@default", "images lie {value} px apart where they meet"),),
+        QT_TR_NOOP("misregistration"),
+        QT_TR_NOOP("Images that meet in the mosaic do not lie on each other there."),
+        (QT_TR_NOOP("images do not fit where they meet"),),
+        (QT_TR_NOOP("images lie {value} px apart where they meet"),),
         lambda found: found.misfit,
         _tenths,
     ),
     Cause.MISSING_SOURCE.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "missing source"),
-        QT_TRANSLATE_NOOP(
-            "@default",
+        QT_TR_NOOP("missing source"),
+        QT_TR_NOOP(
             "A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there."
         ),
-        (QT_TRANSLATE_NOOP("@default", "a part of it matches none of these sources"),),
-        (QT_TRANSLATE_NOOP("@default", "{value} % of it match none of these sources"),),
+        (QT_TR_NOOP("a part of it matches none of these sources"),),
+        (QT_TR_NOOP("{value} % of it match none of these sources"),),
         lambda found: found.evidence.missing,
         percent,
     ),
     Cause.RESAMPLED.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "resampled"),
-        QT_TRANSLATE_NOOP(
-            "@default", "The mosaic's pixels lie between those of its sources, so they were interpolated from them."
-        ),
-        (QT_TRANSLATE_NOOP("@default", "resampling explains it"), QT_TRANSLATE_NOOP("@default", "it was resampled")),
+        QT_TR_NOOP("resampled"),
+        QT_TR_NOOP("The mosaic's pixels lie between those of its sources, so they were interpolated from them."),
+        (QT_TR_NOOP("resampling explains it"), QT_TR_NOOP("it was resampled")),
         (
-            QT_TRANSLATE_NOOP("@default", "resampling, {value} px off the sources' pixels, explains it"),
-            QT_TRANSLATE_NOOP("@default", "it was resampled, {value} px off the sources' pixels"),
+            QT_TR_NOOP("resampling, {value} px off the sources' pixels, explains it"),
+            QT_TR_NOOP("it was resampled, {value} px off the sources' pixels"),
         ),
         lambda found: found.evidence.off_pixel,
         _tenths,
-        QT_TRANSLATE_NOOP("@default", "resampling took {value} %"),
+        QT_TR_NOOP("resampling took {value} %"),
     ),
     Cause.SHARPENED.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "sharpened"),
-        QT_TRANSLATE_NOOP("@default", "The whole mosaic was sharpened, beyond what its sources show."),
-        (QT_TRANSLATE_NOOP("@default", "it was sharpened"),),
-        (QT_TRANSLATE_NOOP("@default", "it was sharpened to {value} % of the sources' contrast"),),
+        QT_TR_NOOP("sharpened"),
+        QT_TR_NOOP("The whole mosaic was sharpened, beyond what its sources show."),
+        (QT_TR_NOOP("it was sharpened"),),
+        (QT_TR_NOOP("it was sharpened to {value} % of the sources' contrast"),),
         lambda found: found.evidence.texture.most_transfer if found.evidence.texture else None,
         percent,
     ),
     Cause.COMPRESSED.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "compressed"),
-        QT_TRANSLATE_NOOP("@default", "Compression with loss, block by block, changed the fine detail."),
-        (QT_TRANSLATE_NOOP("@default", "it was compressed with loss"),),
-        (QT_TRANSLATE_NOOP("@default", "it was compressed with loss, which changed fine detail by {value} DN"),),
+        QT_TR_NOOP("compressed"),
+        QT_TR_NOOP("Compression with loss, block by block, changed the fine detail."),
+        (QT_TR_NOOP("it was compressed with loss"),),
+        (QT_TR_NOOP("it was compressed with loss, which changed fine detail by {value} DN"),),
         _noise,
         _tenths,
-        QT_TRANSLATE_NOOP("@default", "compression took {value} %"),
+        QT_TR_NOOP("compression took {value} %"),
     ),
     Cause.NOISE_ADDED.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "noise added"),
-        QT_TRANSLATE_NOOP("@default", "The mosaic has noise that its sources do not have."),
-        (QT_TRANSLATE_NOOP("@default", "noise was added"),),
-        (QT_TRANSLATE_NOOP("@default", "noise of {value} DN was added"),),
+        QT_TR_NOOP("noise added"),
+        QT_TR_NOOP("The mosaic has noise that its sources do not have."),
+        (QT_TR_NOOP("noise was added"),),
+        (QT_TR_NOOP("noise of {value} DN was added"),),
         _noise,
         _tenths,
     ),
     Cause.DODGING.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "dodging"),
-        QT_TRANSLATE_NOOP("@default", "Brightness was evened out by a tone that changes from place to place."),
-        (QT_TRANSLATE_NOOP("@default", "brightness was evened out from place to place"),),
+        QT_TR_NOOP("dodging"),
+        QT_TR_NOOP("Brightness was evened out by a tone that changes from place to place."),
+        (QT_TR_NOOP("brightness was evened out from place to place"),),
     ),
     Cause.BALANCED.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "balanced"),
-        QT_TRANSLATE_NOOP(
-            "@default", "The sources were brought to each other's tones, each by its gain and bias; nothing is lost."
-        ),
-        (QT_TRANSLATE_NOOP("@default", "the sources' tones were balanced"),),
-        (QT_TRANSLATE_NOOP("@default", "the sources' tones were balanced, gains a factor of {value} apart"),),
+        QT_TR_NOOP("balanced"),
+        QT_TR_NOOP("The sources were brought to each other's tones, each by its gain and bias; nothing is lost."),
+        (QT_TR_NOOP("the sources' tones were balanced"),),
+        (QT_TR_NOOP("the sources' tones were balanced, gains a factor of {value} apart"),),
         lambda found: found.evidence.spread[0] if found.evidence.spread[0] >= MIN_BALANCED_GAIN else None,
     ),
     Cause.NONE.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "none"),
-        QT_TRANSLATE_NOOP("@default", "No step of production is found that took contrast away."),
-        (QT_TRANSLATE_NOOP("@default", "no step of production took detail away, so the sources differ in content"), ""),
+        QT_TR_NOOP("none"),
+        QT_TR_NOOP("No step of production is found that took contrast away."),
+        (QT_TR_NOOP("no step of production took detail away, so the sources differ in content"), ""),
     ),
     Cause.UNCLEAR.value: ShownCause(
-        QT_TRANSLATE_NOOP("@default", "unclear"),
-        QT_TRANSLATE_NOOP("@default", "What was measured does not point to one cause."),
-        (QT_TRANSLATE_NOOP("@default", "the cause is unclear"),),
+        QT_TR_NOOP("unclear"),
+        QT_TR_NOOP("What was measured does not point to one cause."),
+        (QT_TR_NOOP("the cause is unclear"),),
     ),
 }
 """By the word that tables hold; a table of a later version may hold others."""
@@ -295,11 +278,11 @@ def cause_clause(cause: str, found: Explanation | None, is_loss: bool) -> str:
 Rgba = tuple[int, int, int, int]
 
 LOSS_CLASSES: tuple[tuple[float, Rgba, str], ...] = (
-    (0.5, (163, 0, 38, 255), QT_TRANSLATE_NOOP("@default", "50 % kept, or less")),
-    (0.6, (220, 47, 28, 255), QT_TRANSLATE_NOOP("@default", "50 to 60 %")),
-    (0.7, (244, 109, 31, 255), QT_TRANSLATE_NOOP("@default", "60 to 70 %")),
-    (0.8, (253, 174, 51, 235), QT_TRANSLATE_NOOP("@default", "70 to 80 %")),
-    (0.9, (255, 225, 77, 215), QT_TRANSLATE_NOOP("@default", "80 to 90 %")),
+    (0.5, (163, 0, 38, 255), QT_TR_NOOP("50 % kept, or less")),
+    (0.6, (220, 47, 28, 255), QT_TR_NOOP("50 to 60 %")),
+    (0.7, (244, 109, 31, 255), QT_TR_NOOP("60 to 70 %")),
+    (0.8, (253, 174, 51, 235), QT_TR_NOOP("70 to 80 %")),
+    (0.9, (255, 225, 77, 215), QT_TR_NOOP("80 to 90 %")),
 )
 """Share of the detail that is kept at most, its colour, its words, as in ``resources/styles/loss.qml``. What keeps more
 is even ground and has none."""

@@ -2,6 +2,7 @@
 
 Names are aliases; the fields keep their own.
 """
+
 from __future__ import annotations
 
 import re
@@ -17,47 +18,47 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 from qgis.PyQt.QtXml import QDomDocument, QDomElement
 
 from .resources import style_path
 from .translation import filled, tr
 
 _TITLES = {
-    "window_id": QT_TRANSLATE_NOOP("@default", "window"),
-    "seam_id": QT_TRANSLATE_NOOP("@default", "seam"),
-    "station": QT_TRANSLATE_NOOP("@default", "station (m)"),
-    "length": QT_TRANSLATE_NOOP("@default", "length (m)"),
-    "verdict": QT_TRANSLATE_NOOP("@default", "verdict"),
-    "paper_verdict": QT_TRANSLATE_NOOP("@default", "verdict by the paper's rule"),
-    "reference": QT_TRANSLATE_NOOP("@default", "verdict against"),
-    "reason": QT_TRANSLATE_NOOP("@default", "reason"),
-    "sources": QT_TRANSLATE_NOOP("@default", "sources that took part"),
-    "source": QT_TRANSLATE_NOOP("@default", "orthoimage"),
-    "left_source": QT_TRANSLATE_NOOP("@default", "orthoimage on the left"),
-    "right_source": QT_TRANSLATE_NOOP("@default", "orthoimage on the right"),
-    "left_date": QT_TRANSLATE_NOOP("@default", "its date, left"),
-    "right_date": QT_TRANSLATE_NOOP("@default", "its date, right"),
-    "kept_low": QT_TRANSLATE_NOOP("@default", "kept 1, at least"),
-    "kept_high": QT_TRANSLATE_NOOP("@default", "kept 1, at most"),
-    "band_width": QT_TRANSLATE_NOOP("@default", "width of the band (m)"),
-    "feather_width": QT_TRANSLATE_NOOP("@default", "width of the feather (m)"),
-    "visibility": QT_TRANSLATE_NOOP("@default", "visibility at 2x (JND)"),
-    "mixture": QT_TRANSLATE_NOOP("@default", "share of the other image"),
-    "cause": QT_TRANSLATE_NOOP("@default", "cause"),
-    "causes": QT_TRANSLATE_NOOP("@default", "all causes"),
-    "observer": QT_TRANSLATE_NOOP("@default", "observer"),
-    "defect": QT_TRANSLATE_NOOP("@default", "failure"),
-    "sheet": QT_TRANSLATE_NOOP("@default", "sheet"),
-    "picture": QT_TRANSLATE_NOOP("@default", "picture"),
+    "window_id": QT_TR_NOOP("window"),
+    "seam_id": QT_TR_NOOP("seam"),
+    "station": QT_TR_NOOP("station (m)"),
+    "length": QT_TR_NOOP("length (m)"),
+    "verdict": QT_TR_NOOP("verdict"),
+    "paper_verdict": QT_TR_NOOP("verdict by the paper's rule"),
+    "reference": QT_TR_NOOP("verdict against"),
+    "reason": QT_TR_NOOP("reason"),
+    "sources": QT_TR_NOOP("sources that took part"),
+    "source": QT_TR_NOOP("orthoimage"),
+    "left_source": QT_TR_NOOP("orthoimage on the left"),
+    "right_source": QT_TR_NOOP("orthoimage on the right"),
+    "left_date": QT_TR_NOOP("its date, left"),
+    "right_date": QT_TR_NOOP("its date, right"),
+    "kept_low": QT_TR_NOOP("kept 1, at least"),
+    "kept_high": QT_TR_NOOP("kept 1, at most"),
+    "band_width": QT_TR_NOOP("width of the band (m)"),
+    "feather_width": QT_TR_NOOP("width of the feather (m)"),
+    "visibility": QT_TR_NOOP("visibility at 2x (JND)"),
+    "mixture": QT_TR_NOOP("share of the other image"),
+    "cause": QT_TR_NOOP("cause"),
+    "causes": QT_TR_NOOP("all causes"),
+    "observer": QT_TR_NOOP("observer"),
+    "defect": QT_TR_NOOP("failure"),
+    "sheet": QT_TR_NOOP("sheet"),
+    "picture": QT_TR_NOOP("picture"),
 }
 _OF_LEVEL = {
-    "kept": QT_TRANSLATE_NOOP("@default", "kept {level}"),
-    "window_kept": QT_TRANSLATE_NOOP("@default", "kept {level} in the window"),
-    "strip_kept": QT_TRANSLATE_NOOP("@default", "kept {level} in the strip"),
-    "contrast": QT_TRANSLATE_NOOP("@default", "contrast {level}"),
-    "sharpness": QT_TRANSLATE_NOOP("@default", "sharpness {level}"),
-    "added": QT_TRANSLATE_NOOP("@default", "added detail {level}"),
+    "kept": QT_TR_NOOP("kept {level}"),
+    "window_kept": QT_TR_NOOP("kept {level} in the window"),
+    "strip_kept": QT_TR_NOOP("kept {level} in the strip"),
+    "contrast": QT_TR_NOOP("contrast {level}"),
+    "sharpness": QT_TR_NOOP("sharpness {level}"),
+    "added": QT_TR_NOOP("added detail {level}"),
 }
 """By the name in front of ``_1``..``_R``."""
 _LEVELLED = re.compile(r"(\w+)_(\d+)")

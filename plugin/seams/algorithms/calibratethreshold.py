@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Optional
 
 from qgis.core import QgsProcessing, QgsProcessingParameterFeatureSink, QgsProcessingParameterFeatureSource
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import SettingsError
 from ...imagery.statistics import UNSURE
@@ -36,9 +36,8 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     """How well each measure agrees with what an observer saw, and where its limit belongs."""
 
     ID = "calibratethreshold"
-    NAME = QT_TRANSLATE_NOOP("@default", "Calibrate the threshold")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Calibrate the threshold")
+    HELP = QT_TR_NOOP(
         "Finds the limit of a significant loss that an observer's verdicts support. For every threshold it "
         "counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The "
         "threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed "

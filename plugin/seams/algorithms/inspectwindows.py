@@ -12,7 +12,7 @@ from qgis.core import (
     QgsProcessingParameterFeatureSource,
     QgsWkbTypes,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
@@ -42,9 +42,8 @@ class InspectWindows(SeamInspectorAlgorithm):
     """How much detail a mosaic kept in each window, against each of its sources."""
 
     ID = "inspectwindows"
-    NAME = QT_TRANSLATE_NOOP("@default", "Inspect windows")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Inspect windows")
+    HELP = QT_TR_NOOP(
         "Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the "
         "window are clipped and decomposed by wavelets, and what the mosaic has of its sources' finest detail beside a "
         "seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss "

@@ -9,7 +9,7 @@ from qgis.core import (
     QgsProcessingParameterFeatureSource,
     QgsWkbTypes,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery import limits as imagery_limits
 from ...toolkit.algorithms import parameters as common
@@ -28,9 +28,8 @@ class PlaceWindows(SeamInspectorAlgorithm):
     """Standard windows along the seams of a mosaic."""
 
     ID = "placewindows"
-    NAME = QT_TRANSLATE_NOOP("@default", "Place windows along seamlines")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Place windows along seamlines")
+    HELP = QT_TR_NOOP(
         "Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window's "
         "side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel "
         "edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names "

@@ -13,7 +13,7 @@ from qgis.core import (
     QgsProcessingParameterFeatureSource,
     QgsWkbTypes,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import RasterError, SettingsError
@@ -41,9 +41,8 @@ class PredictLoss(SeamInspectorAlgorithm):
     """How much detail a 50:50 feather of the sources would leave in each window."""
 
     ID = "predictloss"
-    NAME = QT_TRANSLATE_NOOP("@default", "Predict loss by feathering")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Predict loss by feathering")
+    HELP = QT_TR_NOOP(
         "Says before any mosaic is made how much detail feathering would cost in each window. Where two images are "
         "blended half and half, the part of their detail that they do not share cancels: with rho the agreement of "
         "their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half "

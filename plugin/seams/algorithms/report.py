@@ -10,7 +10,7 @@ from qgis.core import (
     QgsProcessingParameterFileDestination,
     QgsProcessingParameterString,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import SettingsError
 from ...toolkit import messages as toolkit_messages
@@ -35,10 +35,9 @@ class Report(SeamInspectorAlgorithm):
     """What an inspection found, on paper."""
 
     ID = "report"
-    NAME = QT_TRANSLATE_NOOP("@default", "Report of an inspection")
+    NAME = QT_TR_NOOP("Report of an inspection")
     DRAWN, PAGES = (), (OUTPUT,)
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    HELP = QT_TR_NOOP(
         "Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map "
         "sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged "
         "window (a significant loss, or one that the observer saw) what it keeps by distance from the seam, where it "

@@ -18,7 +18,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterDestination,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, RasterError, SettingsError
@@ -50,9 +50,8 @@ class ScanMosaic(SeamInspectorAlgorithm):
     """Where a whole mosaic lost detail, and what each piece of its seams kept."""
 
     ID = "scanmosaic"
-    NAME = QT_TRANSLATE_NOOP("@default", "Scan a whole mosaic")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Scan a whole mosaic")
+    HELP = QT_TR_NOOP(
         "Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what "
         "it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the "
         "dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped "

@@ -25,8 +25,8 @@ from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.inspection import WindowRequest
 from ..measure.live_window import LiveWindow
 from ..measure.window.window_result import WindowCurves, WindowResult
-from ..tables import window_layer
-from ..tables.window_looks import style_if_plain
+from ..tables import window_layer as window_layer
+from ..tables.window_layer import style_if_plain
 from . import messages
 from .images.window_pictures import WindowPictures
 from .inputs.block_cache import BlockCache

@@ -15,8 +15,8 @@ from ...imagery.statistics import OPERATORS
 from ...toolkit.layers import outline_extent
 from ...toolkit.table_fields import attributes, number, text, whole_number
 from ..measure import messages
+from ..measure.window.window_tables import MEASURED, WINDOW_FIELDS
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
-from .window_fields import MEASURED, WINDOW_FIELDS
 
 _BACKGROUND = 0
 _IN_RECORDS = {one.name for one in fields(WindowRecord)}

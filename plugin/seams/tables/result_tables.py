@@ -1,7 +1,7 @@
 """The tables of windows as rows of layers.
 
-Columns of what is measured are in ``measure/window/window_tables``, what a window's are called in ``window_fields``;
-those of a forecast and of placed windows are here. The field names are contracts.
+Columns of what is measured are in ``measure/window/window_tables``; those of a forecast, of placed windows and of a
+calibration are here. The field names are contracts.
 """
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry
 
 from ...imagery.records import Column
 from ...imagery.statistics import JUDGING_FIELDS
+from ...toolkit.layer_styles import give_titles
 from ...toolkit.table_fields import column_features, column_fields, column_values, feature, table_fields, whole_number
 from ...toolkit.translation import sentence
 from ...toolkit.version_differences import field
@@ -19,14 +20,17 @@ from ..measure.threshold_calibration import STANDARD_LIMITS, Step, ThresholdCali
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import (
     CURVE_COLUMNS,
+    MEASURED,
     PAIR_COLUMNS,
     PROFILE_COLUMNS,
+    WINDOW_FIELDS,
     bins_of,
     curves_of,
     pairs_of,
 )
 from ..measure.window_placing import PlacedWindow
-from .window_fields import MEASURED
+
+give_titles({one.name: one.title for one in WINDOW_FIELDS if one.title})
 
 FORECAST_COLUMNS: tuple[Column[Forecast], ...] = (
     Column("window_id", "integer", lambda forecast: forecast.window_id),

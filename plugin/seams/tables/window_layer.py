@@ -20,6 +20,8 @@ from qgis.core import (
     QgsField,
     QgsGeometry,
     QgsMapLayer,
+    QgsSingleSymbolRenderer,
+    QgsSymbol,
     QgsVectorFileWriter,
     QgsVectorLayer,
     QgsVectorLayerUtils,
@@ -36,10 +38,10 @@ from ...toolkit.translation import tr
 from ...toolkit.version_differences import field
 from ..measure import messages
 from ..measure.window.window_result import WindowResult
+from ..measure.window.window_tables import MEASURED
 from ..measure.window_records import WindowRecord
 from .record_tables import level_names, read_windows
 from .result_tables import window_fields
-from .window_fields import MEASURED
 
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
@@ -239,3 +241,32 @@ def free_path(folder: Path) -> Path:
     """For a window layer's file: one that is not there yet."""
     names = chain(["windows.gpkg"], (f"windows_{number}.gpkg" for number in count(2)))
     return next(path for path in map(folder.joinpath, names) if not os.path.lexists(path))
+
+
+_STYLED = "seam_inspector/styled"  # custom property of the layer: its looks are its user's from now on
+
+
+def style_if_plain(layer: QgsVectorLayer) -> None:
+    """Show verdicts where QGIS has filled the windows with some colour, as it does in a layer that is added anew.
+
+    Once for each layer: what its user makes of it then is his.
+    """
+    if not layer.customProperty(_STYLED):
+        layer.setCustomProperty(_STYLED, True)
+        if _is_plain(layer):
+            load_style(layer, "windows")
+            layer.triggerRepaint()
+
+
+def _is_plain(layer: QgsVectorLayer) -> bool:
+    """Whether it looks as QGIS makes all polygons look, but for their colour."""
+    renderer, default = layer.renderer(), QgsSymbol.defaultSymbol(QgsWkbTypes.GeometryType.PolygonGeometry)
+    if not isinstance(renderer, QgsSingleSymbolRenderer) or layer.labelsEnabled() or layer.opacity() < 1:
+        return False
+    symbol = renderer.symbol().clone()
+    symbol.setColor(default.color())
+    return _look(symbol) == _look(default)
+
+
+def _look(symbol: QgsSymbol) -> tuple[float, list[tuple[str, dict[str, str]]]]:
+    return symbol.opacity(), [(layer.layerType(), layer.properties()) for layer in symbol.symbolLayers()]

@@ -15,7 +15,7 @@ from qgis.core import (
     QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 from qgis.PyQt.QtGui import QIcon
 
 from ...imagery.errors import CancelledError, SeamInspectorError
@@ -28,11 +28,11 @@ from .outputs import refuse_impossible, refuse_overwriting
 from .parameters import without_rasters
 from .run import Run
 
-SEAM_INSPECTION = QT_TRANSLATE_NOOP("@default", "Seam inspection")
-IMAGE_QUALITY = QT_TRANSLATE_NOOP("@default", "Image quality")
-GROUND_RESOLUTION = QT_TRANSLATE_NOOP("@default", "Ground resolution")
-INTERIOR_ORIENTATION = QT_TRANSLATE_NOOP("@default", "Interior orientation of photos")
-SATELLITE_IMAGES = QT_TRANSLATE_NOOP("@default", "Satellite images")
+SEAM_INSPECTION = QT_TR_NOOP("Seam inspection")
+IMAGE_QUALITY = QT_TR_NOOP("Image quality")
+GROUND_RESOLUTION = QT_TR_NOOP("Ground resolution")
+INTERIOR_ORIENTATION = QT_TR_NOOP("Interior orientation of photos")
+SATELLITE_IMAGES = QT_TR_NOOP("Satellite images")
 
 
 class SeamInspectorAlgorithm(QgsProcessingAlgorithm):

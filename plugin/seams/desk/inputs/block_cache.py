@@ -39,7 +39,8 @@ from ...measure.source_images import Source
 from ...measure.window.window_request import InspectionSettings, WindowRequest
 from ...measure.window_records import WindowRecord
 from ...scan_job import ScanOrder
-from ...tables import input_layers, window_layer
+from ...tables import input_layers
+from ...tables import window_layer as window_layer
 from .project_inputs import Inputs
 
 

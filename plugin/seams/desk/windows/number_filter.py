@@ -22,7 +22,7 @@ from ....imagery.errors import Message, SettingsError
 from ....toolkit.version_differences import field
 from ...measure import messages
 from ...measure.causes import Cause
-from ...tables.window_fields import in_filter
+from ...measure.window.window_tables import in_filter
 from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import JUDGING_COLUMNS, all_columns, columns_of
 

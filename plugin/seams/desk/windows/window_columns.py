@@ -13,7 +13,7 @@ from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.translation import filled, percent, shown_number, tr
-from ...tables.window_fields import MEASURED, PLACED, SAID, WindowField
+from ...measure.window.window_tables import MEASURED, PLACED, SAID, WindowField
 from ...window_summary import cause_numbers, explanation_of, judged_kept, window_sentence
 from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 

@@ -19,7 +19,7 @@ from ....toolkit import layer_editing
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ...measure.window_records import WindowRecord
-from ...tables import window_layer
+from ...tables import window_layer as window_layer
 from ...tables.window_layer import UNNUMBERED
 
 _STALE = "seam_inspector/stale"  # custom property of the layer: numbers of the windows to be inspected again

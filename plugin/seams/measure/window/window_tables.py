@@ -1,18 +1,21 @@
 """The tables of an inspection, one entry per column: its field, and how its value comes from a result; and a window's
 result as bytes that are kept beside the window layer, and back.
 
-The field names are contracts; layers, the desk and plain rows are made of them.
+The field names are contracts. Of a window's fields also what people call them: layers, records, aliases, plain rows,
+the desk's columns and its filter are made of these entries.
 """
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple
 
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import Message
+from ....imagery.errors import QT_TR_NOOP, Message
 from ....imagery.records import Column, NotUnderstoodError, Row, record_of, rows_of, value_of
 from ....imagery.shifts import Shift
+from ....imagery.statistics import JUDGING_FIELDS
 from ....imagery.wavelets import DIRECTIONS, Curve
 from .. import messages
 from ..compared_image import Change
@@ -96,33 +99,172 @@ PAIR_COLUMNS: tuple[Column[PairRow], ...] = (
 )
 """PAIRS: one row per window, source and band."""
 
-WINDOW_COLUMNS: tuple[Column[WindowResult], ...] = (
-    Column("window_id", "integer", lambda result: result.window_id),
-    Column("verdict", "text", lambda result: result.judgement.verdict.value),
-    Column("reason", "text", lambda result: result.judgement.reason),
-    Column("sources", "integer", lambda result: result.source_count),
-    Column("ratio", "real", lambda result: result.judgement.ratios.detail, by_level=True),
-    Column("background_ratio", "real", lambda result: result.judgement.ratios.background),
-    Column("composite_ratio", "real", lambda result: _composite_ratios(result), by_level=True),
-    Column("expected_ratio", "real", lambda result: result.explanation and result.explanation.expected, by_level=True),
-    Column("unclear_share", "real", lambda result: result.explanation and result.explanation.unclear_share),
-    Column("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
-    Column("causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None),
-    Column("reference", "text", lambda result: result.reference),
-    Column("paper_verdict", "text", lambda result: result.paper_verdict.value),
-    Column("kept", "real", lambda result: result.profile and result.profile.kept, by_level=True),
-    Column("kept_low", "real", lambda result: result.profile and result.profile.low),
-    Column("kept_high", "real", lambda result: result.profile and result.profile.high),
-    Column("band_width", "real", lambda result: result.band_width_m),
-    Column("feather_width", "real", lambda result: result.feather_width_m),
-    Column("visibility", "real", lambda result: result.visibility),
-    Column("misfit", "real", lambda result: result.misfit),
-    Column("contrast_1", "real", lambda result: result.explanation and result.explanation.contrast),
-    Column("sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness),
-    Column("added_1", "real", lambda result: result.explanation and result.explanation.added),
-    Column("explained", "real", lambda result: result.explained),
-)
-"""OUTPUT of ``inspectwindows``: one row per window, as measured."""
+
+@dataclass(frozen=True)
+class WindowField(Column):  # of WindowResult; said so typing would keep the plugin when it is unloaded
+    """A column of OUTPUT, and of every window layer: also what it is called, how the desk shows it, and its filter."""
+
+    value: Callable[[WindowResult], Any] = lambda result: None
+    attribute: str = ""
+    """Of a WindowRecord; empty: the name, where the record has one, else it is among its ``others``."""
+    title: str = ""
+    """What layers call it, with ``{level}`` where it has one; empty where all our layers call it so."""
+    heading: str = ""
+    """Of its column in the desk; empty where that is written otherwise, or there is none."""
+    help: str = ""
+    shown: str = "number"
+    """How its column shows it: ``number``, ``tenths``, ``percent`` (of a share), ``of 100``, ``metres``, ``px``,
+    ``whole``, ``words``, ``observer`` or ``causes``."""
+    called: tuple[str, ...] = ()
+    """What else the filter calls it."""
+    is_share: bool = False
+    """Whether the table shows it in percent, which its filter minds."""
+
+    @property
+    def read_as(self) -> str:
+        """What ``WindowRecord.read`` finds it by."""
+        return self.attribute or self.name
+
+
+MEASURED = (
+    WindowField("window_id", "integer", lambda result: result.window_id, called=("id",)),
+    WindowField("verdict", "text", lambda result: result.judgement.verdict.value),
+    WindowField("reason", "text", lambda result: result.judgement.reason),
+    WindowField("sources", "integer", lambda result: result.source_count),
+    WindowField(
+        "ratio", "real", lambda result: result.judgement.ratios.detail, by_level=True,
+        attribute="ratios", title=QT_TR_NOOP("ratio {level}"),
+    ),
+    WindowField(
+        "background_ratio", "real", lambda result: result.judgement.ratios.background,
+        title=QT_TR_NOOP("ratio of the background"),
+    ),
+    WindowField("observer", "text"),
+    WindowField(
+        "composite_ratio", "real", lambda result: _composite_ratios(result), by_level=True,
+        attribute="composite_ratios", title=QT_TR_NOOP("ratio {level} against the composite"),
+    ),
+    WindowField(
+        "expected_ratio", "real", lambda result: result.explanation and result.explanation.expected, by_level=True,
+        attribute="expected_ratios", title=QT_TR_NOOP("ratio {level} expected of a feather"),
+    ),
+    WindowField(
+        "unclear_share", "real", lambda result: result.explanation and result.explanation.unclear_share,
+        title=QT_TR_NOOP("share where no source wins clearly"), is_share=True,
+    ),
+    WindowField("cause", "text", lambda result: result.explanation and result.explanation.cause.value),
+    WindowField(
+        "causes", "text", lambda result: "; ".join(cause.value for cause in result.causes) or None,
+        heading=QT_TR_NOOP("all causes"), shown="causes",
+        help=QT_TR_NOOP("All that happened to the contrast, what took most first."),
+    ),
+    WindowField("reference", "text", lambda result: result.reference),
+    WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value, called=("paper",)),
+    WindowField("kept", "real", lambda result: result.profile and result.profile.kept, by_level=True, is_share=True),
+    WindowField(
+        "kept_low", "real", lambda result: result.profile and result.profile.low,
+        heading=QT_TR_NOOP("kept from"), shown="percent", is_share=True,
+        help=QT_TR_NOOP("Lower end of the 95 % interval of what is kept along the seam."),
+    ),
+    WindowField(
+        "kept_high", "real", lambda result: result.profile and result.profile.high,
+        heading=QT_TR_NOOP("kept to"), shown="percent", is_share=True,
+        help=QT_TR_NOOP("Upper end of the 95 % interval of what is kept along the seam."),
+    ),
+    WindowField(
+        "band_width", "real", lambda result: result.band_width_m,
+        heading=QT_TR_NOOP("band width"), shown="metres", called=("band",),
+        help=QT_TR_NOOP("Width of the band along the seam in which detail was lost."),
+    ),
+    WindowField(
+        "feather_width", "real", lambda result: result.feather_width_m,
+        heading=QT_TR_NOOP("feather width"), shown="metres", called=("feather",),
+        help=QT_TR_NOOP(
+            "Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut."
+        ),
+    ),
+    WindowField(
+        "visibility", "real", lambda result: result.visibility, heading=QT_TR_NOOP("visibility"), shown="tenths",
+        help=QT_TR_NOOP(
+            "How many times more was lost along the seam than an eye just sees side by side at 2x (just "
+            "noticeable differences, JND)."
+        ),
+    ),
+    WindowField(
+        "misfit", "real", lambda result: result.misfit,
+        title=QT_TR_NOOP("images apart in the mosaic (px)"), heading=QT_TR_NOOP("misfit"), shown="px",
+        help=QT_TR_NOOP("How far apart the two images lie where they meet, as the mosaic has them."),
+    ),
+    WindowField(
+        "contrast_1", "real", lambda result: result.explanation and result.explanation.contrast,
+        attribute="contrast", called=("contrast",),
+    ),
+    WindowField(
+        "sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness,
+        attribute="sharpness", heading=QT_TR_NOOP("sharpness"), shown="percent", is_share=True, called=("sharpness",),
+        help=QT_TR_NOOP("Sharpness of the whole window against the composite of its sources."),
+    ),
+    WindowField(
+        "added_1", "real", lambda result: result.explanation and result.explanation.added,
+        attribute="added", heading=QT_TR_NOOP("added"), shown="percent", is_share=True, called=("added",),
+        help=QT_TR_NOOP("Share of the mosaic's finest detail that its sources don't have."),
+    ),
+    WindowField(
+        "explained", "real", lambda result: result.explained,
+        title=QT_TR_NOOP("share that the sources explain"), heading=QT_TR_NOOP("explained"), shown="percent",
+        is_share=True,
+        help=QT_TR_NOOP("Share of the pixels whose detail the given sources explain."),
+    ),
+)  # fmt: skip
+"""OUTPUT of ``inspectwindows``: one polygon per window, as measured; ``observer`` is the operator's word, not ours."""
+
+SAID = (
+    WindowField(
+        "observer_2", JUDGING_FIELDS["observer_2"],
+        title=QT_TR_NOOP("observer 2"), heading=QT_TR_NOOP("observer 2"), shown="observer",
+        help=QT_TR_NOOP("What the second operator saw at 2x magnification."),
+    ),
+    WindowField(
+        "confidence", JUDGING_FIELDS["confidence"],
+        title=QT_TR_NOOP("sure (%)"), heading=QT_TR_NOOP("sure"), shown="of 100", called=("sure",),
+        help=QT_TR_NOOP("How sure the observer is, 0 to 100 %."),
+    ),
+    WindowField(
+        "confidence_2", JUDGING_FIELDS["confidence_2"],
+        title=QT_TR_NOOP("sure 2 (%)"), heading=QT_TR_NOOP("sure 2"), shown="of 100",
+        help=QT_TR_NOOP("How sure the second operator is, 0 to 100 %."),
+    ),
+    WindowField(
+        "remark", JUDGING_FIELDS["remark"], title=QT_TR_NOOP("remark"), heading=QT_TR_NOOP("remark"), shown="words",
+        help=QT_TR_NOOP("The observer's remark."),
+    ),
+    WindowField(
+        "remark_2", JUDGING_FIELDS["remark_2"],
+        title=QT_TR_NOOP("remark 2"), heading=QT_TR_NOOP("remark 2"), shown="words",
+        help=QT_TR_NOOP("The second operator's remark."),
+    ),
+)  # fmt: skip
+"""What operators say, there as soon as one of them does."""
+
+PLACED = (
+    WindowField(
+        "seam_id", "integer", heading=QT_TR_NOOP("seam"), shown="whole", called=("seam",),
+        help=QT_TR_NOOP("Number of the seam that the window was placed on."),
+    ),
+    WindowField(
+        "station", "real", heading=QT_TR_NOOP("station"), shown="metres",
+        help=QT_TR_NOOP("How far along its seam the window lies."),
+    ),
+)  # fmt: skip
+"""Where ``placewindows`` put it."""
+
+WINDOW_FIELDS: tuple[WindowField, ...] = (*MEASURED, *SAID, *PLACED)
+_ROW_COLUMNS = tuple(one for one in MEASURED if one.name != "observer")
+
+
+def in_filter(fields: Sequence[WindowField] = WINDOW_FIELDS) -> dict[str, WindowField]:
+    """Fields by all names that a filter may call them, those by level without it."""
+    return {name: one for one in fields for name in (one.name, *one.called)}
 
 
 def window_rows(results: Iterable[WindowResult]) -> list[Row]:
@@ -132,7 +274,7 @@ def window_rows(results: Iterable[WindowResult]) -> list[Row]:
     values.
     """
     found = list(results)
-    return list(rows_of(WINDOW_COLUMNS, found, _most_levels(found)))
+    return list(rows_of(_ROW_COLUMNS, found, _most_levels(found)))
 
 
 def profile_rows(results: Iterable[WindowResult]) -> list[Row]:
