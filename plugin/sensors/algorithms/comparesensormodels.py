@@ -35,7 +35,7 @@ class CompareSensorModels(SensorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(*sensor_parameters.gcps())
+        self.addPoints()
         self.addFittingParameters()
         self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Models"), QgsProcessing.SourceType.TypeVector),

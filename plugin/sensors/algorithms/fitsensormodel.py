@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Callable, NamedTuple
+from typing import TYPE_CHECKING, Any, Callable
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -22,7 +22,6 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import filled, tr
 from ..measure import messages, registry
-from ..model_titles import MODEL_TITLES
 from . import sensor_parameters
 from .sensor_parameters import SensorAlgorithm, image_box
 
@@ -30,7 +29,6 @@ if TYPE_CHECKING:
     from ...imagery.errors import Message
     from ...imagery.open_raster import OpenRaster
     from ..measure.adjustment import Accuracy, Adjustment
-    from ..measure.point_checks import ImageBox
     from ..measure.registry import ModelRequest
 
 MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
@@ -41,6 +39,18 @@ CONTROL_COUNT, CHECK_COUNT, CONDITION = "CONTROL_COUNT", "CHECK_COUNT", "CONDITI
 BIAS_COLUMN, BIAS_ROW = "BIAS_COLUMN", "BIAS_ROW"
 _BIASES = tuple(one.name for one in registry.RPC_BIAS.variants)
 _ERRORS = ("RMSE_X", "RMSE_Y", "MAX_X", "MAX_Y")
+MODEL_TITLES = {
+    "polynomial_2d": QT_TRANSLATE_NOOP("@default", "polynomials of the plane, as in a georeferencer, without heights"),
+    "polynomial_3d": QT_TRANSLATE_NOOP("@default", "polynomials of space, without physics"),
+    "rational": QT_TRANSLATE_NOOP("@default", "quotients of polynomials as in an RPC, without physics"),
+    "rational_terms": QT_TRANSLATE_NOOP(
+        "@default", "quotients of order 2 at most, with the terms left out that the points do not speak for"
+    ),
+    "dlt": QT_TRANSLATE_NOOP("@default", "the direct linear transformation, without physics"),
+    "pushbroom": QT_TRANSLATE_NOOP("@default", "the parametric model of a line scanner"),
+    "rpc_bias": QT_TRANSLATE_NOOP("@default", "the RPC that came with the image, corrected"),
+}
+"""By the model's name in the registry; a test looks that every model has its entry."""
 
 
 class FitSensorModel(SensorAlgorithm):
@@ -57,7 +67,7 @@ class FitSensorModel(SensorAlgorithm):
     NAMED_BY_FORMAT = (RPC_IMAGE,)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(*sensor_parameters.gcps())
+        self.addPoints()
         self.addDescribed(
             common.choice(MODEL, tr("Model"), tuple(registry.KINDS), registry.RATIONAL.name),
             " ".join(map(_described, registry.KINDS.values())),
@@ -77,7 +87,7 @@ class FitSensorModel(SensorAlgorithm):
             tr("For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image."),
         )
         self.addFittingParameters()
-        self.addDescribed(*sensor_parameters.terrain_error())
+        self.addTerrainError()
         self.addDescribed(
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Residuals"), QgsProcessing.SourceType.TypeVectorPoint),
             tr("The points with residuals, model minus measured: in pixels, and in metres at the point's height."),
@@ -135,11 +145,13 @@ class FitSensorModel(SensorAlgorithm):
         done = adjust(request, points, run.flag(sensor_parameters.ROBUST))
         box = image_box(image, points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
-        bias = _bias(done, box)
         notices = self._notices(done) + coverage_warnings(coverage)
-        if bias is not None:
-            notices.append(messages.RPC_BIAS_FOUND(columns=bias.column, rows=bias.row, most=bias.most))
         files = FitFiles(done, image, box, run.is_cancelled)
+        bias, column, row = files.rpc_bias, None, None
+        if bias is not None:
+            column, row = bias[0].tolist()
+            most = max(math.hypot(*place) for place in bias.tolist())
+            notices.append(messages.RPC_BIAS_FOUND(columns=column, rows=row, most=most))
         view = files.view
         if view is not None:
             notices.append(view.told(run.real(sensor_parameters.TERRAIN_ERROR)))
@@ -179,7 +191,7 @@ class FitSensorModel(SensorAlgorithm):
         results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
         results[CONDITION] = condition if math.isfinite(condition) else None
         results.update(sensor_parameters.view_numbers(run, view))
-        results.update({BIAS_COLUMN: bias and bias.column, BIAS_ROW: bias and bias.row})
+        results.update({BIAS_COLUMN: column, BIAS_ROW: row})
         return results
 
     def _request(self, run: Run, image: OpenRaster | None) -> ModelRequest:
@@ -213,37 +225,12 @@ class FitSensorModel(SensorAlgorithm):
         if done.check.count == 0:
             notices.append(messages.CHECK_POINTS_MISSING())
         if done.blunder.any():
-            names = [name for name, one in zip(done.points.ids, done.blunder) if one]
+            names = done.points.named(done.blunder)
             notices.append(messages.BLUNDERS_FOUND(count=len(names), names=", ".join(names[:20])))
         elif (doubted := suspects(done)).any():
-            names = [name for name, one in zip(done.points.ids, doubted) if one]
+            names = done.points.named(doubted)
             notices.append(messages.BLUNDERS_POSSIBLE(count=len(names), names=", ".join(names[:20])))
         return notices
-
-
-class _Bias(NamedTuple):
-    """How far off an RPC was, px."""
-
-    column: float
-    """In the middle of the image."""
-    row: float
-    most: float
-    """The longest in its corners."""
-
-
-def _bias(done: Adjustment, box: ImageBox) -> _Bias | None:
-    """Of a corrected RPC; None for other models."""
-    import numpy as np
-
-    from ..measure.rpc import BiasedRpc
-
-    model = done.fitted.model
-    if not isinstance(model, BiasedRpc):
-        return None
-    left, top, right, bottom = box
-    places = [((left + right) / 2, (top + bottom) / 2), (left, top), (right, top), (left, bottom), (right, bottom)]
-    found = model.bias(np.array(places))
-    return _Bias(float(found[0, 0]), float(found[0, 1]), float(np.hypot(*found.T).max()))
 
 
 def _described(kind: registry.ModelKind) -> str:

@@ -48,26 +48,32 @@ class Orthorectify(SensorAlgorithm):
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addDescribed(*sensor_parameters.image(optional=False))
-        self.addDescribed(
-            QgsProcessingParameterFile(MODEL_FILE, tr("Model file"), optional=True),
-            tr("As Fit sensor model writes it."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFile(RPC, tr("RPC file"), optional=True),
-            tr("_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own RPC."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFile(INTERIOR, tr("Interior orientation"), optional=True),
-            tr("The camera of an aerial photo: a YAML file of orthority, or MicMac's AutoCal XML."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterFile(EXTERIOR, tr("Exterior orientation"), optional=True),
-            tr(
-                "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi "
-                "and kappa (degrees), a GeoJSON of orthority, or MicMac's Orientation XML."
+        self.addImage(optional=False)
+        for name, label, purpose in (
+            (MODEL_FILE, tr("Model file"), tr("As Fit sensor model writes it.")),
+            (
+                RPC,
+                tr("RPC file"),
+                tr(
+                    "_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own "
+                    "RPC."
+                ),
             ),
-        )
+            (
+                INTERIOR,
+                tr("Interior orientation"),
+                tr("The camera of an aerial photo: a YAML file of orthority, or MicMac's AutoCal XML."),
+            ),
+            (
+                EXTERIOR,
+                tr("Exterior orientation"),
+                tr(
+                    "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, "
+                    "phi and kappa (degrees), a GeoJSON of orthority, or MicMac's Orientation XML."
+                ),
+            ),
+        ):
+            self.addDescribed(QgsProcessingParameterFile(name, label, optional=True), purpose)
         self.addDescribed(
             QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), optional=True),
             tr("Projected, in metres. Empty: what its file says, else the image's own."),
@@ -78,10 +84,11 @@ class Orthorectify(SensorAlgorithm):
             tr("as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."),
             advanced=True,
         )
-        self.addDescribed(*sensor_parameters.dem(tr("Terrain heights under the whole image, in any reference system.")))
-        self.addDescribed(*sensor_parameters.heights(sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")))
-        self.addDescribed(*sensor_parameters.geoid())
-        self.addDescribed(*sensor_parameters.terrain_error())
+        self.addTerrain(
+            tr("Terrain heights under the whole image, in any reference system."),
+            (sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")),
+        )
+        self.addTerrainError()
         self.addDescribed(
             QgsProcessingParameterNumber(
                 HEIGHT, tr("Constant height (metres)"), QgsProcessingParameterNumber.Type.Double, None, optional=True

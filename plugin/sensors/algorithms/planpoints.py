@@ -18,7 +18,6 @@ from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import limits, messages, registry
-from . import sensor_parameters
 from .sensor_parameters import IMAGE, IMAGE_RPC, ORBIT_HEIGHT, SensorAlgorithm
 
 if TYPE_CHECKING:
@@ -83,7 +82,7 @@ class PlanPoints(SensorAlgorithm):
                 number(name, label, real, default),
                 tr("Height above the ellipsoid. Every point lies anywhere between the lowest and the highest."),
             )
-        self.addDescribed(*sensor_parameters.image())
+        self.addImage()
         self.addDescribed(
             QgsProcessingParameterFile(IMAGE_RPC, tr("RPC of the image"), optional=True),
             tr("An RPC whose geometry is taken for true. Without it and without IMAGE: a nominal line scanner."),

@@ -18,7 +18,6 @@ from qgis.core import (
 from ...imagery.errors import SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SATELLITE_IMAGES, SeamInspectorAlgorithm
-from ...toolkit.algorithms.parameters import Described
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import limits, messages
@@ -55,10 +54,64 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     GROUP = SATELLITE_IMAGES
     RASTER_LISTS: tuple[str, ...] = (IMAGE, DEM)
 
+    def addPoints(self) -> None:
+        """The points that a model is fitted to."""
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(
+                GCPS, tr("Ground control points"), [QgsProcessing.SourceType.TypeVectorPoint], None, True
+            ),
+            tr(
+                "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper "
+                "left corner of the first pixel), and if there are any id, z, role (control or check) and sigma "
+                "(standard deviation in pixels); or a .points file of QGIS's georeferencer, a GeoJSON of orthority, or "
+                "a TIFF that holds such points. Empty: those inside the image."
+            ),
+        )
+
+    def addImage(self, optional: bool = True) -> None:
+        """The image as it was taken."""
+        self.addDescribed(
+            QgsProcessingParameterRasterLayer(IMAGE, tr("Image"), optional=optional),
+            tr("The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it."),
+        )
+
+    def addTerrain(self, purpose: str, *heights: tuple[str, str]) -> None:
+        """A terrain model, what heights refer to (names and labels), and the grid for some of them."""
+        self.addDescribed(QgsProcessingParameterRasterLayer(DEM, tr("Terrain model"), optional=True), purpose)
+        for name, label in heights:
+            self.addDescribed(
+                common.choice(name, label, limits.HEIGHT_DATUMS),
+                tr(
+                    "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a "
+                    "warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ "
+                    "has the grid, geoid by a grid file of your own. SRTM tiles are egm96."
+                ),
+            )
+        self.addDescribed(
+            QgsProcessingParameterFile(GEOID, tr("Grid of the geoid"), optional=True),
+            tr(
+                "For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any "
+                "raster."
+            ),
+            advanced=True,
+        )
+
+    def addTerrainError(self) -> None:
+        """What the view is judged by."""
+        number = QgsProcessingParameterNumber
+        self.addDescribed(
+            number(TERRAIN_ERROR, tr("Error of terrain heights (metres)"), number.Type.Double, 1.0, minValue=0),
+            tr(
+                "What an error of this size moves the orthoimage by is told, from the angle that the image was taken "
+                "at."
+            ),
+            advanced=True,
+        )
+
     def addFittingParameters(self) -> None:
         """What a fit to points takes beside them and the model."""
         number = QgsProcessingParameterNumber
-        self.addDescribed(*image())
+        self.addImage()
         self.addDescribed(
             QgsProcessingParameterFile(IMAGE_RPC, tr("RPC of the image"), optional=True),
             tr(
@@ -66,10 +119,11 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
                 ".geom."
             ),
         )
-        self.addDescribed(*dem(tr("Gives heights to points that have none.")))
-        self.addDescribed(*heights(HEIGHTS, tr("Heights of the points")))
-        self.addDescribed(*heights(DEM_HEIGHTS, tr("Heights of the terrain model")))
-        self.addDescribed(*geoid())
+        self.addTerrain(
+            tr("Gives heights to points that have none."),
+            (HEIGHTS, tr("Heights of the points")),
+            (DEM_HEIGHTS, tr("Heights of the terrain model")),
+        )
         share = tr("Share of check points")
         self.addDescribed(
             number(CHECK_SHARE, share, number.Type.Double, DEFAULT_CHECK_SHARE, minValue=0, maxValue=MOST_CHECK_SHARE),
@@ -114,18 +168,13 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
     def prepare(self, run: Run) -> None:
         self._image_ref = run.raster(IMAGE)
         self._dem = run.raster(DEM)
-        self._heights_wkt = self._of_heights(run)
-
-    @staticmethod
-    def _of_heights(run: Run) -> str:
-        """The system that the points' heights are in, by their layer."""
+        self._heights_wkt = ""  # of the points' layer, which may say what heights are in
         given = run.parameters.get(GCPS)
-        if not given or _file_path(given):
-            return ""
-        from ..point_tables import heights_wkt
+        layer = run.vector_layer(GCPS) if given and not _file_path(given) else None
+        if layer is not None:
+            from ..point_tables import heights_wkt
 
-        layer = run.vector_layer(GCPS)
-        return heights_wkt(layer) if layer is not None else ""
+            self._heights_wkt = heights_wkt(layer)
 
     def _image(self) -> OpenRaster | None:
         from ..measure.rpc import open_image
@@ -249,59 +298,3 @@ def image_box(image: OpenRaster | None, points: Points) -> ImageBox:
 def _file_path(value: object) -> str:
     """The path of a georeferencer's file or of an image that holds points; empty for a layer."""
     return value if isinstance(value, str) and value.lower().endswith((POINTS_SUFFIX, *IMAGE_SUFFIXES)) else ""
-
-
-# --- parameters ------------------------------------------------------------------------------------------------
-
-
-def gcps() -> Described:
-    return (
-        QgsProcessingParameterFeatureSource(
-            GCPS, tr("Ground control points"), [QgsProcessing.SourceType.TypeVectorPoint], None, True
-        ),
-        tr(
-            "A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left "
-            "corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard "
-            "deviation in pixels); or a .points file of QGIS's georeferencer, a GeoJSON of orthority, or a TIFF that "
-            "holds such points. Empty: those inside the image."
-        ),
-    )
-
-
-def image(optional: bool = True) -> Described:
-    return (
-        QgsProcessingParameterRasterLayer(IMAGE, tr("Image"), optional=optional),
-        tr("The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it."),
-    )
-
-
-def dem(purpose: str) -> Described:
-    return QgsProcessingParameterRasterLayer(DEM, tr("Terrain model"), optional=True), purpose
-
-
-def heights(name: str, label: str) -> Described:
-    return (
-        common.choice(name, label, limits.HEIGHT_DATUMS),
-        tr(
-            "What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning "
-            "where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, "
-            "geoid by a grid file of your own. SRTM tiles are egm96."
-        ),
-    )
-
-
-def terrain_error() -> tuple[QgsProcessingParameterNumber, str, bool]:
-    number = QgsProcessingParameterNumber
-    return (
-        number(TERRAIN_ERROR, tr("Error of terrain heights (metres)"), number.Type.Double, 1.0, minValue=0),
-        tr("What an error of this size moves the orthoimage by is told, from the angle that the image was taken at."),
-        True,
-    )
-
-
-def geoid() -> tuple[QgsProcessingParameterFile, str, bool]:
-    return (
-        QgsProcessingParameterFile(GEOID, tr("Grid of the geoid"), optional=True),
-        tr("For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster."),
-        True,
-    )

@@ -20,7 +20,7 @@ from . import messages, registry
 from .adjustment import Adjustment
 from .point_checks import ImageBox
 from .points import write_point_file
-from .rpc import Domain, RpcOfModel, located, rpc_heights, rpc_of, write_image_with_rpc, write_rpc
+from .rpc import BiasedRpc, Domain, RpcOfModel, located, rpc_heights, rpc_of, write_image_with_rpc, write_rpc
 from .sensor_model import WGS84, SensorModel, file_content
 
 FORMAT = "seam_inspector sensor model"
@@ -129,8 +129,7 @@ def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirectio
     """
     if not model.SPATIAL:
         return None
-    (left, right), (top, bottom) = domain.columns, domain.rows
-    image = [((left + right) / 2, (top + bottom) / 2), (left, top), (right, top), (left, bottom), (right, bottom)]
+    image = domain.middle_and_corners
     height = float(np.mean(domain.heights))
     low, high = (
         located(model, wkt, np.column_stack([image, np.full(len(image), level)]), domain)
@@ -174,6 +173,12 @@ class FitFiles:
         except SensorModelError:
             return None
 
+    @property
+    def rpc_bias(self) -> np.ndarray | None:
+        """(5, 2) px: how far off an RPC was that is corrected, in the middle of the image and in its corners."""
+        model = self.done.fitted.model
+        return model.bias(self.domain.middle_and_corners) if isinstance(model, BiasedRpc) else None
+
     def save_model(self, path: Path) -> None:
         """The model file."""
         done = self.done
@@ -185,7 +190,7 @@ class FitFiles:
             "sigma_px": done.sigma_px,
             "control": asdict(done.control),
             "check": asdict(done.check),
-            "blunders": [name for name, one in zip(done.points.ids, done.blunder) if one],
+            "blunders": done.points.named(done.blunder),
         }
         save_model(ModelFile(done.fitted.model, done.points.wkt, self.domain, facts), path)
 

@@ -61,20 +61,16 @@ def _check_inside(points: Points, size: tuple[int, int]) -> None:
     for turned, why in whys:
         if _inside(turned, size).mean() > max(inside.mean(), FEWEST_INSIDE):
             raise SensorModelError(why())
-    raise SensorModelError(_outside(points, inside, size))
+    names = points.named(~inside)
+    raise SensorModelError(messages.POINTS_OUTSIDE_IMAGE(
+        count=len(names), names=", ".join(names[:_SHOWN]), columns=size[0], rows=size[1]
+    ))
 
 
 def _inside(image: np.ndarray, size: tuple[int, int]) -> np.ndarray:
     margin = MARGIN * np.array(size)
     inside: np.ndarray = ((image >= -margin) & (image <= size + margin)).all(axis=1)
     return inside
-
-
-def _outside(points: Points, inside: np.ndarray, size: tuple[int, int]) -> Message:
-    names = [name for name, good in zip(points.ids, inside) if not good]
-    return messages.POINTS_OUTSIDE_IMAGE(
-        count=len(names), names=", ".join(names[:_SHOWN]), columns=size[0], rows=size[1]
-    )
 
 
 def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
@@ -102,7 +98,7 @@ def _beyond_rpc_heights(points: Points, rpc: Rational) -> list[Message]:
     beyond = np.abs(heights - middle) > max(RPC_HEIGHTS * half, half + UNDULATION_M)
     if not beyond.any():
         return []
-    names = ", ".join([name for name, one in zip(points.ids, beyond) if one][:_SHOWN])
+    names = ", ".join(points.named(beyond)[:_SHOWN])
     low, high = float(heights[beyond].min()), float(heights[beyond].max())
     return [
         messages.POINTS_BEYOND_RPC_HEIGHTS(

@@ -45,9 +45,12 @@ class Points:
 
     def only(self, mask: np.ndarray) -> Points:
         """The points of a mask (n,)."""
-        ids = tuple(name for name, kept in zip(self.ids, mask) if kept)
         parts = {name: getattr(self, name)[mask] for name in ("image", "ground", "sigma_px", "check")}
-        return replace(self, ids=ids, **parts)
+        return replace(self, ids=tuple(self.named(mask)), **parts)
+
+    def named(self, mask: np.ndarray) -> list[str]:
+        """The names of the points of a mask (n,)."""
+        return [name for name, chosen in zip(self.ids, mask) if chosen]
 
     @property
     def weights(self) -> np.ndarray:

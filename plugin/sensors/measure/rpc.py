@@ -58,6 +58,13 @@ class Domain:
     middle: tuple[float, float]
     """x and y on the ground of a place in it, in the frame of the model's points."""
 
+    @property
+    def middle_and_corners(self) -> np.ndarray:
+        """(5, 2) column and row."""
+        (left, right), (top, bottom) = self.columns, self.rows
+        middle = ((left + right) / 2, (top + bottom) / 2)
+        return np.array([middle, (left, top), (right, top), (left, bottom), (right, bottom)])
+
 
 @dataclass(frozen=True)
 class RpcOfModel:

@@ -9,10 +9,10 @@ from typing import ClassVar
 import numpy as np
 import pytest
 from qgis.core import QgsApplication
+from seam_inspector.plugin.sensors.algorithms.fitsensormodel import MODEL_TITLES
 from seam_inspector.plugin.sensors.measure import registry
 from seam_inspector.plugin.sensors.measure.fit_files import load_model
 from seam_inspector.plugin.sensors.measure.sensor_model import FittedModel, SensorModel
-from seam_inspector.plugin.sensors.model_titles import MODEL_TITLES
 
 from tests.numbers.sensors.sensor_scenes import made_rational, places
 from tests.qgis.runs import run
