@@ -35,8 +35,8 @@ from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 if TYPE_CHECKING:
     from ..imagery.rasters import Raster
     from .measure.delivery import DeliveredPiece, Delivery
-    from .measure.inspection_plan import CountedPlan
-    from .measure.sampling_risks import StatedRisk
+    from .measure.sampling_plans import SamplingPlan
+    from .measure.sampling_risks import RiskPlan, StatedRisk
     from .planned_sample import SampledItem
 
 SEAMS, UNIT, SIDE, PIECE, SHEET_FIELD, COUNT = "SEAMS", "UNIT", "SIDE", "PIECE", "SHEET_FIELD", "COUNT"
@@ -141,17 +141,16 @@ class PlanInspection(SeamInspectorAlgorithm):
         size = run.whole(LOT_SIZE) or len(lot)
         if size < len(lot):
             raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))
-        counted = self._plan(run, lot, size)
-        count = min(run.whole(COUNT), size) if counted is None else counted.plan.sample_size
-        sample = drawn_sample(lot, count, run.whole(SEED))
-        self._tell_plan(run, counted, len(sample), size)
+        plan, by_risk = self._plan(run, lot, size)
+        sample = drawn_sample(lot, min(run.whole(COUNT), size) if plan is None else plan.sample_size, run.whole(SEED))
+        self._tell_plan(run, plan, by_risk, len(sample), size)
         destination = self._write(run, sample, size, QgsCoordinateReferenceSystem.fromWkt(delivery.wkt))
         return {
             OUTPUT: destination,
             SAMPLE_SIZE: len(sample),
-            ACCEPTANCE_NUMBER: None if counted is None else counted.plan.rejection_number - 1,
+            ACCEPTANCE_NUMBER: None if plan is None else plan.rejection_number - 1,
             LOT_SIZE: size,
-            CODE_LETTER: (counted.plan.code_letter if counted is not None else "") or None,
+            CODE_LETTER: None if plan is None else plan.code_letter or None,
         }
 
     def _add_risks(self) -> None:
@@ -237,30 +236,32 @@ class PlanInspection(SeamInspectorAlgorithm):
             run.tell(messages.PIECES_OFF_MOSAIC(count=len(delivery.pieces) - len(found)))
         return found
 
-    def _plan(self, run: Run, lot: Sequence[DeliveredPiece], size: int) -> CountedPlan | None:
-        """None where as many are drawn as were asked for."""
-        from .measure.inspection_plan import plan_of_risk, plan_of_standard
+    def _plan(
+        self, run: Run, lot: Sequence[DeliveredPiece], size: int
+    ) -> tuple[SamplingPlan | None, RiskPlan | None]:
+        """The plan, none where as many are drawn as were asked for, and how it came about where risks were stated."""
+        from .measure.inspection_plan import plan_of_risk
+        from .measure.sampling_plans import single_sampling_plan
 
         plan = run.word(stated.PLAN)
         if plan == BY_COUNT:
-            return None
+            return None, None
         if plan == RISK:
-            return plan_of_risk(lot, size, self._risk(run), self._correlation(run), run.real(stated.MIN_KEPT))
-        return plan_of_standard(
-            size, stated.standard_aql(run), run.word(stated.INSPECTION_LEVEL), run.word(stated.SEVERITY)
-        )
+            least_kept = run.real(stated.MIN_KEPT)
+            by_risk = plan_of_risk(lot, size, self._risk(run), self._correlation(run), least_kept)
+            return by_risk.plan, by_risk
+        level, severity = run.word(stated.INSPECTION_LEVEL), run.word(stated.SEVERITY)
+        return single_sampling_plan(size, stated.standard_aql(run), level, severity), None
 
-    @staticmethod
-    def _tell_plan(run: Run, counted: CountedPlan | None, drawn: int, size: int) -> None:
+    def _tell_plan(self, run: Run, plan: SamplingPlan | None, by_risk: RiskPlan | None, drawn: int, size: int) -> None:
         from .measure.inspection_plan import risk_sentences
         from .measure.sampling_risks import allowed_at_aql, operating_characteristic
 
-        if counted is None:
+        if plan is None:
             run.tell(messages.PLANNED_BY_COUNT(size=drawn, lot=size))
             return
-        plan = counted.plan
-        if counted.by_risk is not None:
-            run.tell(*risk_sentences(counted.by_risk, PlanInspection._risk(run), counted.correlation or 0.0))
+        if by_risk is not None:
+            run.tell(*risk_sentences(by_risk, self._risk(run)))
         else:
             risks = operating_characteristic(plan)
             run.tell(messages.PLANNED_BY_STANDARD(

@@ -12,6 +12,8 @@ from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from .delivery import DeliveredPiece
@@ -25,19 +27,18 @@ class PiecePlaces:
     def __init__(self, pieces: Sequence[DeliveredPiece], typical_m: float, unit_m: float) -> None:
         self._pieces, self._typical_m, self._tolerance_m = pieces, typical_m, TOUCHING * typical_m
         self._ends = np.array([[piece.vertices[0], piece.vertices[-1]] for piece in pieces]) * unit_m
-        self._same = _Same(2 * len(pieces))
-        for one, other in self._along_seams():
-            self._same.join(one, other)
-        for one, other in cKDTree(self._ends.reshape(-1, 2)).query_pairs(self._tolerance_m):
-            if one // 2 != other // 2:
-                self._same.join(one, other)
+        touching = cKDTree(self._ends.reshape(-1, 2)).query_pairs(self._tolerance_m)
+        joined = [(one, other) for one, other in touching if one // 2 != other // 2]
+        self._places = _united([*self._along_seams(), *joined], 2 * len(pieces)).reshape(-1, 2).tolist()
         self._at: dict[int, list[int]] = defaultdict(list)
-        for end in range(2 * len(pieces)):
-            self._at[self._same.first(end)].append(end // 2)
+        for number, places in enumerate(self._places):
+            for place in places:
+                self._at[place].append(number)
 
     def of(self, number: int) -> tuple[int, int]:
         """Where a piece begins and ends."""
-        return self._same.first(2 * number), self._same.first(2 * number + 1)
+        start, stop = self._places[number]
+        return start, stop
 
     def at(self, place: int) -> Sequence[int]:
         """The pieces that begin or end there."""
@@ -54,12 +55,11 @@ class PiecePlaces:
             ways[one].append((other, self._pieces[number].length_m))
             ways[other].append((one, self._pieces[number].length_m))
         own = {place for places in ends.values() for place in places}
-        same = _Same(2 * len(self._pieces))
-        for place in own & set(ways):
-            for other in self._reached(place, ways):
-                if other in own:
-                    same.join(place, other)
-        return {number: (same.first(one), same.first(other)) for number, (one, other) in ends.items()}
+        bridged = [
+            (place, other) for place in own & set(ways) for other in self._reached(place, ways) if other in own
+        ]
+        same = _united(bridged, 2 * len(self._pieces)).tolist()
+        return {number: (same[one], same[other]) for number, (one, other) in ends.items()}
 
     def _reached(self, start: int, ways: dict[int, list[tuple[int, float]]]) -> Iterator[int]:
         """Places no farther than a typical piece."""
@@ -91,21 +91,11 @@ class PiecePlaces:
         return 2 * number + int(one), 2 * other + int(two)
 
 
-class _Same:
-    """Which of some numbers are the same."""
-
-    def __init__(self, count: int) -> None:
-        self._before = list(range(count))
-
-    def first(self, number: int) -> int:
-        before = self._before
-        while before[number] != number:
-            before[number] = number = before[before[number]]
-        return number
-
-    def join(self, one: int, other: int) -> None:
-        one, other = sorted((self.first(one), self.first(other)))
-        self._before[other] = one
+def _united(pairs: Sequence[tuple[int, int]], count: int) -> np.ndarray:
+    """(count,) numbers of which those are the same that pairs join."""
+    ones, others = np.array(pairs, int).reshape(-1, 2).T
+    graph = coo_matrix((np.ones(len(ones)), (ones, others)), (count, count))
+    return np.asarray(connected_components(graph, directed=False)[1])
 
 
 MOST_STEPS = 20_000  # for one walk: 16 loops that meet take fewer

@@ -80,36 +80,28 @@ def estimated_ends(
     known = np.zeros(_KEPT_STEPS)
     for kept in inner:
         known += _agreement(kept, np.ones(1), inside, usual)[:, 0]
-    one, other = (_reach(end, inside, usual) for end in (first, last))
-    weight = known[:, np.newaxis, np.newaxis] + one.agreement[:, :, np.newaxis] + other.agreement[:, np.newaxis, :]
-    weight = np.exp(weight - weight.max()) * one.metres_each[:, np.newaxis] * other.metres_each
-    return _mean(weight, one.places_m[:, np.newaxis], other.places_m[np.newaxis])
+    (places, metres), (other_places, other_metres) = _places(first), _places(last)
+    weight = (
+        known[:, np.newaxis, np.newaxis]
+        + _reach(first, places, inside, usual)[:, :, np.newaxis]
+        + _reach(last, other_places, inside, usual)[:, np.newaxis, :]
+    )
+    weight = np.exp(weight - weight.max()) * metres[:, np.newaxis] * other_metres
+    return _mean(weight, places, other_places)
 
 
 def estimated_alone(start: FailureEnd, stop: FailureEnd, usual: UsualKept, least_kept: float) -> EndEstimate:
     """Of a single piece: how far the failure reaches from its last end over the first, and the other way round."""
     inside = (np.arange(_KEPT_STEPS) + 0.5) / _KEPT_STEPS * least_kept
     length = start.length_m
-    one, other = (_places(end) for end in (start, stop))
-    covered = np.minimum(one[0], length)[:, np.newaxis] + np.minimum(other[0], length)[np.newaxis] - length
-    weight = _agreement(start.kept, np.clip(covered, 0, None).ravel() / length, inside, usual).reshape(
-        _KEPT_STEPS, *covered.shape
-    )
-    for axis, (end, (places, _)) in enumerate(((start, one), (stop, other))):
-        weight = weight + np.expand_dims(_beyond(end, places, inside, usual), 2 - axis)
+    (places, metres), (other_places, other_metres) = _places(start), _places(stop)
+    covered = np.minimum(places, length)[:, np.newaxis] + np.minimum(other_places, length) - length
+    weight = _agreement(start.kept, np.clip(covered, 0, None).ravel() / length, inside, usual)
+    weight = weight.reshape(_KEPT_STEPS, *covered.shape)
+    weight = weight + _beyond(start, places, inside, usual)[:, :, np.newaxis]
+    weight = weight + _beyond(stop, other_places, inside, usual)[:, np.newaxis, :]
     weight = np.where(covered > 0, np.exp(weight - weight[:, covered > 0].max()), 0.0)
-    weight = weight * one[1][:, np.newaxis] * other[1]
-    return _mean(weight, one[0][:, np.newaxis], other[0][np.newaxis])
-
-
-@dataclass(frozen=True, eq=False)
-class _Reach:
-    """How well places of an end agree with what was measured."""
-
-    places_m: np.ndarray
-    metres_each: np.ndarray
-    agreement: np.ndarray
-    """(k, places), a logarithm."""
+    return _mean(weight * metres[:, np.newaxis] * other_metres, places, other_places)
 
 
 def _places(end: FailureEnd) -> tuple[np.ndarray, np.ndarray]:
@@ -125,10 +117,10 @@ def _places(end: FailureEnd) -> tuple[np.ndarray, np.ndarray]:
     )
 
 
-def _reach(end: FailureEnd, inside: np.ndarray, usual: UsualKept) -> _Reach:
-    places, each = _places(end)
+def _reach(end: FailureEnd, places: np.ndarray, inside: np.ndarray, usual: UsualKept) -> np.ndarray:
+    """(k, places): how well places of an end agree with what was measured, a logarithm."""
     agreement = _agreement(end.kept, np.minimum(places / end.length_m, 1), inside, usual)
-    return _Reach(places, each, agreement + _beyond(end, places, inside, usual))
+    return agreement + _beyond(end, places, inside, usual)
 
 
 def _beyond(end: FailureEnd, places: np.ndarray, inside: np.ndarray, usual: UsualKept) -> np.ndarray:
@@ -146,7 +138,8 @@ def _agreement(kept: float, share: np.ndarray, inside: np.ndarray, usual: UsualK
 
 
 def _mean(weight: np.ndarray, first: np.ndarray, last: np.ndarray) -> EndEstimate:
-    weight = weight.sum(axis=0)
+    """``weight``: (k, places of the first end, places of the last one)."""
+    weight, first = weight.sum(axis=0), first[:, np.newaxis]
     weight = weight / weight.sum()
     one, other = float((weight * first).sum()), float((weight * last).sum())
     variance = float((weight * (first + last - one - other) ** 2).sum())

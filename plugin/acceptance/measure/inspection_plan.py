@@ -28,25 +28,9 @@ from .sampling_risks import (
 STANDARD_CORRELATION = 0.3  # where no scan says it: what software does to a seam it does along much of it
 
 
-@dataclass(frozen=True)
-class CountedPlan:
-    """A plan, and how it came about."""
-
-    plan: SamplingPlan
-    correlation: float | None = None
-    """How much alike pieces of one seam were taken to be; None where that plays no part."""
-    by_risk: RiskPlan | None = None
-    """With the risks that it keeps, where these were stated."""
-
-
-def plan_of_standard(lot_size: int, aql: str, inspection_level: str, severity: str) -> CountedPlan:
-    """By the tables of ISO 2859-1."""
-    return CountedPlan(single_sampling_plan(lot_size, aql, inspection_level, severity))
-
-
 def plan_of_risk(
     pieces: Sequence[DeliveredPiece], lot_size: int, risk: StatedRisk, correlation: float | None, least_kept: float
-) -> CountedPlan:
+) -> RiskPlan:
     """By stated risks. ``correlation``: None to estimate it from what the pieces kept, where a scan measured them."""
     seams = [piece.seam for piece in pieces]
     if correlation is None:
@@ -57,8 +41,7 @@ def plan_of_risk(
         ]  # fmt: skip
         correlation = intraclass_correlation(*zip(*known)) if known else None
         correlation = STANDARD_CORRELATION if correlation is None else correlation
-    found = plan_by_risk(lot_size, risk, correlation, typical_cluster_size(seams))
-    return CountedPlan(found.plan, correlation, found)
+    return plan_by_risk(lot_size, risk, correlation, typical_cluster_size(seams))
 
 
 def drawn_sample(pieces: Sequence[DeliveredPiece], count: int, seed: int) -> list[DeliveredPiece]:
@@ -85,15 +68,15 @@ def cut_pieces(seams: Sequence[Seam], sheet: str, piece_m: float, unit_m: float)
     return found
 
 
-def risk_sentences(found: RiskPlan, risk: StatedRisk, correlation: float) -> Iterator[Message]:
+def risk_sentences(found: RiskPlan, risk: StatedRisk) -> Iterator[Message]:
     """The plan with the risks that it keeps, and whether these are larger than what was stated."""
     plan = found.plan
     yield messages.PLANNED_BY_RISK(
         size=plan.sample_size, lot=plan.lot_size, acceptance=plan.acceptance_number, good=risk.good_share,
         producers=found.producers_risk, bad=risk.bad_share, consumers=found.consumers_risk,
     )
-    if correlation > 0:
-        yield messages.PLANNED_FOR_LIKENESS(correlation=correlation, effect=found.design_effect)
+    if found.correlation > 0:
+        yield messages.PLANNED_FOR_LIKENESS(correlation=found.correlation, effect=found.design_effect)
     if found.producers_risk > risk.producers_risk or found.consumers_risk > risk.consumers_risk:
         yield messages.RISKS_NOT_KEPT(
             lot=plan.lot_size, producers=risk.producers_risk, consumers=risk.consumers_risk

@@ -31,8 +31,6 @@ class SamplingPlan:
     severity: str
     code_letter: str
     """Of the table's row that the plan was taken from, arrows followed."""
-    lot_letter: str
-    """Of the lot size and the inspection level, before any arrow."""
 
     @property
     def is_whole_lot(self) -> bool:
@@ -54,8 +52,6 @@ class OperatingCharacteristic:
     """The smallest share of nonconforming items at which a lot is accepted with 10 % at most (LQ, LTPD)."""
     consumers_risk: float
     """With which it is then: 10 %, or what whole items of a lot leave below."""
-    distribution: str
-    """``hypergeometric`` for a lot of known size, ``binomial`` for a series of lots."""
 
 
 NORMAL, TIGHTENED, REDUCED = "normal", "tightened", "reduced"
@@ -136,7 +132,7 @@ def single_sampling_plan(
     acceptance, rejection = _numbers_of(row, severity)[row + column]
     return SamplingPlan(
         lot_size, min(_TABLES[severity][0][row], lot_size), acceptance, rejection, float(aql), inspection_level,
-        severity, _LETTERS[row], letter,
+        severity, _LETTERS[row],
     )
 
 

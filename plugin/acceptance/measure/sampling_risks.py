@@ -1,8 +1,8 @@
 """What plans of sampling risk, how many items keep stated risks, and the drawing of them.
 
-The number of nonconforming items in a random sample of a lot of known size is hypergeometric (type A), and binomial
-where the lot is one of a series or much larger than the sample (type B): ISO 2859-1:1999, 12.2; Montgomery,
-Introduction to statistical quality control, 15.2.2. Under reduced inspection a lot between Ac and Re is accepted, too.
+The number of nonconforming items in a random sample of a lot of known size is hypergeometric (type A): ISO
+2859-1:1999, 12.2; Montgomery, Introduction to statistical quality control, 15.2.2. Under reduced inspection a lot
+between Ac and Re is accepted, too.
 Items are drawn at random, and where a lot has parts, from each in proportion to its size (8.1 and 8.2).
 """
 from __future__ import annotations
@@ -21,31 +21,24 @@ from .sampling_plans import OperatingCharacteristic, SamplingPlan
 CONSUMERS_RISK = 0.10  # ISO 2859-1:1999, 12.6: the limiting quality is that accepted with 10 %
 CURVE_POINTS = 101
 _REACH = 2.5  # times the limiting quality: where the curve ends
-HYPERGEOMETRIC, BINOMIAL = "hypergeometric", "binomial"
 
 
-def operating_characteristic(plan: SamplingPlan, of_series: bool = False) -> OperatingCharacteristic:
-    """Of the lot itself, or ``of_series``: of a production that many such lots come from."""
-    distribution = BINOMIAL if of_series else HYPERGEOMETRIC
-    limiting = limiting_quality(plan, CONSUMERS_RISK, of_series)
-    consumers = float(acceptance_probability(plan, np.array([limiting]), of_series)[0])
+def operating_characteristic(plan: SamplingPlan) -> OperatingCharacteristic:
+    """Of the lot itself."""
+    limiting = limiting_quality(plan)
+    consumers = float(acceptance_probability(plan, np.array([limiting]))[0])
     end = min(1.0, _REACH * max(limiting, plan.aql / 100))
-    shares = np.linspace(0, end, CURVE_POINTS)
-    if not of_series:
-        shares = np.unique(np.rint(shares * plan.lot_size)) / plan.lot_size
-    accepted = acceptance_probability(plan, shares, of_series)
+    shares = np.unique(np.rint(np.linspace(0, end, CURVE_POINTS) * plan.lot_size)) / plan.lot_size
+    accepted = acceptance_probability(plan, shares)
     return OperatingCharacteristic(
-        tuple(shares.tolist()), tuple(accepted.tolist()), producers_risk(plan, of_series), limiting, consumers,
-        distribution,
+        tuple(shares.tolist()), tuple(accepted.tolist()), producers_risk(plan), limiting, consumers
     )
 
 
-def acceptance_probability(plan: SamplingPlan, shares: np.ndarray, of_series: bool = False) -> np.ndarray:
-    """For shares of nonconforming items; of a lot those are rounded to whole items."""
-    most, shares = plan.rejection_number - 1, np.asarray(shares, float)
-    if of_series:
-        return stats.binom.cdf(most, plan.sample_size, shares)
-    return stats.hypergeom.cdf(most, plan.lot_size, np.rint(shares * plan.lot_size), plan.sample_size)
+def acceptance_probability(plan: SamplingPlan, shares: np.ndarray) -> np.ndarray:
+    """For shares of nonconforming items, which are rounded to whole items of the lot."""
+    items = np.rint(np.asarray(shares, float) * plan.lot_size)
+    return stats.hypergeom.cdf(plan.rejection_number - 1, plan.lot_size, items, plan.sample_size)
 
 
 def allowed_at_aql(plan: SamplingPlan) -> int:
@@ -53,21 +46,17 @@ def allowed_at_aql(plan: SamplingPlan) -> int:
     return int(np.floor(plan.aql / 100 * plan.lot_size + 1e-9))
 
 
-def producers_risk(plan: SamplingPlan, of_series: bool = False) -> float:
+def producers_risk(plan: SamplingPlan) -> float:
     """The probability that a lot with as many nonconforming items as the AQL allows is rejected."""
-    share = plan.aql / 100 if of_series else allowed_at_aql(plan) / plan.lot_size
-    return float(1 - acceptance_probability(plan, np.array([share]), of_series)[0])
+    return float(1 - acceptance_probability(plan, np.array([allowed_at_aql(plan) / plan.lot_size]))[0])
 
 
-def limiting_quality(plan: SamplingPlan, risk: float = CONSUMERS_RISK, of_series: bool = False) -> float:
-    """The smallest share of nonconforming items at which a lot is accepted with at most this probability."""
-    if of_series:  # of the binomial it is a quantile of the beta distribution (Clopper and Pearson 1934)
-        most = plan.rejection_number - 1
-        return float(stats.beta.ppf(1 - risk, most + 1, plan.sample_size - most)) if most < plan.sample_size else 1.0
+def limiting_quality(plan: SamplingPlan) -> float:
+    """The smallest share of nonconforming items at which a lot is accepted with a probability of 10 % at most."""
     few, many = 0, plan.lot_size  # of the nonconforming items: with none the lot is accepted, with all it is not
     while many - few > 1:
         middle = (few + many) // 2
-        if acceptance_probability(plan, np.array([middle / plan.lot_size]))[0] <= risk:
+        if acceptance_probability(plan, np.array([middle / plan.lot_size]))[0] <= CONSUMERS_RISK:
             many = middle
         else:
             few = middle
@@ -108,6 +97,8 @@ class RiskPlan:
     """A plan for stated risks."""
 
     plan: SamplingPlan
+    correlation: float
+    """How much alike items of one cluster were taken to be."""
     independent_size: int
     """How many items it would take if they had nothing to do with each other."""
     producers_risk: float
@@ -166,8 +157,8 @@ def plan_by_risk(lot_size: int, risk: StatedRisk, correlation: float = 0.0, clus
     found = _smallest(lots, risk)
     number, size = found or (_fairest(lots, risk), lot_size)
     producers, consumers = lots.risks(number, size, risk)
-    plan = SamplingPlan(lot_size, size, number, number + 1, 100 * risk.good_share, "", BY_RISK, "", "")
-    return RiskPlan(plan, independent[1] if independent else lot_size, producers, consumers)
+    plan = SamplingPlan(lot_size, size, number, number + 1, 100 * risk.good_share, "", BY_RISK, "")
+    return RiskPlan(plan, correlation, independent[1] if independent else lot_size, producers, consumers)
 
 
 def _smallest(lots: _Lots, risk: StatedRisk) -> tuple[int, int] | None:

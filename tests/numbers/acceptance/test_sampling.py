@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -50,19 +51,21 @@ def test_the_characteristic_is_that_of_2000_drawn_lots() -> None:
 )  # fmt: skip
 def test_limiting_quality_is_the_published_one(lot: int, aql: str, limiting: float) -> None:
     plan = single_sampling_plan(lot, aql)
-    assert 100 * limiting_quality(plan, of_series=True) == pytest.approx(limiting, rel=0.03)
+    as_of_series = replace(plan, lot_size=1_000_000)
+    assert 100 * limiting_quality(as_of_series) == pytest.approx(limiting, rel=0.03)
 
 
 def test_the_curve_falls_from_one_and_risks_lie_on_it() -> None:
     plan = single_sampling_plan(1000, "1.0")
-    for of_series in (False, True):
-        curve = operating_characteristic(plan, of_series)
+    for lot in (1000, 1_000_000):
+        large = replace(plan, lot_size=lot)
+        curve = operating_characteristic(large)
         assert curve.accepted[0] == pytest.approx(1)
         assert np.diff(curve.accepted).max() <= 1e-12
-        at = acceptance_probability(plan, np.array([curve.limiting_quality]), of_series)[0]
+        at = acceptance_probability(large, np.array([curve.limiting_quality]))[0]
         assert at <= 0.10 + 1e-9
         assert at == pytest.approx(0.10, abs=0.01)
-    assert producers_risk(plan, True) == pytest.approx(1 - stats.binom.cdf(2, 80, 0.01))
+    assert producers_risk(large) == pytest.approx(1 - stats.binom.cdf(2, 80, 0.01), rel=1e-3)  # as of a series
     assert producers_risk(plan) == pytest.approx(1 - stats.hypergeom.cdf(2, 1000, 10, 80))
 
 
@@ -74,8 +77,8 @@ def test_a_whole_lot_has_no_risk() -> None:
 
 def test_reduced_inspection_accepts_up_to_its_rejection_number() -> None:
     plan = single_sampling_plan(2000, "0.65", severity=REDUCED)
-    found = acceptance_probability(plan, np.array([0.02]), True)[0]
-    assert found == pytest.approx(stats.binom.cdf(2, 50, 0.02))
+    found = acceptance_probability(plan, np.array([0.02]))[0]
+    assert found == pytest.approx(stats.hypergeom.cdf(2, 2000, 40, 50))
 
 
 @given(st.lists(st.integers(1, 60), min_size=1, max_size=8), st.integers(0, 200), st.integers(0, 2**31))
