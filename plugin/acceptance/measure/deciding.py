@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -9,23 +10,19 @@ from ...imagery.errors import Exceeding, Message, SettingsError
 from ...imagery.statistics import Interval
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
-from .decision import DecidedPiece, Decision, FailureRun, MetreFigures, Observers, PieceState, RuleOutcome
-from .delivery import Delivery, SeenWindow
+from .decision import DecidedPiece, Decision, FailureRun, MetreFigures, Observers, RuleOutcome
+from .delivery import Delivery
 from .failure_runs import failure_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
-    failed_share_interval,
-    failed_shares,
+    failed_interval,
     is_unclear,
     metre_figures,
     observers,
-    of_sample,
     piece_state,
-    sample_sentences,
     seen_state,
     sheet_figures,
     windows_over,
-    without_runs,
 )
 
 _WIDE = 2  # pieces: what is seen in a window that spans more is hardly about the piece in its middle
@@ -43,39 +40,58 @@ def decide(
     seen = observers(delivery.windows)
     if by_observer and seen is None:
         raise SettingsError(messages.NO_WINDOW_JUDGED(count=len(delivery.windows)))
-    windows = _windows(delivery)
+    least_kept = None if by_observer else rules.least_kept
+    windows = list(windows_over(delivery))
     states = [
-        seen_state(over) if by_observer else piece_state(piece, rules.least_kept)
+        seen_state(over) if least_kept is None else piece_state(piece, least_kept)
         for piece, over in zip(delivery.pieces, windows)
     ]
-    unclear = [not by_observer and is_unclear(piece, rules.least_kept) for piece in delivery.pieces]
-    runs = failure_runs(delivery.pieces, states, delivery.unit_m, None if by_observer else rules.least_kept)
-    whole = metre_figures("", delivery, states, unclear, runs)
+    lot = None if rules.sampling is None else sampled_lot(delivery, states, rules.sampling, lot_size, seed)
+    runs = failure_runs(delivery.pieces, states, delivery.unit_m, least_kept)
+    of_run = {number: run.number for run in runs for number in run.pieces}
+    pieces = tuple(
+        DecidedPiece(
+            piece, state, least_kept is not None and is_unclear(piece, least_kept), of_run.get(piece.number),
+            lot is None or piece.number in lot.pieces, over,
+        )
+        for piece, state, over in zip(delivery.pieces, states, windows)
+    )  # fmt: skip
+    whole, sheets = metre_figures(pieces, runs), sheet_figures(delivery, pieces, runs)
     outcomes = [_outcome(rule, _value(rule.check, whole)) for rule in rules.rules]
-    sheets = list(sheet_figures(delivery, states, unclear, runs))
     if delivery.is_part:
-        outcomes = [of_sample(outcome) for outcome in outcomes]
-        whole, *sheets = without_runs((whole, *sheets))
-    plan, sampled, told = None, set(range(len(states))), []
-    if rules.sampling is not None:
-        lot = sampled_lot(delivery, states, rules.sampling, lot_size, seed)
-        plan, sampled, told = lot.outcome, lot.pieces, list(lot.notices)
+        outcomes = [_of_sample(outcome) for outcome in outcomes]
+        whole, *sheets = (replace(one, longest_failure_m=None) for one in (whole, *sheets))
+    if lot is not None:
         outcomes.insert(0, lot.rule_outcome)
-    interval = _interval(delivery, states, runs)
+    interval = failed_interval(pieces, runs)
     accepted = all(outcome.passed is True for outcome in outcomes)
     sentences = (
         _decision_sentence(rules, outcomes, accepted),
         *_figures(whole, interval, runs, rules),
-        *sample_sentences(delivery, rules.sampling is not None),
-        *told,
+        *_sample_sentences(delivery, lot is not None),
+        *(() if lot is None else lot.notices),
         *(_by_observer(delivery) if by_observer else ()),
         *_observers_sentences(seen),
     )
-    pieces = _decided(delivery, states, unclear, runs, sampled, windows)
     return Decision(
-        accepted, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), interval, pieces, runs, plan,
-        seen, by_observer,
+        accepted, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), interval, pieces, runs,
+        None if lot is None else lot.outcome, seen, by_observer,
     )  # fmt: skip
+
+
+def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
+    """Pieces of a sample may show that a failure is too long, but not that none is: it may go on between them."""
+    if outcome.check != LONGEST_FAILURE or outcome.passed is False:
+        return outcome
+    return replace(outcome, value=None, passed=None, sentence=messages.RUN_NOT_IN_SAMPLE())
+
+
+def _sample_sentences(delivery: Delivery, by_plan: bool) -> Iterator[Message]:
+    """That the layers are a sample, and what that means for the decision."""
+    if delivery.is_part:
+        yield messages.SAMPLE_GIVEN(given=len(delivery.sampled_numbers or ()))
+        if not by_plan:
+            yield messages.SAMPLE_ONLY()
 
 
 def _value(check: str, whole: MetreFigures) -> float | None:
@@ -84,54 +100,22 @@ def _value(check: str, whole: MetreFigures) -> float | None:
     return whole.failed_share if check == FAILED_SHARE else whole.longest_failure_m
 
 
+_SENTENCES = {  # of a rule that is kept, and of one that is not
+    FAILED_SHARE: (messages.SHARE_KEPT, messages.SHARE_EXCEEDED),
+    LONGEST_FAILURE: (messages.RUN_KEPT, messages.RUN_EXCEEDED),
+    MEASURED_SHARE: (messages.MEASURED_ENOUGH, messages.MEASURED_TOO_LITTLE),
+}
+
+
 def _outcome(rule: AcceptanceRule, value: float | None) -> RuleOutcome:
+    passed = None if value is None else rule.passes(value)
     if value is None:
         sentence = messages.NOTHING_WAS_MEASURED()
-        return RuleOutcome(rule.check, None, rule.limit, rule.is_least, None, rule.source, sentence)
-    passed = rule.passes(value)
-    sentence = _rule_sentence(rule, value, passed)
+    else:
+        kept, broken = _SENTENCES[rule.check]
+        beyond = value if rule.is_least else Exceeding(value, rule.limit)
+        sentence = kept(value=value, limit=rule.limit) if passed else broken(value=beyond, limit=rule.limit)
     return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence)
-
-
-def _rule_sentence(rule: AcceptanceRule, value: float, passed: bool) -> Message:
-    limit, above = rule.limit, Exceeding(value, rule.limit)
-    if rule.check == FAILED_SHARE:
-        if passed:
-            return messages.SHARE_KEPT(value=value, limit=limit)
-        return messages.SHARE_EXCEEDED(value=above, limit=limit)
-    if rule.check == LONGEST_FAILURE:
-        if passed:
-            return messages.RUN_KEPT(value=value, limit=limit)
-        return messages.RUN_EXCEEDED(value=above, limit=limit)
-    if passed:
-        return messages.MEASURED_ENOUGH(value=value, limit=limit)
-    return messages.MEASURED_TOO_LITTLE(value=value, limit=limit)
-
-
-def _interval(delivery: Delivery, states: Sequence[PieceState], runs: Sequence[FailureRun]) -> Interval | None:
-    measured = [
-        (piece.length_m, share, piece.seam)
-        for piece, state, share in zip(delivery.pieces, states, failed_shares(len(states), runs))
-        if state is not PieceState.NOT_MEASURED
-    ]
-    return failed_share_interval(*zip(*measured)) if measured else None
-
-
-def _decided(
-    delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool], runs: Sequence[FailureRun],
-    sampled: set[int], windows: Sequence[tuple[SeenWindow, ...]],
-) -> tuple[DecidedPiece, ...]:
-    of_run = {number: run.number for run in runs for number in run.pieces}
-    return tuple(
-        DecidedPiece(piece, state, told, of_run.get(piece.number), piece.number in sampled, over)
-        for piece, state, told, over in zip(delivery.pieces, states, unclear, windows)
-    )
-
-
-def _windows(delivery: Delivery) -> list[tuple[SeenWindow, ...]]:
-    """Those over each piece."""
-    extents = np.array([window.extent for window in delivery.windows]).reshape(-1, 4)
-    return [windows_over(piece, delivery.windows, extents) for piece in delivery.pieces]
 
 
 def _decision_sentence(rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], accepted: bool) -> Message:
@@ -190,16 +174,15 @@ def _lengths(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
 
 
 def _observers_sentences(seen: Observers | None) -> Iterator[Message]:
-    both, tool = (None, None) if seen is None else (seen.both, seen.with_tool)
-    if both is not None and both.kappa is not None:
-        yield messages.OBSERVERS_AGREE(
-            count=both.count, agreed=both.agreed, kappa=both.kappa.value, low=both.kappa.low, high=both.kappa.high
-        )
-    elif both is not None:
-        yield messages.OBSERVERS_WITHOUT_KAPPA(count=both.count, agreed=both.agreed)
-    if tool is not None and tool.kappa is not None:
-        yield messages.TOOL_AGREES(
-            count=tool.count, agreed=tool.agreed, kappa=tool.kappa.value, low=tool.kappa.low, high=tool.kappa.high
-        )
-    elif tool is not None:
-        yield messages.TOOL_WITHOUT_KAPPA(count=tool.count, agreed=tool.agreed)
+    pairs = () if seen is None else (
+        (seen.both, messages.OBSERVERS_AGREE, messages.OBSERVERS_WITHOUT_KAPPA),
+        (seen.with_tool, messages.TOOL_AGREES, messages.TOOL_WITHOUT_KAPPA),
+    )
+    for found, agree, without_kappa in pairs:
+        if found is not None and found.kappa is not None:
+            kappa = found.kappa
+            yield agree(
+                count=found.count, agreed=found.agreed, kappa=kappa.value, low=kappa.low, high=kappa.high
+            )
+        elif found is not None:
+            yield without_kappa(count=found.count, agreed=found.agreed)

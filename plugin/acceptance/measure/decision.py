@@ -38,6 +38,11 @@ class DecidedPiece:
     windows: tuple[SeenWindow, ...] = ()
     """Inspected windows that lie over it, the one whose middle is nearest first."""
 
+    @property
+    def is_measured(self) -> bool:
+        """Whether it passed or failed."""
+        return self.state is not PieceState.NOT_MEASURED
+
 
 @dataclass(frozen=True)
 class FailedPart:

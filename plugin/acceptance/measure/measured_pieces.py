@@ -1,17 +1,14 @@
 """Whether each piece passed, failed, or could not be measured; and the metres of each kind."""
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Hashable, Iterator, Sequence
+from types import SimpleNamespace
 
 import numpy as np
 from scipy import stats
 
-from ...imagery.errors import Message
 from ...imagery.statistics import DECIDED, INVISIBLE, VISIBLE, Interval, agreement
-from . import messages
-from .acceptance_rules import LONGEST_FAILURE
-from .decision import FailureRun, MetreFigures, Observers, PieceState, RuleOutcome
+from .decision import DecidedPiece, FailureRun, MetreFigures, Observers, PieceState
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 
 NO_VERDICT = "not_comparable"  # the scan's word
@@ -45,71 +42,47 @@ def is_unclear(piece: DeliveredPiece, least_kept: float, without_interval: bool 
     return piece.kept_low < least_kept <= piece.kept_high
 
 
-def metre_figures(
-    name: str, delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool], runs: Sequence[FailureRun]
-) -> MetreFigures:
-    """Of all pieces with their states; ``unclear``: whether their intervals hold the limit."""
-    lengths = [piece.length_m for piece in delivery.pieces]
-    measured = [state is not PieceState.NOT_MEASURED for state in states]
-    told = [here and known for here, known in zip(unclear, measured)]
+def metre_figures(pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun]) -> MetreFigures:
+    """Of the whole delivery."""
+    states = [one.state for one in pieces]
+    measured = [one for one in pieces if one.is_measured]
     return MetreFigures(
-        name, len(lengths), states.count(PieceState.FAILED), sum(lengths), _sum(lengths, measured),
-        sum((run.length_m for run in runs), 0.0), _sum(lengths, told), max((run.length_m for run in runs), default=0.0),
+        "", len(pieces), states.count(PieceState.FAILED), sum(one.piece.length_m for one in pieces),
+        sum((one.piece.length_m for one in measured), 0.0), sum((run.length_m for run in runs), 0.0),
+        sum((one.piece.length_m for one in measured if one.is_unclear), 0.0),
+        max((run.length_m for run in runs), default=0.0),
     )  # fmt: skip
 
 
 def sheet_figures(
-    delivery: Delivery, states: Sequence[PieceState], unclear: Sequence[bool], runs: Sequence[FailureRun]
-) -> tuple[MetreFigures, ...]:
+    delivery: Delivery, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun]
+) -> list[MetreFigures]:
     """Of each sheet by itself, of one without seams too.
 
     A piece over a border counts in the sheet of its middle, its metres where they lie.
     """
-    sums = {sheet: _SheetSums() for sheet in delivery.sheets}
-    for piece, state, is_told in zip(delivery.pieces, states, unclear):
-        sums[piece.sheet].pieces += 1
-        sums[piece.sheet].failed_pieces += state is PieceState.FAILED
-        for part in piece.in_sheets:
-            metres = piece.length_m * (part.stop - part.start)
-            own = sums[part.sheet]
+    sums = {
+        sheet: SimpleNamespace(
+            piece_count=0, failed_count=0, total_m=0.0, measured_m=0.0, failed_m=0.0, unclear_m=0.0,
+            longest_failure_m=0.0,
+        )
+        for sheet in delivery.sheets
+    }  # fmt: skip
+    for one in pieces:
+        sums[one.piece.sheet].piece_count += 1
+        sums[one.piece.sheet].failed_count += one.state is PieceState.FAILED
+        for part in one.piece.in_sheets:
+            metres, own = one.piece.length_m * (part.stop - part.start), sums[part.sheet]
             own.total_m += metres
-            if state is not PieceState.NOT_MEASURED:
-                own.measured_m += metres
-                own.unclear_m += metres if is_told else 0.0
+            own.measured_m += metres if one.is_measured else 0.0
+            own.unclear_m += metres if one.is_measured and one.is_unclear else 0.0
     for run in runs:
         here, metres = "", 0.0
         for sheet, length in _in_sheets(run, delivery):
             here, metres = sheet, length if sheet != here else metres + length
             sums[sheet].failed_m += length
-            sums[sheet].longest_m = max(sums[sheet].longest_m, metres)
-    return tuple(
-        MetreFigures(
-            sheet, one.pieces, one.failed_pieces, one.total_m, one.measured_m, one.failed_m, one.unclear_m,
-            one.longest_m,
-        )
-        for sheet, one in sums.items()
-    )  # fmt: skip
-
-
-def failed_shares(count: int, runs: Sequence[FailureRun]) -> list[float]:
-    """How much of each piece failures take."""
-    shares = [0.0] * count
-    for part in (part for run in runs for part in run.parts):
-        shares[part.piece] += part.share
-    return shares
-
-
-@dataclass
-class _SheetSums:
-    """As ``MetreFigures``."""
-
-    pieces: int = 0
-    failed_pieces: int = 0
-    total_m: float = 0.0
-    measured_m: float = 0.0
-    failed_m: float = 0.0
-    unclear_m: float = 0.0
-    longest_m: float = 0.0
+            sums[sheet].longest_failure_m = max(sums[sheet].longest_failure_m, metres)
+    return [MetreFigures(sheet, **vars(own)) for sheet, own in sums.items()]
 
 
 def _in_sheets(run: FailureRun, delivery: Delivery) -> Iterator[tuple[str, float]]:
@@ -122,25 +95,17 @@ def _in_sheets(run: FailureRun, delivery: Delivery) -> Iterator[tuple[str, float
                 yield sheet.sheet, share * piece.length_m
 
 
-def _sum(lengths: Sequence[float], kind: Sequence[bool]) -> float:
-    return sum((length for length, counts in zip(lengths, kind) if counts), 0.0)
-
-
 _TOOL_WORDS = {"significant": VISIBLE, "reduced": INVISIBLE, "preserved": INVISIBLE}  # docs/desk/judging.md
 
 
-def windows_over(piece: DeliveredPiece, windows: Sequence[SeenWindow], extents: np.ndarray) -> tuple[SeenWindow, ...]:
-    """Those that hold the middle of a piece, the one whose own middle is nearest first.
-
-    ``extents``: (n, 4) left, bottom, right and top of the windows.
-    """
-    if not len(windows):
-        return ()
-    x, y = piece.middle
-    left, bottom, right, top = extents.T
-    held = np.flatnonzero((left <= x) & (x <= right) & (bottom <= y) & (y <= top))
-    apart = np.hypot((left + right)[held] / 2 - x, (bottom + top)[held] / 2 - y)
-    return tuple(windows[int(place)] for place in held[np.argsort(apart, kind="stable")])
+def windows_over(delivery: Delivery) -> Iterator[tuple[SeenWindow, ...]]:
+    """For each piece those that hold its middle, the one whose own middle is nearest first."""
+    left, bottom, right, top = np.array([window.extent for window in delivery.windows]).reshape(-1, 4).T
+    for piece in delivery.pieces:
+        x, y = piece.middle if delivery.windows else (0.0, 0.0)
+        held = np.flatnonzero((left <= x) & (x <= right) & (bottom <= y) & (y <= top))
+        apart = np.hypot((left + right)[held] / 2 - x, (bottom + top)[held] / 2 - y)
+        yield tuple(delivery.windows[int(place)] for place in held[np.argsort(apart, kind="stable")])
 
 
 def observers(windows: Sequence[SeenWindow]) -> Observers | None:
@@ -152,28 +117,18 @@ def observers(windows: Sequence[SeenWindow]) -> Observers | None:
     return Observers(both if both.count else None, tool if tool.count else None)
 
 
-def of_sample(outcome: RuleOutcome) -> RuleOutcome:
-    """Pieces of a sample may show that a failure is too long, but not that none is."""
-    if outcome.check != LONGEST_FAILURE or outcome.passed is False:
-        return outcome
-    return replace(outcome, value=None, passed=None, sentence=messages.RUN_NOT_IN_SAMPLE())
-
-
-def without_runs(figures: Iterable[MetreFigures]) -> tuple[MetreFigures, ...]:
-    """Of a sample: no longest failure."""
-    return tuple(replace(one, longest_failure_m=None) for one in figures)
-
-
-def sample_sentences(delivery: Delivery, by_plan: bool) -> Iterator[Message]:
-    """That the layers are a sample, and what that means for the decision."""
-    if not delivery.is_part:
-        return
-    yield messages.SAMPLE_GIVEN(given=len(delivery.sampled_numbers or ()))
-    if not by_plan:
-        yield messages.SAMPLE_ONLY()
-
-
 CONFIDENCE = 0.95
+
+
+def failed_interval(pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun]) -> Interval | None:
+    """The share of failed metres of the pieces that were measured; None where nothing was."""
+    shares = [0.0] * len(pieces)
+    for part in (part for run in runs for part in run.parts):
+        shares[part.piece] += part.share
+    measured = [
+        (one.piece.length_m, share, one.piece.seam) for one, share in zip(pieces, shares) if one.is_measured
+    ]  # fmt: skip
+    return failed_share_interval(*zip(*measured)) if measured else None
 
 
 def failed_share_interval(
