@@ -5,12 +5,15 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from qgis.core import QgsFeature, QgsFields
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
 from ..imagery.limits import judged_band
-from ..toolkit.table_fields import feature, number, table_fields
+from ..imagery.records import Column
+from ..imagery.wavelets import Curve
+from ..toolkit.table_fields import column_features, column_fields, number
 from ..toolkit.translation import band_title, filled, sentence, shown_number, tr
 from .measure.band_noise import SEVERITY, BandNoise, NoiseVerdict, noisiest_band
 from .measure.group_noise import ClipNoise
@@ -168,49 +171,48 @@ def _number(value: float | None, decimals: int) -> str:
     return "-" if value is None else shown_number(value, decimals)
 
 
+class _Row(NamedTuple):
+    """A band of an image in a window; none where nothing could be measured."""
+
+    clip: ClipNoise
+    band: str | None
+    noise: BandNoise | None
+
+
+def _shares(row: _Row) -> Curve | None:
+    return row.noise.curve if row.noise is not None and row.noise.curve.variance > 0 else None
+
+
+_COLUMNS: tuple[Column[_Row], ...] = (
+    Column("raster", "text", lambda row: row.clip.part.member.image.ref.name),
+    Column("group", "integer", lambda row: row.clip.part.member.group),
+    Column("window_id", "integer", lambda row: row.clip.window_id),
+    Column("band", "text", lambda row: row.band),
+    Column("detail", "real", lambda row: (curve := _shares(row)) and curve.detail, by_level=True),
+    Column("background", "real", lambda row: (curve := _shares(row)) and curve.background),
+    Column("kurtosis", "real", lambda row: row.noise and row.noise.kurtosis, by_level=True),
+    Column("sigma", "real", lambda row: row.noise and row.noise.sigma),
+    Column("noise", "text", lambda row: (row.noise.verdict if row.noise else NoiseVerdict.NOT_MEASURABLE).value),
+    Column("reason", "text", lambda row: row.clip.reason if row.noise is None else row.noise.note),
+    Column("column", "integer", lambda row: row.clip.part.window.column),
+    Column("row", "integer", lambda row: row.clip.part.window.row),
+    Column("width", "integer", lambda row: row.clip.part.window.width),
+    Column("height", "integer", lambda row: row.clip.part.window.height),
+    Column("pixel_size", "real", lambda row: row.clip.part.member.ground_sample_distance),
+    Column("group_name", "text", lambda row: row.clip.part.member.group_name or None),
+    Column("class", "text", lambda row: row.clip.window_class),
+    Column("largest_sigma", "real", lambda row: row.noise and row.noise.largest_sigma),
+    Column("grain", "real", lambda row: row.noise and row.noise.grain and row.noise.grain.size),
+    Column("grain_sigma", "real", lambda row: row.noise and row.noise.grain and row.noise.grain.sigma),
+)
+
+
 def noise_fields(levels: int) -> QgsFields:
-    """OUTPUT: one row per window, raster and band; the last fields say which pixels were measured."""
-    return table_fields(
-        ("raster", "text"),
-        ("group", "integer"),
-        ("window_id", "integer"),
-        ("band", "text"),
-        *((f"detail_{level}", "real") for level in range(1, levels + 1)),
-        ("background", "real"),
-        *((f"kurtosis_{level}", "real") for level in range(1, levels + 1)),
-        ("sigma", "real"),
-        ("noise", "text"),
-        ("reason", "text"),
-        ("column", "integer"),
-        ("row", "integer"),
-        ("width", "integer"),
-        ("height", "integer"),
-        ("pixel_size", "real"),
-        ("group_name", "text"),
-        ("class", "text"),
-        ("largest_sigma", "real"),
-        ("grain", "real"),
-        ("grain_sigma", "real"),
-    )
+    """OUTPUT: one row per window, raster and band; its fields from ``column`` on say which pixels were measured."""
+    return column_fields(_COLUMNS, levels)
 
 
 def noise_features(result: ClipNoise, levels: int) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image in a window; one without a band where nothing could be measured."""
-    fields = noise_fields(levels)
-    member, window = result.part.member, result.part.window
-    head: list[object] = [member.image.ref.name, member.group, result.window_id]
-    tail: list[object] = [window.column, window.row, window.width, window.height, member.ground_sample_distance]
-    tail += [member.group_name or None, result.window_class]
-    nothing: list[object] = [None] * levels
-    if not result.bands:
-        reason = sentence(result.reason) if result.reason else None
-        unknown = [*nothing, None, *nothing, None, NoiseVerdict.NOT_MEASURABLE.value, reason]
-        yield feature(fields, [*head, None, *unknown, *tail, None, None, None])
-    for band, noise in result.bands.items():
-        known = noise.curve.variance > 0
-        shares: list[object] = [*noise.curve.detail, noise.curve.background] if known else [*nothing, None]
-        note = sentence(noise.note) if noise.note else None
-        grain: list[object] = [None, None] if noise.grain is None else [noise.grain.size, noise.grain.sigma]
-        row = [*head, band, *shares, *noise.kurtosis, noise.sigma, noise.verdict.value, note, *tail]
-        row += [noise.largest_sigma, *grain]
-        yield feature(fields, row)
+    rows = [_Row(result, band, noise) for band, noise in result.bands.items()] or [_Row(result, None, None)]
+    return column_features(_COLUMNS, rows, levels)

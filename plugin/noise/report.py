@@ -64,7 +64,7 @@ def _groups(groups: Sequence[NoiseGroup], levels: int, field: str) -> tuple[list
     rows: list[list[object]] = []
     for group in groups:
         counts, curves = verdict_counts(group.results), group.curves
-        sigmas = [judged.sigma for one in group.results if (judged := judged_noise(one)) and judged.sigma is not None]
+        sigmas = _sigmas(group.results)
         means = [formatted(sum(shares) / len(curves), ".4f") for shares in zip(*curves)] if curves else [""] * levels
         rows.append([
             *([class_title(group.window_class)] if field else []),
@@ -85,18 +85,22 @@ def _rasters(results: Sequence[ClipNoise]) -> list[list[object]]:
     rows: list[list[object]] = []
     for member, own in by_image.items():
         counts = verdict_counts(own)
-        sigmas = [judged.sigma for result in own if (judged := judged_noise(result)) and judged.sigma is not None]
+        sigmas = _sigmas(own)
         size = member.ground_sample_distance
         rows.append([
             member.image.ref.name,
             member.group_name if len({other.group for other in by_image}) > 1 else "",
             "" if size is None else formatted(size, ".3g") + "\u00a0m",
             *(counts[verdict] for verdict in VERDICT_WORDS),
-            shown_number(min(sigmas)) if sigmas else "",
-            shown_number(sum(sigmas) / len(sigmas)) if sigmas else "",
-            shown_number(max(sigmas)) if sigmas else "",
+            *(map(shown_number, (min(sigmas), sum(sigmas) / len(sigmas), max(sigmas))) if sigmas else [""] * 3),
         ])
     return rows
+
+
+def _sigmas(results: Iterable[ClipNoise]) -> list[float]:
+    """Of the noisiest bands."""
+    judged = map(judged_noise, results)
+    return [one.sigma for one in judged if one is not None and one.sigma is not None]
 
 
 def _grain(grain: Grain) -> str:

@@ -84,22 +84,17 @@ def group_chart(results: Sequence[GroupResult], criterion: float) -> Figure:
     lines = lines_of(results)
     directions = [one for one in DIRECTIONS if any(line[0].measured.line.direction == one for line in lines)]
     directions = directions or [DIRECTIONS[0]]
-    groups = sorted(
-        {line[0].measured.line.group: line[0].grd_cm for line in lines if line[0].grd_cm is not None}.items(),
-        key=lambda pair: -(pair[1] or 0),
-    )
+    groups, by_place = _by_place(lines)
     strands = 2 if len(groups) > _MOST_ROWS else 1  # of panels for each direction, so that the page stays a page
     rows = max(1, -(-len(groups) // strands))
     figure = new_figure(1.0 + (4.0, 3.2)[strands - 1] * strands * len(directions), 0.9 + 1.45 * rows)
     parts = figure.add_gridspec(rows + 1, strands * len(directions), height_ratios=[1.0] * rows + [0.12])
     handles: dict[str, object] = {}
     for column, direction in enumerate(directions):
-        for place, (group, _) in enumerate(groups):
+        for place, group in enumerate(groups):
             strand, row = divmod(place, rows)
             panel = figure.add_subplot(parts[row, strands * column + strand])
-            key = group, direction
-            found = [line for line in lines if (line[0].measured.line.group, line[0].measured.line.direction) == key]
-            _draw_panel(panel, found[0] if found else [], criterion)
+            _draw_panel(panel, by_place.get((group, direction), []), criterion)
             if place == 0:
                 _write_heading(panel, direction_title(direction))
             if row == rows - 1 or place == len(groups) - 1:
@@ -115,10 +110,7 @@ def profile_rows(results: Sequence[GroupResult], criterion: float) -> Iterator[F
 
     Along the flight on the left and across it on the right; of one direction alone, group after group.
     """
-    lines = [line for line in lines_of(results) if line[0].grd_cm is not None]
-    by_place = {(line[0].measured.line.group, line[0].measured.line.direction): line for line in reversed(lines)}
-    widths = {group: line[0].grd_cm or 0.0 for (group, _), line in by_place.items()}
-    groups = sorted(widths, key=lambda group: -widths[group])
+    groups, by_place = _by_place(lines_of(results))
     directions = [one for one in DIRECTIONS if any(direction == one for _, direction in by_place)]
     panels = [by_place.get((group, direction), []) for group in groups for direction in directions]
     for first in range(0, len(panels), len(_PANELS)):
@@ -126,6 +118,16 @@ def profile_rows(results: Sequence[GroupResult], criterion: float) -> Iterator[F
         for place, line in zip(_PANELS, panels[first : first + len(_PANELS)]):
             _draw_panel(figure.add_axes(place), line, criterion, with_direction=True)
         yield figure
+
+
+def _by_place(
+    lines: Sequence[Sequence[GroupResult]],
+) -> tuple[list[int | None], dict[tuple[int | None, str], Sequence[GroupResult]]]:
+    """The groups that have a width, the widest first; and the first line of each group and direction."""
+    known = [line for line in lines if line[0].grd_cm is not None]
+    by_place = {(line[0].measured.line.group, line[0].measured.line.direction): line for line in reversed(known)}
+    widths = {group: line[0].grd_cm or 0.0 for (group, _), line in by_place.items()}
+    return sorted(widths, key=lambda group: -widths[group]), by_place
 
 
 def _write_heading(panel: Axes, words: str) -> None:

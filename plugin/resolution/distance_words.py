@@ -23,14 +23,19 @@ def distance_text(grd_cm: float, error_cm: float | None) -> str:
     return f"{distance_number(grd_cm, error_cm)} cm"
 
 
-def distance_sentences(resolution: TargetResolution, each_band: bool = True) -> list[str]:
-    """What was found, line by line: distances, what observers saw, the target's contrast, the lowest one or all."""
+def target_distances(resolution: TargetResolution) -> list[tuple[str, float, float | None]]:
+    """What each distance is, the distance, cm, and its standard deviation: along, across, and their mean."""
     found = [
         (direction_title(direction), resolution.worst(direction), resolution.worst_error(direction))
         for direction in DIRECTIONS
     ]
     found.append((tr("geometric mean"), resolution.mean, resolution.mean_error))
-    words = [f"{name}: {distance_text(grd, error)}" for name, grd, error in found if grd is not None]
+    return [(name, grd, error) for name, grd, error in found if grd is not None]
+
+
+def distance_sentences(resolution: TargetResolution, each_band: bool = True) -> list[str]:
+    """What was found, line by line: distances, what observers saw, the target's contrast, the lowest one or all."""
+    words = [f"{name}: {distance_text(grd, error)}" for name, grd, error in target_distances(resolution)]
     for direction in DIRECTIONS:
         seen = resolution.seen(direction)
         if seen is not None:

@@ -1,7 +1,6 @@
 """The ground resolved distance of a target as one HTML page."""
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -11,7 +10,7 @@ from ..toolkit.pages.how_measured import HowMeasured, measured_raster
 from ..toolkit.pages.templates import save_page, sentences_once
 from ..toolkit.translation import band_title, filled, percent, sentence, shown_number, tr
 from .charts import VERDICT_COLOURS, band_colour, lines_of, profile_rows, verdict_of, verdict_word
-from .distance_words import direction_title, distance_number, distance_text
+from .distance_words import direction_title, distance_number, distance_text, target_distances
 from .measure.bar_groups import GroupResult, TargetResolution
 from .measure.target import BAR, COARSEST, DIRECTIONS, Target
 from .target_picture import target_picture
@@ -30,7 +29,7 @@ def save_resolution_report(path: Path, raster: Raster, resolution: TargetResolut
         HowMeasured(_settings(target), [measured_raster(tr("image"), raster)]),
         name=raster.ref.name,
         summary=_summary(resolution, target),
-        figures=_figures(resolution),
+        figures=[(distance_text(grd, error), words) for words, grd, error in target_distances(resolution)],
         notices=sentences_once(resolution.notices),
         **_distances(resolution),
         contrasts=_contrasts(resolution),
@@ -49,16 +48,17 @@ def _distances(resolution: TargetResolution) -> dict[str, object]:
     """The bands, and a row for each direction."""
     known = resolution.grd_cm
     bands = list(dict.fromkeys(band for _, band in known))
-    rows = []
-    for direction in DIRECTIONS:
-        found = [known.get((direction, band), math.nan) for band in bands]
-        if any(grd is None or grd == grd for grd in found):
-            errors = [resolution.grd_error_cm.get((direction, band)) for band in bands]
-            words = (
-                tr("none") if grd is None else "" if grd != grd else distance_number(grd, error)
-                for grd, error in zip(found, errors)
-            )
-            rows.append([direction_title(direction), *words])
+
+    def word(key: tuple[str, str]) -> str:
+        grd = known.get(key)
+        if grd is None:
+            return tr("none") if key in known else ""
+        return distance_number(grd, resolution.grd_error_cm.get(key))
+
+    rows = [
+        [direction_title(direction), *(word((direction, band)) for band in bands)]
+        for direction in DIRECTIONS if any(where == direction for where, _ in known)
+    ]  # fmt: skip
     return {"distance_bands": [band_title(band) for band in bands], "distances": rows}
 
 
@@ -86,16 +86,6 @@ def _bands(results: Sequence[GroupResult]) -> list[tuple[str, str]]:
     return [(band_colour(name, place, len(names)), band_title(name)) for place, name in enumerate(names)]
 
 
-def _figures(resolution: TargetResolution) -> list[tuple[str, str]]:
-    """The ground resolved distances with what they are."""
-    known = [
-        (resolution.worst(direction), resolution.worst_error(direction), direction_title(direction))
-        for direction in DIRECTIONS
-    ]
-    known.append((resolution.mean, resolution.mean_error, tr("geometric mean")))
-    return [(distance_text(grd, error), words) for grd, error, words in known if grd is not None]
-
-
 def _contrasts(resolution: TargetResolution) -> list[tuple[str, str]]:
     """The target's own contrast by band."""
     return [(band_title(band), f"{shown_number(value, 1)} : 1") for band, value in resolution.contrasts.items()]
@@ -115,11 +105,11 @@ def _observers(resolution: TargetResolution) -> list[tuple[str, ...]]:
 
 
 def _summary(resolution: TargetResolution, target: Target) -> str:
-    if _figures(resolution) and target.grd_of == BAR:
+    if not target_distances(resolution):
+        return tr("No group is resolved in every band.")
+    if target.grd_of == BAR:
         return tr("Ground resolved distance: one bar of the finest group that is resolved in every band.")
-    if _figures(resolution):
-        return tr("Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.")
-    return tr("No group is resolved in every band.")
+    return tr("Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.")
 
 
 def _settings(target: Target) -> list[tuple[str, str]]:

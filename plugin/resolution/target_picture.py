@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -29,12 +28,8 @@ Box = tuple[float, float, float, float]
 """Left, top, right and bottom, px."""
 
 
-@dataclass(frozen=True)
-class _Strip:
-    """A part of the target with the lines in it."""
-
-    lines: Sequence[Line]
-    box: Box
+_Strip = tuple[Sequence[Line], Box]
+"""A part of the target with the lines in it."""
 
 
 def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | None:
@@ -48,57 +43,60 @@ def target_picture(raster: Raster, results: Sequence[GroupResult]) -> Figure | N
     whole = _box(lines, raster, _margin(lines))
     if max(whole[2] - whole[0], whole[3] - whole[1]) > _LARGEST_PX:
         return None
-    is_wide = whole[2] - whole[0] >= whole[3] - whole[1]
-    strips = max((_strips(lines, raster, is_wide, count) for count in range(1, _MOST_STRIPS + 1)),
-                 key=lambda made: _scale(made, is_wide))  # fmt: skip
-    return _drawn(raster, whole, strips, is_wide)
+    axis = 0 if whole[2] - whole[0] >= whole[3] - whole[1] else 1
+    counts = range(1, _MOST_STRIPS + 1)
+    strips = max((_strips(lines, raster, axis, count) for count in counts), key=lambda made: _scale(made, axis)[0])
+    return _drawn(raster, whole, strips, axis)
 
 
-def _strips(lines: Sequence[Line], raster: Raster, is_wide: bool, count: int) -> list[_Strip]:
-    """The lines in their order along the target, in parts that are about equally long; each as thick as all."""
+def _strips(lines: Sequence[Line], raster: Raster, axis: int, count: int) -> list[_Strip]:
+    """The lines in their order along the target, in parts that are about equally long; each as thick as all.
+
+    ``axis``: along which the target is longer, 0 for columns, 1 for rows.
+    """
     margin = _margin(lines)
     whole = _box(lines, raster, margin)
-    start, end = (whole[0], whole[2]) if is_wide else (whole[1], whole[3])
+    start, end = whole[axis], whole[axis + 2]
     parts: list[list[Line]] = [[] for _ in range(count)]
     for line in lines:
-        (x1, y1), (x2, y2) = line_ends(line)
-        middle = (x1 + x2) / 2 if is_wide else (y1 + y2) / 2
+        one, other = line_ends(line)
+        middle = (one[axis] + other[axis]) / 2
         parts[min(int(count * (middle - start) / (end - start)), count - 1)].append(line)
     boxes = ((part, _box(part, raster, margin)) for part in parts if part)
     return [
-        _Strip(part, (box[0], whole[1], box[2], whole[3]) if is_wide else (whole[0], box[1], whole[2], box[3]))
+        (part, (box[0], whole[1], box[2], whole[3]) if axis == 0 else (whole[0], box[1], whole[2], box[3]))
         for part, box in boxes
     ]
 
 
-def _scale(strips: Sequence[_Strip], is_wide: bool) -> float:
-    """Inches a pixel at which strips fill the picture."""
-    widths, heights = ([strip.box[side + 2] - strip.box[side] for strip in strips] for side in (0, 1))
-    gaps = _GAP * (len(strips) - 1)
-    across, down = (max(widths), sum(heights)) if is_wide else (sum(widths), max(heights))
-    room = (_WIDTH, _HEIGHT - gaps) if is_wide else (_WIDTH - gaps, _HEIGHT)
-    return min(room[0] / across, room[1] / down, _LARGEST_PIXEL)
+def _scale(strips: Sequence[_Strip], axis: int) -> tuple[float, np.ndarray]:
+    """Inches a pixel at which strips, one beside the other across the axis, fill the picture; its width and height."""
+    sizes = np.array([(box[2] - box[0], box[3] - box[1]) for _, box in strips])
+    gaps, across = _GAP * (len(strips) - 1), 1 - axis
+    room, taken = np.array([_WIDTH, _HEIGHT]), sizes.max(axis=0).astype(float)
+    room[across] -= gaps
+    taken[across] = sizes[:, across].sum()
+    scale = min(*(room / taken).tolist(), _LARGEST_PIXEL)
+    size = taken * scale
+    size[across] += gaps
+    return scale, size
 
 
-def _drawn(raster: Raster, whole: Box, strips: Sequence[_Strip], is_wide: bool) -> Figure:
-    scale = _scale(strips, is_wide)
-    sizes = [((one.box[2] - one.box[0]) * scale, (one.box[3] - one.box[1]) * scale) for one in strips]
-    gaps = _GAP * (len(strips) - 1)
-    width = max(size[0] for size in sizes) if is_wide else sum(size[0] for size in sizes) + gaps
-    height = sum(size[1] for size in sizes) + gaps if is_wide else max(size[1] for size in sizes)
+def _drawn(raster: Raster, whole: Box, strips: Sequence[_Strip], axis: int) -> Figure:
+    scale, (width, height) = _scale(strips, axis)
     figure = plain_figure(width, height)
-    pixels, left, top = _toned(raster, whole), whole[0], whole[1]
+    pixels, (left, top) = _toned(raster, whole), whole[:2]
     x, y = 0.0, height
-    for strip, (across, down) in zip(strips, sizes):
+    for lines, (first, upper, last, lower) in strips:
+        across, down = (last - first) * scale, (lower - upper) * scale
         axes = figure.add_axes((x / width, (y - down) / height, across / width, down / height))
-        first, upper, last, lower = strip.box
         shown = pixels[int(upper - top) : int(lower - top), int(first - left) : int(last - left)]
         axes.imshow(shown, cmap="gray", vmin=0, vmax=1, extent=(first, last, lower, upper), interpolation="nearest")
         axes.set_axis_off()
-        _draw_lines(axes, strip.lines, scale)
+        _draw_lines(axes, lines, scale)
         axes.set_xlim(first, last)
         axes.set_ylim(lower, upper)
-        x, y = (x, y - down - _GAP) if is_wide else (x + across + _GAP, y)
+        x, y = (x, y - down - _GAP) if axis == 0 else (x + across + _GAP, y)
     return figure
 
 

@@ -134,16 +134,20 @@ def _read(request: NoiseRequest, opened: dict[RasterRef, OpenRaster]) -> list[_C
 
 
 def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str, levels: int) -> list[ClipNoise]:
+    results: dict[Part, ClipNoise] = {}
+
+    def keep(part: Part, paired: bool, bands: dict[str, BandNoise], why: Message | None = None) -> None:
+        results[part] = ClipNoise(request.window_id, part, paired, bands, why, request.window_class)
+
     most = MAX_MASKED_SHARE if request.paired else imagery_limits.MAX_INVALID_SHARE
     usable: list[tuple[Part, _Clip]] = []
-    results: dict[Part, ClipNoise] = {}
     for part, clip in zip(request.parts, clips):
         if isinstance(clip, Message):
-            results[part] = ClipNoise(request.window_id, part, request.paired, {}, clip, request.window_class)
+            keep(part, request.paired, {}, clip)
         elif (share := float(clip[1].mean())) > most:
             name = part.member.image.ref.name
             why = imagery_messages.TOO_MANY_INVALID(name=name, share=Exceeding(share, most), most=most)
-            results[part] = ClipNoise(request.window_id, part, request.paired, {}, why, request.window_class)
+            keep(part, request.paired, {}, why)
         else:
             usable.append((part, clip))
     paired = len({part.member.group for part, _ in usable}) > 1
@@ -152,14 +156,12 @@ def _measured(request: NoiseRequest, clips: list[_Clip | Message], wavelet: str,
     if paired:
         masks = _joined_masks([part for part, _ in usable], masks)
     for (part, (bands, _)), mask in zip(usable, masks):
-        name, share = part.member.image.ref.name, float(mask.mean())
+        image, share = part.member.image, float(mask.mean())
         if share > most:
-            why = messages.MASKED_TOO_MUCH(share=Exceeding(share, most), most=most)
-            results[part] = ClipNoise(request.window_id, part, paired, {}, why, request.window_class)
+            keep(part, paired, {}, messages.MASKED_TOO_MUCH(share=Exceeding(share, most), most=most))
         else:
-            names = part.member.image.band_names
-            measured = measure_noise(filled(bands, mask), names, wavelet, levels, name, mask)
-            results[part] = ClipNoise(request.window_id, part, paired, measured, None, request.window_class)
+            whole = filled(bands, mask)
+            keep(part, paired, measure_noise(whole, image.band_names, wavelet, levels, image.ref.name, mask))
     return [results[part] for part in request.parts]
 
 
