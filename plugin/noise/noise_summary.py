@@ -171,7 +171,7 @@ def _number(value: float | None, decimals: int) -> str:
     return "-" if value is None else shown_number(value, decimals)
 
 
-class _Row(NamedTuple):
+class _NoiseRow(NamedTuple):
     """A band of an image in a window; none where nothing could be measured."""
 
     clip: ClipNoise
@@ -179,11 +179,11 @@ class _Row(NamedTuple):
     noise: BandNoise | None
 
 
-def _shares(row: _Row) -> Curve | None:
+def _shares(row: _NoiseRow) -> Curve | None:
     return row.noise.curve if row.noise is not None and row.noise.curve.variance > 0 else None
 
 
-_COLUMNS: tuple[Column[_Row], ...] = (
+_COLUMNS: tuple[Column[_NoiseRow], ...] = (
     Column("raster", "text", lambda row: row.clip.part.member.image.ref.name),
     Column("group", "integer", lambda row: row.clip.part.member.group),
     Column("window_id", "integer", lambda row: row.clip.window_id),
@@ -214,5 +214,5 @@ def noise_fields(levels: int) -> QgsFields:
 
 def noise_features(result: ClipNoise, levels: int) -> Iterator[QgsFeature]:
     """The rows of OUTPUT for an image in a window; one without a band where nothing could be measured."""
-    rows = [_Row(result, band, noise) for band, noise in result.bands.items()] or [_Row(result, None, None)]
+    rows = [_NoiseRow(result, band, noise) for band, noise in result.bands.items()] or [_NoiseRow(result, None, None)]
     return column_features(_COLUMNS, rows, levels)
