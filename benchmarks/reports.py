@@ -22,7 +22,8 @@ MOST_MEGABYTES = 30.0
 
 def report_cost(ground: Ground, tile_format: str, count: int) -> tuple[float, float, float, float]:
     """Seconds, processor seconds, MB of the file and growth of the peak memory in MB; for a process of its own."""
-    from seam_inspector.plugin.seams.report.inspection_report import ReportRequest, write_report
+    from seam_inspector.plugin.seams.report.inspection_report import write_report
+    from seam_inspector.plugin.seams.report.report_request import ReportRequest
 
     requests = ground.requests(tile_format)
     block = Block(requests[0].mosaic, requests[0].sources)

@@ -6,8 +6,7 @@ from pathlib import Path
 
 from ..imagery.errors import Message
 from ..toolkit.charts.figure_files import svg_text
-from ..toolkit.pages.how_measured import HowMeasured, each_raster
-from ..toolkit.pages.templates import save_page, sentences_once
+from ..toolkit.pages.templates import HowMeasured, each_raster, save_page, sentences_once
 from ..toolkit.translation import band_title, filled, formatted, sentence, shown_number, tr
 from .charts import noise_figure
 from .measure.band_noise import noisiest_band

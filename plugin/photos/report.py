@@ -8,9 +8,8 @@ from pathlib import Path
 import numpy as np
 from scipy import ndimage
 
-from ..toolkit.pages.how_measured import HowMeasured, measured_raster, whole_path
 from ..toolkit.pages.picture_files import encoded
-from ..toolkit.pages.templates import save_page, sentences_once
+from ..toolkit.pages.templates import HowMeasured, measured_raster, save_page, sentences_once, whole_path
 from ..toolkit.translation import filled, formatted, sentence, shown_number, tr
 from .measure import limits, messages
 from .measure.camera_calibration import CameraCalibration

@@ -9,8 +9,7 @@ from pathlib import Path
 from ..imagery.errors import Message
 from ..imagery.rasters import ValueRange
 from ..toolkit.charts.figure_files import svg_text
-from ..toolkit.pages.how_measured import HowMeasured, each_raster
-from ..toolkit.pages.templates import save_page, sentences_once
+from ..toolkit.pages.templates import HowMeasured, each_raster, save_page, sentences_once
 from ..toolkit.translation import filled, sentence, shown_number, tr
 from .charts import balance_figure, histogram_figure, step_and_contrast
 from .measure import limits

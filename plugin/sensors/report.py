@@ -11,8 +11,7 @@ from matplotlib.ticker import MaxNLocator
 
 from ..imagery.errors import WARNING, Message
 from ..toolkit.charts.figure_files import new_figure, svg_text
-from ..toolkit.pages.how_measured import HowMeasured, system_name
-from ..toolkit.pages.templates import save_page, sentences_once
+from ..toolkit.pages.templates import HowMeasured, save_page, sentences_once, system_name
 from ..toolkit.translation import filled, formatted, sentence, tr
 from .measure.adjustment import LEAVE_ONE_OUT, Accuracy, Adjustment, Comparison
 from .measure.point_checks import ControlCoverage, ImageBox

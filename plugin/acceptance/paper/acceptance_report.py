@@ -7,8 +7,7 @@ from typing import Any
 
 from ...imagery.statistics import Agreement
 from ...toolkit.charts.figure_files import svg_text
-from ...toolkit.pages.how_measured import HowMeasured, each_raster, system_name
-from ...toolkit.pages.templates import save_page
+from ...toolkit.pages.templates import HowMeasured, each_raster, save_page, system_name
 from ...toolkit.translation import filled, formatted, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import Decision, Defect, MetreFigures, Observers, PieceState, PlanOutcome

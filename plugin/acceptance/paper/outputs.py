@@ -99,7 +99,7 @@ def write(
 
     ``seams``, ``windows`` and ``rules``: where sheets, windows and rules were read from, in words for people.
     """
-    from ...toolkit.pages.how_measured import whole_path
+    from ...toolkit.pages.templates import whole_path
     from .acceptance_report import save_acceptance_report
     from .inspection_record import InspectionRecord
     from .quality_document import save_quality_document

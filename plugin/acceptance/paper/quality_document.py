@@ -18,8 +18,7 @@ from ...imagery.atomic_files import save_text
 from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
-from ...toolkit.pages.how_measured import HowMeasured, system_code, whole_path
-from ...toolkit.pages.templates import environment
+from ...toolkit.pages.templates import HowMeasured, environment, system_code, whole_path
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, MetreFigures, PlanOutcome, RuleOutcome

@@ -20,7 +20,7 @@ from ...imagery.limits import DEFAULT_LEVELS
 from ...imagery.open_raster import describe
 from ...imagery.rasters import RasterRef
 from ...toolkit.background_tasks import BackgroundTasks, Cancelled, Job
-from ...toolkit.charts.chart_loader import chart_missing
+from ...toolkit.charts.chart_style import chart_missing
 from ...toolkit.desk.chart_panel import MatplotlibPanel
 from ...toolkit.desk.tabs import InspectedWindows, WindowOnRasters
 from ...toolkit.desk.widgets import ClippedLabel, plain_tip, rich_tip

@@ -23,7 +23,7 @@ from ..measure.limits import MAX_SIGNIFICANT_KEPT
 from .block_parameters import given_block, given_sources
 
 if TYPE_CHECKING:
-    from ..report.inspection_report import ReportRequest
+    from ..report.report_request import ReportRequest
 
 Row = TypeVar("Row")
 
@@ -109,7 +109,7 @@ class Report(SeamInspectorAlgorithm):
     def _request(self, run: Run) -> ReportRequest:
         from ...toolkit import layers as layers
         from ..measure.inspection import Block
-        from ..report.inspection_report import ReportRequest
+        from ..report.report_request import ReportRequest
         from ..tables import record_tables
 
         windows = run.source(WINDOWS)

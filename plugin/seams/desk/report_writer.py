@@ -53,7 +53,8 @@ class ReportWriter(QObject):
 
     def write(self, path: Path) -> None:
         """Write the report of the windows as they are now."""
-        from ..report.desk_request import report_job, report_request
+        from ..report.inspection_report import report_job
+        from ..report.report_request import report_request
 
         session, project = self._session, QgsProject.instance()
         layer = session.window_layer()

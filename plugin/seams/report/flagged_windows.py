@@ -2,125 +2,84 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from itertools import repeat
 
 from ...imagery.errors import Message
 from ...imagery.limits import judged_band
 from ...toolkit.translation import filled, formatted, percent, sentence, tr
 from ..measure import messages
-from ..measure.inspection import Block
-from ..measure.profile.loss_picture import LossPicture
-from ..measure.window_records import COMPOSITE, CurveRecord, PairRecord, ProfileRecord, WindowRecord, contrast_of
+from ..measure.window_records import COMPOSITE, WindowRecord, contrast_of
 from ..window_summary import LOSSES, by_the_paper, window_sentence
 from ..words import cause_sentence, cause_word, observer_word, verdict_word
-from .clip_parts import ClipJob, PartPicture, WindowParts, window_parts
-from .curve_pictures import curve_legend, curves_svg
-from .profile_picture import ProfilePicture, profile_picture
-from .variance_table import anchor, paper_words, two_digits
+from .clip_parts import ClipJob, WindowParts, window_parts
+from .report_request import ReportRequest
+from .window_charts import curve_legend, curves_svg, profile_picture
+from .window_words import anchor, paper_words, two_digits
 
 REPORT_CLIPS_BYTES = 16_000_000  # of all JPEG pictures together: with charts and base64 a report stays below 30 MB
 
 CHART_MM = 84.6  # 320 px, as wide as a clip
 
 
-@dataclass(frozen=True)
-class WindowSection:
-    """What the page shows of one window."""
-
-    number: int
-    anchor: str
-    title: str
-    facts: Sequence[str]
-    levels: Sequence[int]
-    ratios: Sequence[Sequence[str]]
-    """Rows: what the mosaic is compared with, its ratio by level, that of the background."""
-    problem: str
-    """Why there are no clips."""
-    profile: ProfilePicture | None
-    """The chart of what is kept along the seam; None where that is not known."""
-    chart: str
-    """SVG; empty without curves."""
-    legend: Sequence[tuple[str, str]]
-    """Colours and words."""
-    clips: Sequence[PartPicture]
-    place: str
-    """Where the clips lie."""
-    loss: tuple[bytes, int] | None
-    """Lost detail over the mosaic as JPEG, and its columns."""
-
-
 class WindowSections:
     """Makes the sections of a report's windows one after another."""
 
-    def __init__(
-        self,
-        block: Block | None,
-        curves: Mapping[int, Sequence[CurveRecord]],
-        pairs: Mapping[int, Sequence[PairRecord]],
-        profiles: Mapping[int, Sequence[ProfileRecord]],
-        losses: Mapping[int, LossPicture],
-        max_ratio: float,
-        min_kept: float,
-        count: int,
-    ) -> None:
+    def __init__(self, request: ReportRequest, count: int) -> None:
         """``count``: how many sections there will be, which share the bytes that a report may have."""
         self.notices: list[Message] = []
         """What could not be shown."""
-        self._block, self._curves, self._pairs = block, curves, pairs
-        self._profiles, self._losses, self._min_kept = profiles, losses, min_kept
-        self._max_ratio = max_ratio
+        self._request = request
         self._bytes_each = REPORT_CLIPS_BYTES / max(count, 1)
 
-    def sections(self, records: Sequence[WindowRecord]) -> Iterator[WindowSection]:
-        """One for each."""
+    def sections(self, records: Sequence[WindowRecord]) -> Iterator[dict[str, object]]:
+        """What the page shows of each."""
         for record, clips in zip(records, self._clips(records)):
             yield self._section(record, clips)
 
     def _clips(self, records: Sequence[WindowRecord]) -> Iterator[WindowParts]:
-        if self._block is None:
+        if self._request.block is None:
             return repeat(WindowParts(), len(records))
-        return window_parts(self._block, map(self._job, records), self._bytes_each)
+        return window_parts(self._request.block, map(self._job, records), self._bytes_each)
 
     def _job(self, record: WindowRecord) -> ClipJob:
         """The sources that took part, the least sharp in front: even they have more detail than the mosaic."""
-        pairs, loss = self._pairs.get(record.window_id, ()), self._losses.get(record.window_id)
+        pairs, loss = self._request.pairs.get(record.window_id, ()), self._request.losses.get(record.window_id)
         if pairs:
             band = judged_band(pair.band for pair in pairs)
             own = [pair for pair in pairs if pair.band == band and pair.source != COMPOSITE]
             own.sort(key=lambda pair: -(pair.ratio or 0))
             return ClipJob(record.extent, tuple(pair.source for pair in own), loss)
-        curves = self._curves.get(record.window_id, ())
+        curves = self._request.curves.get(record.window_id, ())
         return ClipJob(record.extent, tuple(curve.raster for curve in curves if curve.role == "source"), loss)
 
-    def _section(self, record: WindowRecord, clips: WindowParts) -> WindowSection:
+    def _section(self, record: WindowRecord, clips: WindowParts) -> dict[str, object]:
+        request, window = self._request, record.window_id
         problem = ""
         if clips.problem is not None:
-            notice = messages.CLIP_NOT_SHOWN(window=record.window_id, why=clips.problem)
+            notice = messages.CLIP_NOT_SHOWN(window=window, why=clips.problem)
             self.notices.append(notice)
             problem = sentence(notice)
-        curves = self._curves.get(record.window_id, ())
+        curves = request.curves.get(window, ())
         has_curve = any(curve.detail[0] == curve.detail[0] for curve in curves if curve.role == "mosaic")
         same = [curve for curve in curves if len(curve.detail) == len(curves[0].detail)] if has_curve else []
-        return WindowSection(
-            record.window_id,
-            anchor(record.window_id),
-            filled(tr("Window {number}: {verdict}"), number=record.window_id, verdict=verdict_word(record.verdict)),
-            list(self._facts(record)),
-            *_ratios(record),
-            problem,
-            self._profile(record),
-            curves_svg(same, self._max_ratio) if same else "",
-            curve_legend(same) if same else (),
-            clips.pictures,
-            "" if clips.extent is None else _place_words(clips),
-            clips.loss,
-        )
-
-    def _profile(self, record: WindowRecord) -> ProfilePicture | None:
-        pixel_m = None if self._block is None else self._block.mosaic.ground_sample_distance
-        return profile_picture(record, self._profiles.get(record.window_id, ()), pixel_m, self._min_kept)
+        pixel_m = None if request.block is None else request.block.mosaic.ground_sample_distance
+        levels, ratios = _ratios(record)
+        return {
+            "number": window,
+            "anchor": anchor(window),
+            "title": filled(tr("Window {number}: {verdict}"), number=window, verdict=verdict_word(record.verdict)),
+            "facts": list(self._facts(record)),
+            "levels": levels,
+            "ratios": ratios,
+            "problem": problem,
+            "profile": profile_picture(record, request.profiles.get(window, ()), pixel_m, request.min_kept),
+            "chart": curves_svg(same, request.max_ratio) if same else "",
+            "legend": curve_legend(same) if same else (),
+            "clips": clips.pictures,
+            "place": "" if clips.extent is None else _place_words(clips),
+            "loss": clips.loss,
+        }
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
@@ -135,7 +94,7 @@ class WindowSections:
             facts.append(f"{paper[:1].upper()}{paper[1:]}.")
         contrast = record.contrast
         if contrast is None:
-            contrast = contrast_of(self._pairs.get(record.window_id, ()))
+            contrast = contrast_of(self._request.pairs.get(record.window_id, ()))
         if contrast is not None:
             facts.append(filled(tr("Absolute contrast at level 1: {percent} %."), percent=percent(contrast)))
         if record.unclear_share is not None:
@@ -145,7 +104,7 @@ class WindowSections:
 
 
 def _ratios(record: WindowRecord) -> tuple[list[int], list[list[str]]]:
-    """The levels, and a row for each ratio that is known."""
+    """The levels, and a row for each ratio that is known: against what, by level, that of the background."""
     rows = [
         (_kept_heading(record), record.kept, None),
         (tr("against the sources"), record.ratios, record.background_ratio),

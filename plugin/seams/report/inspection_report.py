@@ -7,67 +7,33 @@ from __future__ import annotations
 import math
 import statistics
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
-from datetime import date
 from pathlib import Path
 from typing import Callable
 
-from ...imagery import limits as imagery_limits
 from ...imagery.clips import read_overview
 from ...imagery.errors import Message, RasterError
 from ...imagery.reference_systems import metres_per_unit
 from ...imagery.statistics import INVISIBLE, UNSURE, VISIBLE
-from ...toolkit.pages.how_measured import HowMeasured, each_raster, measured_raster
+from ...toolkit.background_tasks import Cancelled, Job
 from ...toolkit.pages.picture_files import encoded
-from ...toolkit.pages.templates import save_page, sentences_once
+from ...toolkit.pages.templates import HowMeasured, each_raster, measured_raster, save_page, sentences_once
 from ...toolkit.translation import filled, shown_number, tr
 from ..clip_pictures import bytes_picture
 from ..measure import limits, messages
-from ..measure.inspection import Block
-from ..measure.profile.loss_picture import LossPicture
-from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
+from ..measure.window_records import WindowRecord
 from ..window_summary import judged_value, judged_words
 from ..words import VERDICTS, cause_sentence, cause_word, loss_legend, verdict_colour, verdict_word
-from .flagged_windows import CHART_MM, WindowSection, WindowSections
+from .flagged_windows import CHART_MM, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
-from .reading_terms import reading_terms
-from .variance_table import anchor, window_rows
+from .report_request import ReportRequest
+from .window_words import anchor, reading_terms, window_rows
 
 MAX_REPORT_DETAILS = 300  # flagged windows with curves and clips; the others stand in the table
 OVERVIEW_SIDE_PX = 900  # of the sketch's background, 170 mm wide
 
 Progress = Callable[[float], None]
-
-
-@dataclass(frozen=True)
-class ReportRequest:
-    """What a report tells, in plain data that can cross threads."""
-
-    records: tuple[WindowRecord, ...]
-    """The windows; their extents in the mosaic's reference system where there is a block."""
-    curves: Mapping[int, Sequence[CurveRecord]] = field(default_factory=dict)
-    """By window, in the judged band."""
-    pairs: Mapping[int, Sequence[PairRecord]] = field(default_factory=dict)
-    """By window."""
-    block: Block | None = None
-    """Mosaic and sources whose clips are shown; None for none."""
-    wkt: str = ""
-    """Reference system of the extents; empty when it is unknown."""
-    title: str = ""
-    """Heading of the page; empty for the mosaics' names."""
-    name: str = ""
-    """What the mosaic is called where neither the block nor the curves say it."""
-    max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
-    """The limit drawn into the charts of curves."""
-    min_kept: float = limits.MAX_SIGNIFICANT_KEPT
-    """The limit drawn into the charts of what is kept."""
-    profiles: Mapping[int, Sequence[ProfileRecord]] = field(default_factory=dict)
-    """By window."""
-    losses: Mapping[int, LossPicture] = field(default_factory=dict)
-    """Lost detail of whole windows as far as it is known; of others it is measured again where there is a block."""
-    made_on: date = field(default_factory=date.today)
 
 
 def write_report(
@@ -83,12 +49,9 @@ def write_report(
     linked = {record.window_id for record in detailed}
     if len(detailed) < len(flagged):
         notices.append(messages.DETAILS_LIMITED(count=len(flagged), most=len(detailed)))
-    sections = WindowSections(
-        request.block, request.curves, request.pairs, request.profiles, request.losses, request.max_ratio,
-        request.min_kept, len(detailed),
-    )
+    sections = WindowSections(request, len(detailed))
 
-    def shown() -> Iterator[WindowSection]:
+    def shown() -> Iterator[dict[str, object]]:
         for done, section in enumerate(sections.sections(detailed), 1):
             if cancelled():
                 raise _CancelledError
@@ -121,6 +84,17 @@ def write_report(
     except _CancelledError:
         return None
     return notices + sections.notices
+
+
+def report_job(path: Path, request: ReportRequest) -> Job:
+    """Writes the report; yields the messages about what it could not show."""
+
+    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
+        notices = write_report(path, request, cancelled=cancelled)
+        if notices is not None:
+            yield 1.0, notices
+
+    return job
 
 
 def _terms(request: ReportRequest) -> list[tuple[str, str]]:

@@ -10,7 +10,7 @@ from ..background_tasks import interface_first
 from matplotlib.backends.backend_agg import FigureCanvasAgg  # isort: skip
 from matplotlib.figure import Figure  # isort: skip
 from matplotlib.font_manager import FontProperties, fontManager  # isort: skip
-from .local_ticks import set_local_ticks  # isort: skip
+from .figure_files import set_local_ticks  # isort: skip
 
 
 ROOMY_LINES = 12  # a lower chart does without the axes' titles

@@ -18,7 +18,8 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.inspection import Block
 from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.seams.measure.window_records import CurveRecord, PairRecord, WindowRecord
-from seam_inspector.plugin.seams.report.inspection_report import ReportRequest, write_report
+from seam_inspector.plugin.seams.report.inspection_report import write_report
+from seam_inspector.plugin.seams.report.report_request import ReportRequest
 
 from tests.numbers.synthetic import write_raster
 from tests.pages import Outline, outline

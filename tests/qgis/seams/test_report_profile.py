@@ -19,10 +19,11 @@ from seam_inspector.plugin.seams.charts.profile_painter import ProfilePainter, S
 from seam_inspector.plugin.seams.measure.inspection import Block, Source
 from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
 from seam_inspector.plugin.seams.measure.window_records import ProfileRecord, WindowRecord
-from seam_inspector.plugin.seams.report.inspection_report import ReportRequest, write_report
-from seam_inspector.plugin.seams.report.loss_overview import PlacedLoss, loss_overview, most_lost
-from seam_inspector.plugin.seams.report.profile_picture import (
-    SIZE_PX,
+from seam_inspector.plugin.seams.report.clip_parts import PlacedLoss, loss_overview, most_lost
+from seam_inspector.plugin.seams.report.inspection_report import write_report
+from seam_inspector.plugin.seams.report.report_request import ReportRequest
+from seam_inspector.plugin.seams.report.window_charts import (
+    PROFILE_PX,
     ProfilePicture,
     level_legend,
     profile_picture,
@@ -55,7 +56,7 @@ def rows(level: int = 1, pixel: float = PIXEL) -> list[ProfileRecord]:
 def painter(shown: ShownProfile | None) -> ProfilePainter:
     """The chart in the report's size."""
     assert shown is not None
-    return ProfilePainter(shown, QRectF(0, 0, *SIZE_PX), PAPER, paper_font(11))
+    return ProfilePainter(shown, QRectF(0, 0, *PROFILE_PX), PAPER, paper_font(11))
 
 
 def lines(picture: ProfilePicture, colour: str) -> list[list[tuple[float, float]]]:

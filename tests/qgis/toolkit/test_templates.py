@@ -13,9 +13,15 @@ from qgis.core import QgsCoordinateReferenceSystem
 from seam_inspector.plugin.imagery.errors import SettingsError, printable
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.report.map_sketch import SketchBackground, SketchShape, map_sketch
-from seam_inspector.plugin.toolkit.pages.how_measured import HowMeasured, MeasuredRaster, each_raster, measured_raster
 from seam_inspector.plugin.toolkit.pages.picture_files import encoded
-from seam_inspector.plugin.toolkit.pages.templates import environment, save_page
+from seam_inspector.plugin.toolkit.pages.templates import (
+    HowMeasured,
+    MeasuredRaster,
+    each_raster,
+    environment,
+    measured_raster,
+    save_page,
+)
 
 from tests.pages import Outline, outline
 

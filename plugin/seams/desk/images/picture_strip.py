@@ -14,7 +14,7 @@ from ....toolkit.resources import icon_path
 from ....toolkit.translation import filled, tr
 from ...clip_pictures import ClipPicture
 from ...measure.window_records import COMPOSITE
-from .picture_images import PictureImages
+from .picture_view import PictureImages
 
 _SIDE = 5.0  # of a small picture, text heights
 

@@ -3,27 +3,153 @@ from __future__ import annotations
 
 from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import (
+    QColor,
     QFocusEvent,
     QHelpEvent,
+    QImage,
     QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QPalette,
+    QPen,
     QResizeEvent,
     QWheelEvent,
 )
 from qgis.PyQt.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from ....imagery.grids import PixelWindow
-from ....toolkit.desk.theme import readable_palette
+from ....toolkit.desk.theme import readable_on, readable_palette
 from ....toolkit.translation import filled, tr
 from ...clip_pictures import ClipPicture
-from .loss_image import LossImage
-from .picture_images import PictureImages
-from .picture_marks import paint_cross, paint_frame, paint_outline
-from .picture_title import paint_title, short_name
+from ...measure.profile.loss_picture import LossPicture
+from ...words import LOSS_OPACITY, loss_rgba
+from ..map.picture_overlay import rgba_image
 from .viewport import Viewport
+
+
+class PictureImages:
+    """A picture as images on its arrays' own memory, without copies; it keeps the arrays as long as it lives."""
+
+    def __init__(self, picture: ClipPicture) -> None:
+        self.picture = picture
+        arrays = (picture.pixels, *picture.reduced)
+        self._arrays = [array if array.flags.c_contiguous else array.copy() for array in arrays]
+        self._images = [
+            QImage(array.data, array.shape[1], array.shape[0], array.strides[0], QImage.Format.Format_RGB888)
+            for array in self._arrays
+        ]
+
+    def at(self, scale: float) -> tuple[QImage, int]:
+        """The image to draw at a scale, and how many of the picture's pixels one of its pixels stands for a side."""
+        step = 0
+        while step + 1 < len(self._images) and scale * 2 ** (step + 1) <= 1:
+            step += 1
+        return self._images[step], 2**step
+
+
+class LossImage:
+    """Ready to be painted at any scale."""
+
+    def __init__(self, loss: LossPicture) -> None:
+        self.loss = loss
+        self._image = rgba_image(loss_rgba(loss.kept))
+
+    def paint(
+        self, painter: QPainter, corner: QPointF, viewport: Viewport, ratio: float, inside: PixelWindow | None
+    ) -> None:
+        """Over a picture whose corner on the widget is given; ``inside``: the window in it, None: all of it."""
+        window = inside or PixelWindow(0, 0, *viewport.window)
+        scale, (left, top) = viewport.scale, viewport.origin()
+        x, y = left + window.column * scale, top + window.row * scale
+        cell = self.loss.cell_px * scale
+        painter.save()
+        painter.translate(corner)
+        painter.scale(1 / ratio, 1 / ratio)
+        painter.setClipRect(QRectF(x, y, window.width * scale, window.height * scale) & QRectF(0, 0, *viewport.screen))
+        painter.setOpacity(LOSS_OPACITY)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)  # as on the map
+        painter.drawImage(QRectF(x, y, cell * self._image.width(), cell * self._image.height()), self._image)
+        painter.restore()
+
+
+_ARMS = ((1, 0), (-1, 0), (0, 1), (0, -1))
+
+
+def paint_outline(painter: QPainter, box: QRectF) -> None:
+    """Light within dark, outside of the box itself."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for margin, colour in ((1.5, QColor(0, 0, 0, 170)), (0.5, QColor(255, 255, 255, 230))):
+        painter.setPen(QPen(colour, 1))
+        painter.drawRect(box.adjusted(-margin, -margin, margin, margin))
+
+
+def paint_cross(painter: QPainter, rect: QRect) -> None:
+    """An open cross, dark under light, that leaves the pixels around the place free."""
+    middle, arm = rect.center(), rect.width() // 2
+    gap = arm // 3
+    for colour, width in ((QColor(0, 0, 0, 150), 3), (QColor(255, 255, 255, 230), 1)):
+        pen = QPen(colour, width)
+        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+        painter.setPen(pen)
+        for dx, dy in _ARMS:
+            painter.drawLine(middle + QPoint(dx, dy) * gap, middle + QPoint(dx, dy) * arm)
+
+
+def paint_frame(painter: QPainter, rect: QRect, colour: QColor) -> None:
+    """Three pixels wide, within the rectangle."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(colour, 3))
+    painter.drawRect(rect.adjusted(1, 1, -2, -2))
+
+
+def kind_of(picture: ClipPicture) -> str:
+    """Mosaic, source or composite, in a word."""
+    if picture.is_composite:
+        return tr("composite")
+    return tr("mosaic") if picture.is_mosaic else tr("source")
+
+
+def short_name(picture: ClipPicture) -> str:
+    """The raster's name, or what it is where there is only one of the kind."""
+    return kind_of(picture) if picture.is_mosaic or picture.is_composite else picture.raster
+
+
+def paint_title(
+    painter: QPainter, strip: QRect, palette: QPalette, picture: ClipPicture, name: str, hint: str,
+    is_flipped: bool,
+) -> None:
+    """A badge that says mosaic, source or composite, the name, and a hint where there is room for it.
+
+    A flipped view's strip is highlighted all over.
+    """
+    metrics = painter.fontMetrics()
+    text, faint = palette.color(QPalette.ColorRole.WindowText), palette.color(QPalette.ColorRole.WindowText)
+    faint.setAlphaF(0.2)
+    bright = palette.color(QPalette.ColorRole.Highlight)
+    on_bright = readable_on(bright, palette.color(QPalette.ColorRole.HighlightedText))
+    colours = (bright, on_bright) if picture.is_mosaic else (faint, text)
+    if is_flipped:
+        painter.fillRect(strip, bright)
+        colours, text = (on_bright, bright), on_bright
+    kind = kind_of(picture)
+    badge = QRectF(strip).adjusted(2, 2, -2, -2)
+    badge.setWidth(metrics.horizontalAdvance(kind) + 0.8 * metrics.height())
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(colours[0])
+    painter.drawRoundedRect(badge, badge.height() / 3, badge.height() / 3)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+    painter.setPen(colours[1])
+    painter.drawText(badge, Qt.AlignmentFlag.AlignCenter, kind)
+    painter.setPen(text)
+    room = QRectF(strip)
+    room.setLeft(badge.right() + metrics.height() / 3)
+    if hint and metrics.horizontalAdvance(f"{name}  {hint}") < room.width():
+        painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, hint)
+    elided = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, int(room.width()))
+    painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, elided)
+
 
 _WHEEL_STEP = 120  # eighths of a degree: one notch
 _KEY_PAN = 0.25  # of a view

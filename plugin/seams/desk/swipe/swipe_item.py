@@ -1,11 +1,103 @@
 """What lies on the canvas while swiping: the other raster on its side, and what either side shows."""
 from __future__ import annotations
 
-from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
-from qgis.PyQt.QtCore import QPointF, QRectF, Qt
-from qgis.PyQt.QtGui import QColor, QPainter
+from collections.abc import Sequence
 
-from .map_picture import MapPicture
+from qgis.core import QgsMapLayer, QgsMapRendererParallelJob, QgsMapSettings
+from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
+from qgis.PyQt.QtCore import QCoreApplication, QObject, QPointF, QRectF, Qt, QTimer, pyqtSignal
+from qgis.PyQt.QtGui import QColor, QImage, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QTransform, QWheelEvent
+from qgis.PyQt.QtWidgets import QWidget
+
+from ....toolkit.desk.widgets import rich_tip
+from ....toolkit.translation import tr
+
+_under_way: set[QgsMapRendererParallelJob] = set()
+"""Cancelled jobs too, until they have ended: to let one go before would wait for it."""
+
+
+def _job_ended() -> None:
+    """It is in the midst of telling so, and must live until it has."""
+    QTimer.singleShot(0, _let_go_of_ended)
+
+
+def _let_go_of_ended() -> None:
+    _under_way.difference_update([job for job in _under_way if not job.isActive()])
+
+
+def end_drawing() -> None:
+    """Cancel all jobs, and wait until they have ended, as QGIS does with its maps before it closes a project: their
+    threads share the styles of layers, and crash when these go meanwhile."""
+    for job in list(_under_way):
+        job.cancel()
+
+
+class MapPicture(QObject):
+    """Keeps the last picture until the next one is drawn."""
+
+    drawn = pyqtSignal()
+
+    def __init__(self, parent: QObject) -> None:
+        super().__init__(parent)
+        self._job: QgsMapRendererParallelJob | None = None
+        self._image: QImage | None = None
+        self._settings = QgsMapSettings()  # that the image was drawn by
+
+    @property
+    def image(self) -> QImage | None:
+        """None before the first one is drawn."""
+        return self._image
+
+    @property
+    def is_drawing(self) -> bool:
+        """Whether a picture is under way."""
+        return self._job is not None
+
+    def draw(self, like: QgsMapSettings, layers: Sequence[QgsMapLayer]) -> None:
+        """Draw what a canvas with these settings would show of other layers, the topmost first."""
+        self._cancel()
+        settings = QgsMapSettings(like)
+        settings.setLayers(list(layers))
+        job = QgsMapRendererParallelJob(settings)
+        job.finished.connect(self._finished)
+        job.finished.connect(_job_ended)
+        _under_way.add(job)
+        self._job = job
+        job.start()
+
+    def close(self) -> None:
+        """Draw no more, and forget what was drawn."""
+        self._cancel()
+        self._image = None
+
+    def onto(self, now: QgsMapSettings) -> QTransform | None:
+        """Where the picture lies on a map that was moved, zoomed or turned since; None where it lies nowhere."""
+        before = self._settings
+        if self._image is None or before.destinationCrs() != now.destinationCrs():
+            return None
+        width, height = before.outputSize().width(), before.outputSize().height()
+        from_pixel, to_pixel = before.mapToPixel(), now.mapToPixel()
+        origin, right, below = (
+            to_pixel.transform(from_pixel.toMapCoordinates(x, y))
+            for x, y in ((0, 0), (width, 0), (0, height))
+        )
+        return QTransform(
+            (right.x() - origin.x()) / width, (right.y() - origin.y()) / width,
+            (below.x() - origin.x()) / height, (below.y() - origin.y()) / height, origin.x(), origin.y(),
+        )  # fmt: skip
+
+    def _cancel(self) -> None:
+        job, self._job = self._job, None
+        if job is not None:
+            job.finished.disconnect(self._finished)
+            job.cancelWithoutBlocking()
+
+    def _finished(self) -> None:
+        job, self._job = self._job, None
+        if job is not None:
+            self._image, self._settings = job.renderedImage(), QgsMapSettings(job.mapSettings())
+            self.drawn.emit()
+
 
 _ABOVE_THE_MAP = -5.0  # which lies at -10; outlines and marks of the canvas lie at 0 and more
 _LABEL_BOX, _LABEL_TEXT = QColor(20, 20, 20, 220), QColor(255, 255, 255)
@@ -92,3 +184,82 @@ class SwipeItem(QgsMapCanvasItem):
         painter.drawRoundedRect(box, gap / 2, gap / 2)
         painter.setPen(_LABEL_TEXT)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
+
+
+_CASING, _LINE, _ARROW = QColor(0, 0, 0, 170), QColor(255, 255, 255), QColor("#0072b2")
+
+
+class SwipeHandle(QWidget):
+    """Lies on the canvas from edge to edge, and takes the mouse there; the wheel still zooms the map."""
+
+    moved = pyqtSignal(float)
+    """To which share of the map, from the left or from the top."""
+
+    def __init__(self, canvas: QgsMapCanvas) -> None:
+        super().__init__(canvas)  # not of its viewport, which scrolls its children
+        self._canvas = canvas
+        self._is_upright = True
+        self._is_dragged = False
+        self.setToolTip(rich_tip(tr("Drag to compare the mosaic with the other image. X exchanges them, Esc ends.")))
+
+    def place(self, share: float, is_upright: bool) -> None:
+        """Lie at a share of the map."""
+        self._is_upright = is_upright
+        ways = Qt.CursorShape.SplitHCursor, Qt.CursorShape.SplitVCursor
+        self.setCursor(ways[0] if is_upright else ways[1])
+        view, width = self._canvas.viewport().geometry(), self._thickness()
+        if is_upright:
+            self.setGeometry(view.left() + round(share * view.width()) - width // 2, view.top(), width, view.height())
+        else:
+            self.setGeometry(view.left(), view.top() + round(share * view.height()) - width // 2, view.width(), width)
+
+    def _thickness(self) -> int:
+        """An odd number, so that the line lies on a pixel."""
+        return int(self.fontMetrics().height() * 1.5) // 2 * 2 + 1
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._is_dragged = event.button() == Qt.MouseButton.LeftButton
+        event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._is_dragged = False
+        event.accept()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._is_dragged:
+            view = self._canvas.viewport()
+            at = view.mapFromGlobal(self.mapToGlobal(event.pos()))
+            share = at.x() / view.width() if self._is_upright else at.y() / view.height()
+            self.moved.emit(min(max(share, 0.0), 1.0))
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        view = self._canvas.viewport()
+        at = QPointF(view.mapFromGlobal(event.globalPosition().toPoint()))
+        passed = QWheelEvent(
+            at, event.globalPosition(), event.pixelDelta(), event.angleDelta(), event.buttons(), event.modifiers(),
+            event.phase(), event.inverted(),
+        )
+        QCoreApplication.sendEvent(view, passed)
+        event.accept()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        middle = QRectF(self.rect()).center()
+        if not self._is_upright:
+            painter.translate(middle)
+            painter.rotate(90)
+            painter.translate(-middle)
+        length, knob = max(self.width(), self.height()), self._thickness() / 2 - 1.5
+        for colour, width in ((_CASING, 4), (_LINE, 2)):
+            painter.setPen(QPen(colour, width))
+            painter.drawLine(QPointF(middle.x(), middle.y() - length), QPointF(middle.x(), middle.y() + length))
+        painter.setPen(QPen(_CASING, 1.5))
+        painter.setBrush(_LINE)
+        painter.drawEllipse(middle, knob, knob)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(_ARROW)
+        for way in (-1, 1):
+            tip, foot = way * 0.75 * knob, way * 0.2 * knob
+            corners = ((tip, 0.0), (foot, -0.5 * knob), (foot, 0.5 * knob))
+            painter.drawPolygon(QPolygonF([middle + QPointF(x, y) for x, y in corners]))

@@ -28,9 +28,9 @@ from qgis.PyQt.QtGui import QColor, QImage, QMouseEvent
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QMainWindow, QShortcut
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.desk.swipe import map_picture
+from seam_inspector.plugin.seams.desk.swipe import swipe_item as map_picture
 from seam_inspector.plugin.seams.desk.swipe.swipe_action import SwipeAction
-from seam_inspector.plugin.seams.desk.swipe.swipe_handle import SwipeHandle
+from seam_inspector.plugin.seams.desk.swipe.swipe_item import SwipeHandle
 from seam_inspector.plugin.seams.desk.swipe.swiped_layer import looks_alike
 
 from tests.numbers.synthetic import orthoimage, write_raster

@@ -1,4 +1,4 @@
-"""The seam profile of a window for a report, from its table."""
+"""The charts of a window for a report, as SVG: its curves and its seam profile."""
 from __future__ import annotations
 
 import math
@@ -9,17 +9,48 @@ from dataclasses import dataclass
 from markupsafe import Markup
 from qgis.PyQt.QtCore import QRectF
 
-from ...toolkit.charts.chart_style import PAPER
+from ...toolkit.charts.chart_style import PAPER, source_look
 from ...toolkit.translation import filled, tr
+from ..charts.chart_curves import Chart, ChartCurve
 from ..charts.chart_painter import chart_svg, paper_font
+from ..charts.curves_painter import CurvesPainter
 from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
-from ..measure.window_records import ProfileRecord, WindowRecord
+from ..measure.window_records import COMPOSITE, CurveRecord, ProfileRecord, WindowRecord
 
-SIZE_PX = 470, 250
-_LETTERS_PX = 11
+CURVES_PX = 320, 260
+"""As wide as a clip."""
+PROFILE_PX = 470, 250
+_CURVES_LETTERS_PX = 10.7  # 8 points
+_PROFILE_LETTERS_PX = 11
 _SAME_PLACE = 0.05  # relative: a distance that is so near to a bin's middle is that bin's
+
+
+def curves_svg(curves: Sequence[CurveRecord], max_ratio: float) -> str:
+    """The curves, the composite dashed; all of the same number of levels."""
+    shown = tuple(
+        ChartCurve(
+            curve.raster, curve.role == "mosaic", curve.detail, curve.background, is_composite=curve.role == COMPOSITE
+        )
+        for curve in curves
+    )
+    chart = CurvesPainter(Chart(shown, max_ratio), QRectF(0, 0, *CURVES_PX), PAPER, paper_font(_CURVES_LETTERS_PX))
+    return chart_svg(chart.paint, *CURVES_PX)
+
+
+def curve_legend(curves: Sequence[CurveRecord]) -> list[tuple[str, str]]:
+    """Colours and names of the curves as ``curves_svg`` paints them."""
+    places = iter(range(len(curves)))
+    entries = []
+    for curve in curves:
+        if curve.role == "source":
+            entries.append((source_look(next(places), PAPER)[0], curve.raster))
+        elif curve.role == COMPOSITE:
+            entries.append((PAPER.text, tr("hard-cut composite (dashed)")))
+        else:
+            entries.append((PAPER.text, filled(tr("{name} (mosaic, bold)"), name=curve.raster)))
+    return [*entries, (PAPER.limit, tr("significant by the paper's rule below"))]
 
 
 @dataclass(frozen=True)
@@ -39,7 +70,8 @@ def profile_picture(
     shown = shown_profile(record, rows, pixel_m, min_kept)
     if shown is None:
         return None
-    svg = chart_svg(ProfilePainter(shown, QRectF(0, 0, *SIZE_PX), PAPER, paper_font(_LETTERS_PX)).paint, *SIZE_PX)
+    chart = ProfilePainter(shown, QRectF(0, 0, *PROFILE_PX), PAPER, paper_font(_PROFILE_LETTERS_PX))
+    svg = chart_svg(chart.paint, *PROFILE_PX)
     as_wide_as_its_room = re.sub(r' (width|height)="[\d.]+mm"', "", svg[svg.index("<svg") :])
     return ProfilePicture(Markup(as_wide_as_its_room), level_legend(shown.levels))
 

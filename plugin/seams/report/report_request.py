@@ -1,19 +1,49 @@
-"""What the desk knows of its windows -> the request of a report."""
+"""What a report of an inspection tells, in plain data; and how the desk's windows become that."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
-from pathlib import Path
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from datetime import date
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsProject
 
+from ...imagery import limits as imagery_limits
 from ...imagery.limits import judged_band
-from ...toolkit import layers as layers
-from ...toolkit.background_tasks import Cancelled, Job
+from ...toolkit import layers
+from ..measure import limits
 from ..measure.inspection import Block
+from ..measure.profile.loss_picture import LossPicture
 from ..measure.window.window_result import WindowResult
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
-from .inspection_report import ReportRequest, write_report
+
+
+@dataclass(frozen=True)
+class ReportRequest:
+    """What a report tells, in plain data that can cross threads."""
+
+    records: tuple[WindowRecord, ...]
+    """The windows; their extents in the mosaic's reference system where there is a block."""
+    curves: Mapping[int, Sequence[CurveRecord]] = field(default_factory=dict)
+    """By window, in the judged band."""
+    pairs: Mapping[int, Sequence[PairRecord]] = field(default_factory=dict)
+    """By window."""
+    block: Block | None = None
+    """Mosaic and sources whose clips are shown; None for none."""
+    wkt: str = ""
+    """Reference system of the extents; empty when it is unknown."""
+    title: str = ""
+    """Heading of the page; empty for the mosaics' names."""
+    name: str = ""
+    """What the mosaic is called where neither the block nor the curves say it."""
+    max_ratio: float = imagery_limits.MAX_SIGNIFICANT_RATIO
+    """The limit drawn into the charts of curves."""
+    min_kept: float = limits.MAX_SIGNIFICANT_KEPT
+    """The limit drawn into the charts of what is kept."""
+    profiles: Mapping[int, Sequence[ProfileRecord]] = field(default_factory=dict)
+    """By window."""
+    losses: Mapping[int, LossPicture] = field(default_factory=dict)
+    """Lost detail of whole windows as far as it is known; of others it is measured again where there is a block."""
+    made_on: date = field(default_factory=date.today)
 
 
 def report_request(
@@ -43,17 +73,6 @@ def report_request(
         max_ratio=max_ratio,
         min_kept=min_kept,
     )
-
-
-def report_job(path: Path, request: ReportRequest) -> Job:
-    """Writes the report; yields the messages about what it could not show."""
-
-    def job(cancelled: Cancelled) -> Iterator[tuple[float, object]]:
-        notices = write_report(path, request, cancelled=cancelled)
-        if notices is not None:
-            yield 1.0, notices
-
-    return job
 
 
 def _on_mosaic(
