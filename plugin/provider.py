@@ -7,9 +7,9 @@ from qgis.PyQt.QtGui import QIcon
 from .acceptance.acceptmosaic import AcceptMosaic
 from .acceptance.planinspection import PlanInspection
 from .noise.checknoise import CheckNoise
-from .photos.algorithms.comparemarks import CompareMarks
-from .photos.algorithms.enhancephoto import EnhancePhoto
-from .photos.algorithms.interiororientation import InteriorOrientation
+from .photos.comparemarks import CompareMarks
+from .photos.enhancephoto import EnhancePhoto
+from .photos.interiororientation import InteriorOrientation
 from .radiometry.checkradiometry import CheckRadiometry
 from .resolution.measureresolution import MeasureResolution
 from .resolution.minimumheight import MinimumHeight
@@ -20,10 +20,10 @@ from .seams.algorithms.placewindows import PlaceWindows
 from .seams.algorithms.predictloss import PredictLoss
 from .seams.algorithms.report import Report
 from .seams.algorithms.scanmosaic import ScanMosaic
-from .sensors.algorithms.comparesensormodels import CompareSensorModels
-from .sensors.algorithms.fitsensormodel import FitSensorModel
-from .sensors.algorithms.orthorectify import Orthorectify
-from .sensors.algorithms.planpoints import PlanPoints
+from .sensors.comparesensormodels import CompareSensorModels
+from .sensors.fitsensormodel import FitSensorModel
+from .sensors.orthorectify import Orthorectify
+from .sensors.planpoints import PlanPoints
 from .toolkit.algorithms.outputs import RASTER_ENDINGS
 from .toolkit.algorithms.ready_model import ReadyModel
 from .toolkit.resources import icon_path, model_paths

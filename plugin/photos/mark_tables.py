@@ -3,7 +3,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
 
 from qgis.core import (
     QgsDataProvider,
@@ -21,7 +20,7 @@ from ..imagery.rasters import GeoTransform
 from ..toolkit.table_fields import attributes, feature, is_known, is_true, number, table_fields, text
 from ..toolkit.translation import sentence
 from .measure import messages
-from .measure.mark_comparison import ComparedMark, DifferenceStatistics
+from .measure.mark_comparison import ComparedMark
 from .measure.orientation import GivenPosition, MarkResult
 from .measure.orientation_files import read_measures
 from .measure.photo import Photo
@@ -29,7 +28,6 @@ from .measure.photo import Photo
 MARK, PHOTO, MEASURE = "mark", "photo", "measure"
 MEASURES = "MeasuresIm-"  # how MicMac names its files
 VECTOR_ENDINGS = (".gpkg", ".shp", ".geojson", ".csv", ".fgb", ".sqlite", ".gml", ".kml", ".tab", ".mif")
-WITHIN, BEYOND = "within", "beyond"  # verdicts on a mean distance
 
 
 def mark_fields() -> QgsFields:
@@ -143,39 +141,6 @@ def _file_marks(path: Path) -> list[ComparedMark]:
             default = path.stem if len(parts) == 1 else name
             made += compared_marks(layer.getFeatures(), layer.fields().names(), name, default)
     return made
-
-
-def statistics_fields() -> QgsFields:
-    """OUTPUT of ``comparemarks``: one row for each unit."""
-    return table_fields(
-        ("unit", "text"), ("count", "integer"), ("mean", "real"), ("standard_deviation", "real"), ("maximum", "real"),
-        ("minimum", "real"), ("limit", "real"), ("verdict", "text"),
-    )
-
-
-def statistics_feature(unit: str, made: DifferenceStatistics, limit: float) -> QgsFeature:
-    """The row of a unit; the limit is in it too."""
-    values: list[Any] = [unit, made.count, made.mean, made.standard_deviation, made.maximum, made.minimum]
-    return feature(statistics_fields(), [*values, limit, verdict(made, limit)])
-
-
-def verdict(made: DifferenceStatistics, limit: float) -> str:
-    """Of the mean distance against a limit in the same unit."""
-    return WITHIN if made.mean <= limit else BEYOND
-
-
-def photo_fields() -> QgsFields:
-    """PHOTOS of ``comparemarks``: one row for each photo, px."""
-    return table_fields(
-        (PHOTO, "text"), ("count", "integer"), ("mean", "real"), ("maximum", "real"), ("verdict", "text")
-    )
-
-
-def difference_fields() -> QgsFields:
-    """DIFFERENCES of ``comparemarks``: one row for each mark in both layers."""
-    return table_fields(
-        (PHOTO, "text"), (MARK, "text"), ("difference_column", "real"), ("difference_row", "real"), ("distance", "real")
-    )
 
 
 def _point(row: QgsFeature) -> QgsPointXY | None:

@@ -59,7 +59,7 @@ def enhance(
             if cancelled():
                 raise CancelledError(imagery_messages.CANCELLED())
             made = _applied(operation, strip.pixels, size, largest)
-            writer.write(strip.row, _as_type(made[:, strip.above : strip.above + strip.rows], kind), strip.invalid)
+            writer.write(strip.row, _as_type(made[:, margin : margin + strip.rows], kind), strip.invalid)
             progress((strip.row + strip.rows) / photo.rows)
 
 

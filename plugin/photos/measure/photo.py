@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -18,6 +19,24 @@ from . import limits, messages
 
 MOST_GREY = 65535  # of 16 bits; a float raster's 3.4e38 is no grey value
 STRIP_PIXELS = 4_000_000  # read at a time: 16 MB as float32
+COARSEST_SIDE_PX = 150  # of a photo: marks up to a tenth of it wide
+COARSEST_WINDOW_PX = 64  # of a search window: a coarse figure is 25 px wide with its ground
+
+Place = tuple[float, float]
+"""Column and row in the photo, px."""
+
+
+class Strip(NamedTuple):
+    """Some rows of a photo with the ones around them."""
+
+    row: int
+    """The first of its own rows."""
+    rows: int
+    """How many are its own."""
+    pixels: np.ndarray
+    """(bands, rows + 2 * margin, columns) float64."""
+    invalid: np.ndarray | None
+    """(rows, columns) of its own invalid pixels; None where all are valid."""
 
 
 class Photo(OpenRaster):
@@ -82,7 +101,7 @@ class Photo(OpenRaster):
             if above or below:
                 pixels = np.pad(pixels, ((0, 0), (above, below), (0, 0)), mode="symmetric")
             own = None if invalid is None else invalid[row - top : row - top + count]
-            yield Strip(row, count, margin, pixels, own)
+            yield Strip(row, count, pixels, own)
 
     @property
     def largest(self) -> float:
@@ -124,29 +143,6 @@ def scanned_photo(ref: RasterRef) -> Photo:
             name=ref.name, columns=photo.columns, rows=photo.rows, most=limits.MOST_SCANNED_PX
         ))
     return photo
-
-
-@dataclass(frozen=True, eq=False)
-class Strip:
-    """Some rows of a photo with the ones around them."""
-
-    row: int
-    """The first of its own rows."""
-    rows: int
-    """How many are its own."""
-    above: int
-    """How many rows of ``pixels`` lie above its own, and as many below."""
-    pixels: np.ndarray
-    """(bands, rows + 2 * above, columns) float64."""
-    invalid: np.ndarray | None
-    """(rows, columns) of its own invalid pixels; None where all are valid."""
-
-
-COARSEST_SIDE_PX = 150  # of a photo: marks up to a tenth of it wide
-COARSEST_WINDOW_PX = 64  # of a search window: a coarse figure is 25 px wide with its ground
-
-Place = tuple[float, float]
-"""Column and row in the photo, px."""
 
 
 @dataclass(frozen=True)

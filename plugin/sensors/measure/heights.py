@@ -28,7 +28,7 @@ from ...imagery.reference_systems import (
 )
 from . import limits, messages
 from .points import Points
-from .sensor_model import WGS84, Scaling, least_squares, reprojected
+from .sensor_model import WGS84, Scaling, bounding_box, least_squares, reprojected
 
 AUTO, ELLIPSOID, EGM96, EGM2008, GEOID = limits.HEIGHT_DATUMS
 VERTICAL = {EGM96: "EPSG:5773", EGM2008: "EPSG:3855"}
@@ -297,9 +297,7 @@ def with_heights(
             notices.append(heights_converted(moved - heights[given], system, datum, name))
             heights[given] = moved
     if dem is not None and not given.all():
-        low, high = geographic[:, :2].min(axis=0), geographic[:, :2].max(axis=0)
-        extent = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
-        terrain = load_terrain(dem, extent, dem_datum)
+        terrain = load_terrain(dem, bounding_box(geographic), dem_datum)
         notices += terrain.notices
         heights[~given] = terrain.at(geographic[~given])
     without = ~np.isfinite(heights)

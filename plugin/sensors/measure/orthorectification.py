@@ -18,15 +18,18 @@ from ...imagery.grids import Extent
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import whole_raster
 from ...imagery.rasters import Raster, RasterRef
-from ...imagery.reference_systems import extent_on, horizontal_wkt, metres_per_unit, transform_points, utm_wkt
+from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt
 from . import limits, messages
 from .frames import FrameCamera
 from .heights import Datum, Terrain, constant_terrain, load_terrain
 from .point_checks import HIGHEST_M, LOWEST_M
 from .polynomials import Rational
-from .rpc import Domain, RpcOfModel, image_with_rpc, open_image, rpc_of
-from .sensor_model import WGS84, SensorModel, locate, reprojected
+from .rpc import Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
+from .sensor_model import WGS84, SensorModel, bounding_box, reprojected
 
+ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
+_NO_HEIGHT = -32768.0
+_STRIP_ROWS = 256
 COVER_GRID = 256  # places a side that terrain heights are looked for at
 FINEST_MESH_M, COARSEST_MESH_M = 9.0, 32.0  # 10 to 30 m (Kurczynski and Wolniewicz, conclusion 7); SRTM has 31
 
@@ -71,13 +74,6 @@ def mesh_warnings(terrain: Terrain, of_photo: bool) -> list[Message]:
     if shorter < FINEST_MESH_M and not of_photo:
         return [messages.MESH_FINE(name=terrain.name, mesh=shorter)]
     return []
-
-
-ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
-
-
-_NO_HEIGHT = -32768.0
-_STRIP_ROWS = 256
 
 
 @dataclass(frozen=True)
@@ -198,26 +194,29 @@ def rpc_domain(rpc: Rational, image: Raster) -> Domain:
 def _plan(request: OrthoRequest) -> _Plan:
     image = open_image(request.image)
     domain = replace(request.domain, columns=(0.0, float(image.columns)), rows=(0.0, float(image.rows)))
-    middle = transform_points(np.array([domain.middle]), request.wkt, WGS84)
     rpc = rpc_of(request.model, request.wkt, domain)
     side = np.linspace(0, 1, ORTHO_GRID)
     places = np.stack(np.meshgrid(side * image.columns, side * image.rows), axis=-1).reshape(-1, 2)
     if request.height is not None:
         domain = replace(domain, heights=(request.height, request.height))
-    ends = [_on_ground(rpc.rpc, places, np.full(len(places), height), middle) for height in domain.heights]
-    around = np.concatenate(ends)
+    ((longitude, latitude),) = transform_points(np.array([domain.middle]), request.wkt, WGS84).tolist()
+    geographic = replace(domain, middle=(longitude, latitude))
+
+    def on_ground(heights: np.ndarray) -> np.ndarray:
+        """(n, 3) longitude, latitude, height of the places."""
+        return located(rpc.rpc, WGS84, np.column_stack([places, heights]), geographic)
+
+    around = np.concatenate([on_ground(np.full(len(places), height)) for height in domain.heights])[:, :2]
     margin = 0.02 * np.ptp(around, axis=0) + 1e-4
-    low, high = around.min(axis=0) - margin, around.max(axis=0) + margin
-    extent = (float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+    extent = bounding_box(np.concatenate([around - margin, around + margin]))
     if request.dem is None:
         assert request.height is not None
         terrain = constant_terrain(request.height, extent)
     else:
         terrain = load_terrain(request.dem, extent, request.datum)
     heights = np.full(len(places), float(np.nanmean(terrain.heights)))
-    ground, missing = ends[0], np.zeros(len(places), bool)
     for _ in range(limits.MAX_NEWTON_ITERATIONS):
-        ground = _on_ground(rpc.rpc, places, heights, middle)
+        ground = on_ground(heights)
         found = terrain.at(ground)
         missing = ~np.isfinite(found)
         change = np.abs(found - heights)[~missing].max(initial=0)
@@ -227,16 +226,11 @@ def _plan(request: OrthoRequest) -> _Plan:
     if missing.all():
         west, south, east, north = extent
         raise RasterError(messages.DEM_NOT_COVERING(name=terrain.name, west=west, east=east, south=south, north=north))
-    rpc_heights = (float(heights.min()), float(heights.max()))
     if rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
-        rpc = rpc_of(request.model, request.wkt, replace(domain, heights=rpc_heights))
-    footprint = np.column_stack([ground, heights])
+        terrain_heights = (float(heights.min()), float(heights.max()))
+        rpc = rpc_of(request.model, request.wkt, replace(domain, heights=terrain_heights))
+    footprint = np.column_stack([ground[:, :2], heights])
     return _Plan(image, rpc, terrain, footprint, uncovered_share(image, rpc.rpc, terrain, footprint))
-
-
-def _on_ground(rpc: Rational, image: np.ndarray, heights: np.ndarray, middle: np.ndarray) -> np.ndarray:
-    """(n, 2) longitude, latitude of image places at heights."""
-    return locate(rpc.project, image, heights, middle, metres_per_unit(WGS84, float(middle[0, 1])))
 
 
 def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:
@@ -252,10 +246,9 @@ def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:
         size = float(f"{min(steps[0] * cells / plan.image.columns, steps[1] * cells / plan.image.rows):.2g}")
     if not 0 < size < np.inf:
         raise SettingsError(messages.PIXEL_SIZE_NOT_POSITIVE(size=size))
-    bounds = (*places.min(axis=0), *places.max(axis=0))
+    bounds = request.extent or bounding_box(places)
     if request.extent is not None:
-        bounds = request.extent
-        own = extent_on((*plan.footprint[:, :2].min(axis=0), *plan.footprint[:, :2].max(axis=0)), WGS84, wkt)
+        own = extent_on(bounding_box(plan.footprint), WGS84, wkt)
         if bounds[0] >= own[2] or bounds[2] <= own[0] or bounds[1] >= own[3] or bounds[3] <= own[1]:
             raise SettingsError(messages.EXTENT_OUTSIDE())
     low = [np.floor(bounds[i] / size) * size for i in (0, 1)]

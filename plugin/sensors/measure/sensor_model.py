@@ -10,6 +10,7 @@ import numpy as np
 from ...imagery import messages as imagery_messages
 from ...imagery.documents import document_bytes
 from ...imagery.errors import SensorModelError
+from ...imagery.grids import Extent
 from ...imagery.reference_systems import transform_points
 from . import limits, messages
 
@@ -27,6 +28,12 @@ def file_content(path: Path) -> bytes:
 def reprojected(ground: np.ndarray, wkt: str, target: str) -> np.ndarray:
     """(n, 3) x, y (longitude first) and height above the ellipsoid, m, in another reference system; heights stay."""
     return np.column_stack([transform_points(ground, wkt, target), ground[:, 2]])
+
+
+def bounding_box(places: np.ndarray) -> Extent:
+    """Smallest and largest x and y of (n, 2 or more) places: xmin, ymin, xmax, ymax."""
+    (x, y), (right, top) = places[:, :2].min(axis=0).tolist(), places[:, :2].max(axis=0).tolist()
+    return x, y, right, top
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from typing import ClassVar
 import numpy as np
 import pytest
 from qgis.core import QgsApplication
-from seam_inspector.plugin.sensors.algorithms.fitsensormodel import MODEL_TITLES
+from seam_inspector.plugin.sensors.fitsensormodel import MODEL_TITLES
 from seam_inspector.plugin.sensors.measure import registry
 from seam_inspector.plugin.sensors.measure.fit_files import load_model
 from seam_inspector.plugin.sensors.measure.sensor_model import FittedModel, SensorModel

@@ -14,20 +14,31 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery.errors import PhotoError
-from ...toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import filled, tr
-from ..measure import limits, messages
+from ..imagery.errors import PhotoError
+from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import filled, tr
+from .measure import limits, messages
 
 if TYPE_CHECKING:
-    from ..measure.mark_comparison import ComparedMark, MarkDifference
+    from .measure.mark_comparison import ComparedMark, DifferenceStatistics, MarkDifference
 
 NAMED = 5  # of the marks that are not compared
 FIRST, SECOND, PIXEL_SIZE, LIMIT = "FIRST", "SECOND", "PIXEL_SIZE", "LIMIT"
 FOLDERS = {FIRST: "FIRST_FOLDER", SECOND: "SECOND_FOLDER"}
 OUTPUT, PHOTOS, DIFFERENCES, WITHIN_LIMIT = "OUTPUT", "PHOTOS", "DIFFERENCES", "WITHIN_LIMIT"
 STATISTICS = ("COUNT", "MEAN", "STANDARD_DEVIATION", "MAXIMUM", "MINIMUM")
+WITHIN, BEYOND = "within", "beyond"  # verdicts on a mean distance
+STATISTICS_FIELDS = (  # of OUTPUT, one row for each unit
+    ("unit", "text"), ("count", "integer"), ("mean", "real"), ("standard_deviation", "real"), ("maximum", "real"),
+    ("minimum", "real"), ("limit", "real"), ("verdict", "text"),
+)
+PHOTO_FIELDS = (  # of PHOTOS, one row for each, px
+    ("photo", "text"), ("count", "integer"), ("mean", "real"), ("maximum", "real"), ("verdict", "text")
+)
+DIFFERENCE_FIELDS = (  # of DIFFERENCES, one row for each mark in both layers
+    ("photo", "text"), ("mark", "text"), ("difference_column", "real"), ("difference_row", "real"), ("distance", "real")
+)
 
 
 class CompareMarks(SeamInspectorAlgorithm):
@@ -112,9 +123,8 @@ class CompareMarks(SeamInspectorAlgorithm):
                 raise PhotoError(messages.COMPARED_EITHER())
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import table_fields as table_fields
-        from .. import mark_tables
-        from ..measure import mark_comparison
+        from ..toolkit import table_fields
+        from .measure import mark_comparison
 
         self.check(run)
         measured = [self._marks(run, name) for name in (FIRST, SECOND)]
@@ -130,33 +140,31 @@ class CompareMarks(SeamInspectorAlgorithm):
         if alone:
             names = ", ".join(alone[:NAMED]) + (", ..." if len(alone) > NAMED else "")
             run.tell(messages.COMPARED_ALONE(count=len(alone), names=names))
-        sink, destination = run.sink(OUTPUT, mark_tables.statistics_fields())
-        scales = {"px": 1.0, "um": size or 1.0}
-        run.write(sink, [
-            mark_tables.statistics_feature(unit, one, limit * scales[unit]) for unit, one in made.items()
-        ])
-        photos, photos_id = run.optional_sink(PHOTOS, mark_tables.photo_fields())
         by_photo: dict[str, list[MarkDifference]] = {}
         for difference in found:
             by_photo.setdefault(difference.photo, []).append(difference)
-        of_photos = {photo: mark_comparison.distance_statistics(some) for photo, some in by_photo.items()}
-        run.write(photos, (
-            table_fields.feature(
-                mark_tables.photo_fields(),
-                [photo or None, one.count, one.mean, one.maximum, mark_tables.verdict(one, limit)],
-            )
-            for photo, one in of_photos.items()
-        ))
-        fields = mark_tables.difference_fields()
-        rows, rows_id = run.optional_sink(DIFFERENCES, fields)
-        run.write(rows, (
-            table_fields.feature(fields, [one.photo or None, one.mark, one.column, one.row, one.distance])
-            for one in found
-        ))
-        within = mark_tables.verdict(made["px"], limit) == mark_tables.WITHIN
-        results: dict[str, Any] = {
-            OUTPUT: destination, PHOTOS: photos_id, DIFFERENCES: rows_id, "COUNT": len(found), WITHIN_LIMIT: int(within)
-        }
+        photos = {photo: mark_comparison.distance_statistics(some) for photo, some in by_photo.items()}
+        limits_of_units = {"px": limit, "um": limit * (size or 1.0)}
+        tables: tuple[tuple[str, tuple[tuple[str, str], ...], list[list[object]]], ...] = (
+            (OUTPUT, STATISTICS_FIELDS, [
+                [unit, one.count, one.mean, one.standard_deviation, one.maximum, one.minimum, limits_of_units[unit],
+                 _verdict(one, limits_of_units[unit])]
+                for unit, one in made.items()
+            ]),
+            (PHOTOS, PHOTO_FIELDS, [
+                [photo or None, one.count, one.mean, one.maximum, _verdict(one, limit)] for photo, one in photos.items()
+            ]),
+            (DIFFERENCES, DIFFERENCE_FIELDS, [
+                [one.photo or None, one.mark, one.column, one.row, one.distance] for one in found
+            ]),
+        )  # fmt: skip
+        results: dict[str, Any] = {}
+        for name, columns, rows in tables:
+            fields = table_fields.table_fields(*columns)
+            sink, results[name] = (run.sink if name == OUTPUT else run.optional_sink)(name, fields)
+            run.write(sink, (table_fields.feature(fields, row) for row in rows))
+        within = _verdict(made["px"], limit) == WITHIN
+        results.update({"COUNT": len(found), WITHIN_LIMIT: int(within)})
         for unit, one in made.items():
             known = zip(STATISTICS[1:], (one.mean, one.standard_deviation, one.maximum, one.minimum))
             results.update({f"{name}_{unit.upper()}": value for name, value in known if not math.isnan(value)})
@@ -173,11 +181,16 @@ class CompareMarks(SeamInspectorAlgorithm):
 
     @staticmethod
     def _marks(run: Run, name: str) -> list[ComparedMark]:
-        from ...toolkit import layers as layers
-        from .. import mark_tables
+        from ..toolkit import layers
+        from . import mark_tables
 
         folder = run.text(FOLDERS[name])
         if folder:
             return mark_tables.folder_marks(Path(folder))
         source = run.source(name)
         return mark_tables.compared_marks(layers.features(source), source.fields().names(), source.sourceName())
+
+
+def _verdict(made: DifferenceStatistics, limit: float) -> str:
+    """Of the mean distance against a limit in the same unit."""
+    return WITHIN if made.mean <= limit else BEYOND

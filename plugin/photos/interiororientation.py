@@ -19,21 +19,18 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery import messages as imagery_messages
-from ...imagery.errors import PhotoError
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
-from ...toolkit.algorithms.parameters import Described
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import filled, sentence, tr
-from ..measure import limits, messages
+from ..imagery import messages as imagery_messages
+from ..imagery.errors import PhotoError
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import filled, sentence, tr
+from .measure import limits, messages
 
 if TYPE_CHECKING:
-    from ...imagery.rasters import RasterRef
-    from ..measure.camera_calibration import CameraCalibration
-    from ..measure.mark_templates import CutOut, MarkShape
-    from ..measure.orientation import GivenPosition, OrientationSettings, PhotoOrientation
-    from ..measure.photo import Photo
+    from .measure.camera_calibration import CameraCalibration
+    from .measure.orientation import GivenPosition, OrientationSettings, PhotoOrientation
+    from .measure.photo import Photo
 
 PHOTO, CALIBRATION, TEMPLATE, POSITIONS, MEASURE = "PHOTO", "CALIBRATION", "TEMPLATE", "POSITIONS", "MEASURE"
 TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE = (
@@ -49,133 +46,6 @@ CENTRES = (AUTOMATIC, "whole", "interrupted")
 TONES = (AUTOMATIC, "light on dark", "dark on light")
 SURFACES = ("correlation", "brightness")
 MODELS = ("affine", "similarity", "projective")
-
-FIGURE_CHOICES = (TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE)
-
-ADVANCED = {TEMPLATE_DIRECTION, TEMPLATE_CENTRE, TEMPLATE_TONE, SURFACE}
-
-
-def input_parameters() -> list[Described]:
-    point, number = QgsProcessing.SourceType.TypeVectorPoint, QgsProcessingParameterNumber
-    return [
-        (
-            QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")),
-            tr(
-                "The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey "
-                "value though the file calls it nodata."
-            ),
-        ),
-        (
-            QgsProcessingParameterFile(CALIBRATION, tr("Calibration")),
-            tr(
-                "The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac's MeasuresCamera.xml. "
-                "x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place "
-                "in it) are optional."
-            ),
-        ),
-        (
-            QgsProcessingParameterRasterLayer(TEMPLATE, tr("Template"), optional=True),
-            tr(
-                "A mark cut out of this photo or one like it, with some ground around. It is used for its own mark "
-                "first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by "
-                "180 degrees is measured by its own centre, else by its middle."
-            ),
-        ),
-        (
-            QgsProcessingParameterFeatureSource(POSITIONS, tr("Positions"), [point], optional=True),
-            tr(
-                "Points with the field 'mark', digitised on the photo as QGIS shows it (without a world file x is the "
-                "column and y the negative row). Without positions all of the photo is searched. A field 'measure' "
-                "with 0 says that a point is the mark itself."
-            ),
-        ),
-        (
-            QgsProcessingParameterBoolean(MEASURE, tr("Measure around the positions"), True),
-            tr(
-                "Off: the positions were measured by hand and are taken as they are; the other marks are measured. One "
-                "that lies off by more than a thousandth of the frame fails as a measured mark does."
-            ),
-        ),
-        (
-            common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
-            tr("What is drawn to look for, in the size that the photo has it; automatic tries all."),
-        ),
-        (
-            common.choice(TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS),
-            tr("Whether the arms of a cross, or the wedges, stand upright or diagonally."),
-        ),
-        (
-            common.choice(TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES),
-            tr("Whether a cross is open in the middle."),
-        ),
-        (
-            common.choice(TEMPLATE_TONE, tr("Tone of the mark"), TONES),
-            tr("Whether the mark is lighter than its ground, as on most positives, or darker."),
-        ),
-        (
-            number(SEARCH, tr("Search (mm)"), number.Type.Double, limits.DEFAULT_SEARCH_MM, minValue=0.01),
-            tr("How far around a position the mark is looked for."),
-        ),
-        (
-            number(
-                MIN_CORRELATION, tr("Smallest correlation"), number.Type.Double, limits.DEFAULT_MIN_CORRELATION,
-                minValue=0, maxValue=1,
-            ),
-            tr("A mark whose best correlation is smaller fails."),
-        ),
-        (
-            common.choice(SURFACE, tr("Surface"), SURFACES),
-            tr(
-                "What the second-degree surface is laid through: the correlations around the best pixel, or the "
-                "brightness of the photo as in the paper."
-            ),
-        ),
-        (
-            common.choice(MODEL, tr("Transformation"), MODELS),
-            tr("Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check."),
-        ),
-    ]
-
-
-def output_parameters() -> list[Described]:
-    point = QgsProcessing.SourceType.TypeVectorPoint
-    return [
-        (
-            QgsProcessingParameterFeatureSink(OUTPUT, tr("Marks"), point),
-            tr(
-                "A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, "
-                "residuals in µm, correlation, status, reason and the photo's name."
-            ),
-        ),
-        (
-            QgsProcessingParameterFileDestination(
-                PARAMETERS, tr("Parameters"), tr("JSON files (*.json)"), optional=True
-            ),
-            tr("Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy."),
-        ),
-        (
-            QgsProcessingParameterFileDestination(
-                WORLD_FILE, tr("World file"), tr("World files (*.wld *.jgw *.tfw *.pgw *.bpw)"), optional=True,
-                createByDefault=False,
-            ),
-            tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres."),
-        ),
-        (
-            QgsProcessingParameterFileDestination(
-                MEASURES, tr("MicMac measurement"), tr("XML files (*.xml)"), optional=True, createByDefault=False
-            ),
-            tr(
-                "The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, "
-                "with the photo's whole file name, as in MeasuresIm-114.jpg.xml."
-            ),
-        ),
-        common.report(
-            tr("A page with a picture of each mark and the place that was found."),
-            tr("HTML files (*.html)"),
-            by_default=True,
-        ),
-    ]
-
 
 RMS_UM, MARKS, FAILED = "RMS_UM", "MARKS", "FAILED"
 
@@ -197,10 +67,115 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     DRAWN = ()
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        for definition, description in input_parameters():
-            self.addDescribed(definition, description, advanced=definition.name() in ADVANCED)
-        for definition, description in output_parameters():
-            self.addDescribed(definition, description)
+        point, number = QgsProcessing.SourceType.TypeVectorPoint, QgsProcessingParameterNumber
+        self.addDescribed(
+            QgsProcessingParameterRasterLayer(PHOTO, tr("Photo")),
+            tr(
+                "The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey "
+                "value though the file calls it nodata."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFile(CALIBRATION, tr("Calibration")),
+            tr(
+                "The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac's MeasuresCamera.xml. "
+                "x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place "
+                "in it) are optional."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterRasterLayer(TEMPLATE, tr("Template"), optional=True),
+            tr(
+                "A mark cut out of this photo or one like it, with some ground around. It is used for its own mark "
+                "first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by "
+                "180 degrees is measured by its own centre, else by its middle."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(POSITIONS, tr("Positions"), [point], optional=True),
+            tr(
+                "Points with the field 'mark', digitised on the photo as QGIS shows it (without a world file x is the "
+                "column and y the negative row). Without positions all of the photo is searched. A field 'measure' "
+                "with 0 says that a point is the mark itself."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterBoolean(MEASURE, tr("Measure around the positions"), True),
+            tr(
+                "Off: the positions were measured by hand and are taken as they are; the other marks are measured. One "
+                "that lies off by more than a thousandth of the frame fails as a measured mark does."
+            ),
+        )
+        self.addDescribed(
+            common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
+            tr("What is drawn to look for, in the size that the photo has it; automatic tries all."),
+        )
+        for name, label, words, purpose in (
+            (
+                TEMPLATE_DIRECTION, tr("Direction of the arms"), DIRECTIONS,
+                tr("Whether the arms of a cross, or the wedges, stand upright or diagonally."),
+            ),
+            (TEMPLATE_CENTRE, tr("Centre of the cross"), CENTRES, tr("Whether a cross is open in the middle.")),
+            (
+                TEMPLATE_TONE, tr("Tone of the mark"), TONES,
+                tr("Whether the mark is lighter than its ground, as on most positives, or darker."),
+            ),
+        ):  # fmt: skip
+            self.addDescribed(common.choice(name, label, words), purpose, advanced=True)
+        self.addDescribed(
+            number(SEARCH, tr("Search (mm)"), number.Type.Double, limits.DEFAULT_SEARCH_MM, minValue=0.01),
+            tr("How far around a position the mark is looked for."),
+        )
+        self.addDescribed(
+            number(
+                MIN_CORRELATION, tr("Smallest correlation"), number.Type.Double, limits.DEFAULT_MIN_CORRELATION,
+                minValue=0, maxValue=1,
+            ),
+            tr("A mark whose best correlation is smaller fails."),
+        )
+        self.addDescribed(
+            common.choice(SURFACE, tr("Surface"), SURFACES),
+            tr(
+                "What the second-degree surface is laid through: the correlations around the best pixel, or the "
+                "brightness of the photo as in the paper."
+            ),
+            advanced=True,
+        )
+        self.addDescribed(
+            common.choice(MODEL, tr("Transformation"), MODELS),
+            tr("Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Marks"), point),
+            tr(
+                "A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, "
+                "residuals in µm, correlation, status, reason and the photo's name."
+            ),
+        )
+        for name, label, files, by_default, purpose in (
+            (
+                PARAMETERS, tr("Parameters"), tr("JSON files (*.json)"), True,
+                tr("Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy."),
+            ),
+            (
+                WORLD_FILE, tr("World file"), tr("World files (*.wld *.jgw *.tfw *.pgw *.bpw)"), False,
+                tr("Saved beside the photo under its name, it lets QGIS open the photo in millimetres."),
+            ),
+            (
+                MEASURES, tr("MicMac measurement"), tr("XML files (*.xml)"), False,
+                tr(
+                    "The measured and given marks as MicMac reads them: save it as "
+                    "Ori-InterneScan/MeasuresIm-PHOTO.xml, with the photo's whole file name, as in "
+                    "MeasuresIm-114.jpg.xml."
+                ),
+            ),
+        ):  # fmt: skip
+            self.addDescribed(
+                QgsProcessingParameterFileDestination(name, label, files, None, True, by_default), purpose
+            )
+        self.addDescribed(*common.report(
+            tr("A page with a picture of each mark and the place that was found."), tr("HTML files (*.html)"), True
+        ))
         self.addNumbers({
             RMS_UM: tr("Root mean square of the residuals (µm)"),
             MARKS: tr("Marks measured or given"),
@@ -208,22 +183,24 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         })
 
     def check(self, run: Run) -> None:
-        from ..measure.camera_calibration import check_calibration
+        from .measure.camera_calibration import check_calibration
+        from .measure.photo import scanned_photo
 
         check_calibration(self._calibration(run), self._settings(run).model)
-        self._open(run.required_raster(PHOTO))
+        scanned_photo(run.required_raster(PHOTO))
 
     def prepare(self, run: Run) -> None:
         self._photo_ref = run.required_raster(PHOTO)
         self._template_ref = run.raster(TEMPLATE)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .. import mark_tables
-        from ..measure.interior_orientation import orient_photo
-        from ..measure.orientation import MarkStatus
+        from . import mark_tables
+        from .measure.interior_orientation import orient_photo
+        from .measure.orientation import MarkStatus
+        from .measure.photo import scanned_photo
 
         calibration = self._calibration(run)
-        photo = self._open(self._photo_ref)
+        photo = scanned_photo(self._photo_ref)
         positions = self._positions(run, photo)
         settings = self._settings(run)
         run.progress(0.05)
@@ -249,10 +226,10 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         made: PhotoOrientation,
     ) -> dict[str, Any]:
         """Write the files asked for; without a transformation those of the marks alone, and say so."""
-        from ...imagery.atomic_files import save_text
-        from ..measure import orientation_files
-        from ..measure.orientation_files import measures_text
-        from ..report import OrientationJob, save_orientation_report
+        from ..imagery.atomic_files import save_text
+        from .measure import orientation_files
+        from .measure.orientation_files import measures_text
+        from .report import OrientationJob, save_orientation_report
 
         job = OrientationJob(photo, calibration, Path(run.path(CALIBRATION)), settings)
         results = run.save(common.REPORT, lambda path: save_orientation_report(path, job, made))
@@ -282,16 +259,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
                 )
             )
 
-    # --- the inputs ---------------------------------------------------------------------------------------------
-
-    @staticmethod
-    def _open(ref: RasterRef) -> Photo:
-        from ..measure.photo import scanned_photo
-
-        return scanned_photo(ref)
-
     def _calibration(self, run: Run) -> CameraCalibration:
-        from ..measure.camera_calibration import read_calibration
+        from .measure.camera_calibration import read_calibration
 
         path = run.path(CALIBRATION)
         if not path:
@@ -299,8 +268,8 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         return read_calibration(Path(path))
 
     def _positions(self, run: Run, photo: Photo) -> dict[str, GivenPosition]:
-        from ...toolkit import layers as layers
-        from .. import mark_tables
+        from ..toolkit import layers
+        from . import mark_tables
 
         if not run.parameters.get(POSITIONS):
             return {}
@@ -309,32 +278,25 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         return mark_tables.given_positions(layers.features(source), source.fields().names(), photo, measure)
 
     def _settings(self, run: Run) -> OrientationSettings:
-        from ..measure.measuring_marks import SurfaceBasis
-        from ..measure.orientation import OrientationSettings
-        from ..measure.transformations import PlaneModel
+        from .measure.mark_templates import chosen_shapes, cut_out
+        from .measure.measuring_marks import SurfaceBasis
+        from .measure.orientation import OrientationSettings
+        from .measure.photo import scanned_photo
+        from .measure.transformations import PlaneModel
 
-        tone = run.word(TEMPLATE_TONE)
+        template = getattr(self, "_template_ref", None) or run.raster(TEMPLATE)
+        kind, direction, centre = (run.word(name) for name in (TEMPLATE_KIND, TEMPLATE_DIRECTION, TEMPLATE_CENTRE))
+        shapes = chosen_shapes(
+            None if kind == AUTOMATIC else kind,
+            None if direction == AUTOMATIC else direction == DIRECTIONS[2],
+            None if centre == AUTOMATIC else centre == CENTRES[2],
+        )
         return OrientationSettings(
-            template=self._template(run),
-            shapes=() if run.parameters.get(TEMPLATE) else self._shapes(run),
-            sign={TONES[1]: 1, TONES[2]: -1}.get(tone),
+            template=cut_out(scanned_photo(template).grey()) if template is not None else None,
+            shapes=() if run.parameters.get(TEMPLATE) else shapes,
+            sign={TONES[1]: 1, TONES[2]: -1}.get(run.word(TEMPLATE_TONE)),
             search_mm=run.real(SEARCH),
             min_correlation=run.real(MIN_CORRELATION),
             surface=SurfaceBasis(run.word(SURFACE)),
             model=PlaneModel(run.word(MODEL)),
         )
-
-    def _template(self, run: Run) -> CutOut | None:
-        from ..measure.mark_templates import cut_out
-
-        ref = getattr(self, "_template_ref", None) or run.raster(TEMPLATE)
-        return cut_out(self._open(ref).grey()) if ref is not None else None
-
-    def _shapes(self, run: Run) -> tuple[MarkShape, ...]:
-        from ..measure.mark_templates import chosen_shapes
-
-        words = (run.word(name) for name in FIGURE_CHOICES)
-        kind, direction, centre = (None if word == AUTOMATIC else word for word in words)
-        diagonal = None if direction is None else direction == DIRECTIONS[2]
-        interrupted = None if centre is None else centre == CENTRES[2]
-        return chosen_shapes(kind, diagonal, interrupted)

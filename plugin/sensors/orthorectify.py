@@ -13,19 +13,18 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery.errors import SensorModelError, SettingsError
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import filled, tr
-from ..measure import limits, messages
-from . import sensor_parameters
-from .sensor_parameters import SensorAlgorithm
+from ..imagery.errors import SensorModelError, SettingsError
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import filled, tr
+from .measure import limits, messages
+from .sensor_parameters import DEM, DEM_HEIGHTS, IMAGE, TERRAIN_ERROR, SensorAlgorithm, height_datums, view_numbers
 
 if TYPE_CHECKING:
-    from ...imagery.open_raster import OpenRaster
-    from ..measure.heights import Datum
-    from ..measure.rpc import Domain
-    from ..measure.sensor_model import SensorModel
+    from ..imagery.open_raster import OpenRaster
+    from .measure.heights import Datum
+    from .measure.rpc import Domain
+    from .measure.sensor_model import SensorModel
 
 MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
 RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
@@ -37,7 +36,7 @@ class Orthorectify(SensorAlgorithm):
     """An orthoimage from an image, its model and terrain heights."""
 
     ID = "orthorectify"
-    RASTER_LISTS = (sensor_parameters.DEM,)
+    RASTER_LISTS = (DEM,)
     NAME = QT_TRANSLATE_NOOP("@default", "Orthorectify")
     HELP = QT_TRANSLATE_NOOP(
         "@default",
@@ -86,7 +85,7 @@ class Orthorectify(SensorAlgorithm):
         )
         self.addTerrain(
             tr("Terrain heights under the whole image, in any reference system."),
-            (sensor_parameters.DEM_HEIGHTS, tr("Heights of the terrain model")),
+            (DEM_HEIGHTS, tr("Heights of the terrain model")),
         )
         self.addTerrainError()
         self.addDescribed(
@@ -128,17 +127,17 @@ class Orthorectify(SensorAlgorithm):
         })
 
     def check(self, run: Run) -> None:
-        from ..measure.rpc import open_image
+        from .measure.rpc import open_image
 
-        open_image(run.required_raster(sensor_parameters.IMAGE))
+        open_image(run.required_raster(IMAGE))
         given = run.parameters.get(HEIGHT) not in (None, "")
-        if given == bool(run.parameters.get(sensor_parameters.DEM)):
+        if given == bool(run.parameters.get(DEM)):
             raise SettingsError(messages.DEM_AND_HEIGHT() if given else messages.NO_DEM())
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit.layers import box_extent, system_wkt
-        from ..measure.fit_files import view_direction
-        from ..measure.orthorectification import OrthoRequest, orthorectify
+        from ..toolkit.layers import box_extent, system_wkt
+        from .measure.fit_files import view_direction
+        from .measure.orthorectification import OrthoRequest, orthorectify
 
         self.check(run)
         assert self._image_ref is not None
@@ -181,18 +180,18 @@ class Orthorectify(SensorAlgorithm):
         results = {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
         view = view_direction(model, wkt, domain)
         if view is not None:
-            run.tell(view.told(run.real(sensor_parameters.TERRAIN_ERROR)))
-        return {**results, **sensor_parameters.view_numbers(run, view)}
+            run.tell(view.told(run.real(TERRAIN_ERROR)))
+        return {**results, **view_numbers(run, view)}
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
         """The model in the image's own pixels, the system it is in, where it is used, and what the terrain model's
         heights are to be taken as."""
-        from ..measure.fit_files import load_model
-        from ..measure.orthorectification import rpc_domain
-        from ..measure.sensor_model import WGS84
+        from .measure.fit_files import load_model
+        from .measure.orthorectification import rpc_domain
+        from .measure.sensor_model import WGS84
 
         path = run.path(MODEL_FILE)
-        datums = sensor_parameters.height_datums(run, sensor_parameters.DEM_HEIGHTS, EXTERIOR_HEIGHTS)
+        datums = height_datums(run, DEM_HEIGHTS, EXTERIOR_HEIGHTS)
         dem_datum, exterior_datum = datums
         if path and run.path(RPC):
             raise SettingsError(messages.MODEL_AND_RPC())
@@ -211,8 +210,8 @@ class Orthorectify(SensorAlgorithm):
     def _frame(
         self, run: Run, image: OpenRaster, dem_datum: Datum, datum: Datum
     ) -> tuple[SensorModel, str, Domain, Datum]:
-        from ...toolkit.layers import system_wkt
-        from ..measure.frames import FrameFiles, oriented_frame
+        from ..toolkit.layers import system_wkt
+        from .measure.frames import FrameFiles, oriented_frame
 
         interior, exterior = run.path(INTERIOR), run.path(EXTERIOR)
         if not interior or not exterior:

@@ -13,16 +13,16 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery.errors import SettingsError
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
-from ..measure import limits, messages, registry
+from ..imagery.errors import SettingsError
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import tr
+from .measure import limits, messages, registry
 from .sensor_parameters import IMAGE, IMAGE_RPC, ORBIT_HEIGHT, SensorAlgorithm
 
 if TYPE_CHECKING:
-    from ..measure.point_planning import PlannedScene
-    from ..measure.registry import ModelRequest
+    from .measure.point_planning import PlannedScene
+    from .measure.registry import ModelRequest
 
 MODEL, COUNTS, SPREAD, CORNER_SHARE = "MODEL", "COUNTS", "SPREAD", "CORNER_SHARE"
 SIGMA, SIGMA_PX, LOWEST, HIGHEST = "SIGMA", "SIGMA_PX", "LOWEST", "HIGHEST"
@@ -115,8 +115,8 @@ class PlanPoints(SensorAlgorithm):
         self._image_ref = run.raster(IMAGE)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .. import point_tables
-        from ..measure.point_planning import PointPlan, expected_accuracies
+        from . import point_tables
+        from .measure.point_planning import PointPlan, expected_accuracies
 
         counts = _counts(run.text(COUNTS))
         request, scene = self._planned(run)
@@ -136,8 +136,8 @@ class PlanPoints(SensorAlgorithm):
         return {OUTPUT: output}
 
     def _planned(self, run: Run) -> tuple[ModelRequest, PlannedScene]:
-        from ..measure.point_checks import HIGHEST_M, LOWEST_M
-        from ..measure.point_planning import nominal_scene, scene_of_rpc
+        from .measure.point_checks import HIGHEST_M, LOWEST_M
+        from .measure.point_planning import nominal_scene, scene_of_rpc
 
         low, high = run.real(LOWEST), run.real(HIGHEST)
         if not LOWEST_M <= low <= high <= HIGHEST_M:

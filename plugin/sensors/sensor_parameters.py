@@ -15,22 +15,22 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
-from ...imagery.errors import SettingsError
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SATELLITE_IMAGES, SeamInspectorAlgorithm
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
-from ..measure import limits, messages
+from ..imagery.errors import SettingsError
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import SATELLITE_IMAGES, SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import tr
+from .measure import limits, messages
 
 if TYPE_CHECKING:
-    from ...imagery.errors import Message
-    from ...imagery.open_raster import OpenRaster
-    from ..measure.fit_files import ViewDirection
-    from ..measure.heights import Datum
-    from ..measure.point_checks import ImageBox
-    from ..measure.points import Points
-    from ..measure.polynomials import Rational
-    from ..measure.registry import ModelRequest
+    from ..imagery.errors import Message
+    from ..imagery.open_raster import OpenRaster
+    from .measure.fit_files import ViewDirection
+    from .measure.heights import Datum
+    from .measure.point_checks import ImageBox
+    from .measure.points import Points
+    from .measure.polynomials import Rational
+    from .measure.registry import ModelRequest
 
 MOST_CHECK_SHARE = 0.9
 DEFAULT_CHECK_SHARE = 0.25  # Kurczynski and Wolniewicz: 7 to 10 control and 10 to 46 check points
@@ -172,12 +172,12 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         given = run.parameters.get(GCPS)
         layer = run.vector_layer(GCPS) if given and not _file_path(given) else None
         if layer is not None:
-            from ..point_tables import heights_wkt
+            from .point_tables import heights_wkt
 
             self._heights_wkt = heights_wkt(layer)
 
     def _image(self) -> OpenRaster | None:
-        from ..measure.rpc import open_image
+        from .measure.rpc import open_image
 
         return open_image(self._image_ref) if self._image_ref is not None else None
 
@@ -188,9 +188,9 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
         They are held against the image's own ``rpc`` where there is one.
         """
-        from ..measure.heights import with_heights
-        from ..measure.point_checks import check_against_rpc, check_plausible
-        from ..measure.points import choose_check_points
+        from .measure.heights import with_heights
+        from .measure.point_checks import check_against_rpc, check_plausible
+        from .measure.points import choose_check_points
 
         share = run.real(CHECK_SHARE)
         if not 0 <= share <= MOST_CHECK_SHARE:
@@ -220,11 +220,11 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _points_given(self, run: Run, image: OpenRaster | None) -> tuple[Points, bool, list[Message]]:
         """The points as given, whether they have roles, and what was left out."""
-        from ...imagery.rasters import RasterRef
-        from ...toolkit.layers import system_wkt
-        from .. import point_tables
-        from ..measure.points import file_points, image_points
-        from ..measure.rpc import open_image
+        from ..imagery.rasters import RasterRef
+        from ..toolkit.layers import system_wkt
+        from . import point_tables
+        from .measure.points import file_points, image_points
+        from .measure.rpc import open_image
 
         given = run.parameters.get(GCPS)
         path, wkt = _file_path(given), system_wkt(run.crs(GCPS_CRS))
@@ -242,7 +242,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
 
     def _rpc(self, run: Run, name: str, image: OpenRaster | None) -> Rational | None:
         """The RPC of a file, or the image's own, in the image's own pixels; None where there is none."""
-        from ..measure.rpc import own_rpc, read_rpc, rpc_metadata, rpc_of_image_part
+        from .measure.rpc import own_rpc, read_rpc, rpc_metadata, rpc_of_image_part
 
         path = run.path(name)
         rpc = read_rpc(Path(path)) if path else own_rpc(image) if image is not None else None
@@ -258,7 +258,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         given = run.real(ORBIT_HEIGHT)
         if given > 0:
             return given * 1000
-        from ..measure.rpc import satellite_name
+        from .measure.rpc import satellite_name
 
         name = satellite_name(image).upper() if image is not None else ""
         known = (height for word, height in ORBIT_HEIGHTS_KM.items() if name.startswith(word))
@@ -275,9 +275,9 @@ def view_numbers(run: Run, view: ViewDirection | None) -> dict[str, float | None
 
 def height_datums(run: Run, *names: str) -> list[Datum]:
     """What heights refer to by these parameters, with the grid of GEOID. Raises SettingsError without it, or unused."""
-    from ...imagery.rasters import RasterRef
-    from ..measure.heights import GEOID as BY_GRID
-    from ..measure.heights import Geoid
+    from ..imagery.rasters import RasterRef
+    from .measure.heights import GEOID as BY_GRID
+    from .measure.heights import Geoid
 
     words, path = [run.text(name) for name in names], run.path(GEOID)
     if BY_GRID in words and not path:
@@ -291,8 +291,9 @@ def image_box(image: OpenRaster | None, points: Points) -> ImageBox:
     """The image's rectangle, or that of the points where there is no image."""
     if image is not None:
         return 0.0, 0.0, float(image.columns), float(image.rows)
-    low, high = points.image.min(axis=0), points.image.max(axis=0)
-    return float(low[0]), float(low[1]), float(high[0]), float(high[1])
+    from .measure.sensor_model import bounding_box
+
+    return bounding_box(points.image)
 
 
 def _file_path(value: object) -> str:

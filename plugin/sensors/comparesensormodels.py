@@ -7,15 +7,14 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import QgsProcessing, QgsProcessingOutputString, QgsProcessingParameterFeatureSink
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import sentence, tr
-from . import sensor_parameters
-from .sensor_parameters import SensorAlgorithm, image_box
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import sentence, tr
+from .sensor_parameters import IMAGE_RPC, ROBUST, SensorAlgorithm, image_box
 
 if TYPE_CHECKING:
-    from ...imagery.errors import Message
-    from ..measure.adjustment import Comparison
+    from ..imagery.errors import Message
+    from .measure.adjustment import Comparison
 
 OUTPUT = "OUTPUT"
 RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
@@ -49,13 +48,13 @@ class CompareSensorModels(SensorAlgorithm):
         self.addNumbers({MODEL_COUNT: tr("Models judged")})
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .. import point_tables
-        from ..measure import adjustment
-        from ..measure.heights import is_flat
-        from ..measure.point_checks import control_coverage, coverage_warnings
+        from . import point_tables
+        from .measure import adjustment
+        from .measure.heights import is_flat
+        from .measure.point_checks import control_coverage, coverage_warnings
 
         image = self._image()
-        rpc = self._rpc(run, sensor_parameters.IMAGE_RPC, image)
+        rpc = self._rpc(run, IMAGE_RPC, image)
         points = self._points(run, image, rpc)
         size = (float(image.columns), float(image.rows)) if image is not None else None
         notices = coverage_warnings(control_coverage(points.image[~points.check], image_box(image, points)))
@@ -63,7 +62,7 @@ class CompareSensorModels(SensorAlgorithm):
         result = adjustment.compare(
             points,
             adjustment.all_requests(rpc, self._orbit_height_m(run, image), size),
-            run.flag(sensor_parameters.ROBUST),
+            run.flag(ROBUST),
             is_flat(points),
             run.progress,
             run.is_cancelled,
@@ -81,6 +80,6 @@ class CompareSensorModels(SensorAlgorithm):
 
 
 def _save_report(path: Path, result: Comparison, notices: list[Message]) -> None:
-    from ..report import save_comparison_report
+    from .report import save_comparison_report
 
     save_comparison_report(path, result, notices)

@@ -17,19 +17,18 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...imagery.errors import SensorModelError
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import filled, tr
-from ..measure import messages, registry
-from . import sensor_parameters
-from .sensor_parameters import SensorAlgorithm, image_box
+from ..imagery.errors import SensorModelError
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import filled, tr
+from .measure import messages, registry
+from .sensor_parameters import IMAGE_RPC, ROBUST, TERRAIN_ERROR, SensorAlgorithm, image_box, view_numbers
 
 if TYPE_CHECKING:
-    from ...imagery.errors import Message
-    from ...imagery.open_raster import OpenRaster
-    from ..measure.adjustment import Accuracy, Adjustment
-    from ..measure.registry import ModelRequest
+    from ..imagery.errors import Message
+    from ..imagery.open_raster import OpenRaster
+    from .measure.adjustment import Accuracy, Adjustment
+    from .measure.registry import ModelRequest
 
 MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
 
@@ -134,15 +133,15 @@ class FitSensorModel(SensorAlgorithm):
         })
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from .. import point_tables
-        from ..measure.adjustment import adjust
-        from ..measure.fit_files import FitFiles
-        from ..measure.point_checks import control_coverage, coverage_warnings
+        from . import point_tables
+        from .measure.adjustment import adjust
+        from .measure.fit_files import FitFiles
+        from .measure.point_checks import control_coverage, coverage_warnings
 
         image = self._image()
         request = self._request(run, image)
         points = self._points(run, image, request.rpc, request)
-        done = adjust(request, points, run.flag(sensor_parameters.ROBUST))
+        done = adjust(request, points, run.flag(ROBUST))
         box = image_box(image, points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
         notices = self._notices(done) + coverage_warnings(coverage)
@@ -154,7 +153,7 @@ class FitSensorModel(SensorAlgorithm):
             notices.append(messages.RPC_BIAS_FOUND(columns=column, rows=row, most=most))
         view = files.view
         if view is not None:
-            notices.append(view.told(run.real(sensor_parameters.TERRAIN_ERROR)))
+            notices.append(view.told(run.real(TERRAIN_ERROR)))
         run.tell(*notices)
         run.progress(0.6)
         crs = QgsCoordinateReferenceSystem.fromWkt(points.wkt)
@@ -170,7 +169,7 @@ class FitSensorModel(SensorAlgorithm):
             return written
 
         def write_report(path: Path) -> None:
-            from ..report import save_fit_report
+            from .report import save_fit_report
 
             save_fit_report(path, done, coverage, box, notices)
 
@@ -190,7 +189,7 @@ class FitSensorModel(SensorAlgorithm):
         condition = done.fitted.condition
         results.update({CONTROL_COUNT: control.count, CHECK_COUNT: check.count})
         results[CONDITION] = condition if math.isfinite(condition) else None
-        results.update(sensor_parameters.view_numbers(run, view))
+        results.update(view_numbers(run, view))
         results.update({BIAS_COLUMN: column, BIAS_ROW: row})
         return results
 
@@ -198,7 +197,7 @@ class FitSensorModel(SensorAlgorithm):
         kind = registry.KINDS[run.text(MODEL)]
         rpc = None
         if kind.corrects_rpc:
-            rpc = self._rpc(run, sensor_parameters.IMAGE_RPC, image)
+            rpc = self._rpc(run, IMAGE_RPC, image)
             if rpc is None:
                 raise SensorModelError(messages.NO_RPC())
         return kind.request(
@@ -212,8 +211,8 @@ class FitSensorModel(SensorAlgorithm):
 
     @staticmethod
     def _notices(done: Adjustment) -> list[Message]:
-        from ..measure.adjustment import suspects
-        from ..measure.polynomials import Rational, terms_told
+        from .measure.adjustment import suspects
+        from .measure.polynomials import Rational, terms_told
 
         notices: list[Message] = []
         if not done.fitted.converged:

@@ -10,10 +10,10 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
-from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import tr
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import tr
 
 DEFAULT_FILTER_PX = 3.0  # the usual 3 x 3
 
@@ -53,8 +53,8 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
 
     def check(self, run: Run) -> None:
-        from ...imagery.raster_writer import check_width
-        from ..measure.photo import Photo
+        from ..imagery.raster_writer import check_width
+        from .measure.photo import Photo
 
         check_width(Photo(run.required_raster(PHOTO)).raster)
 
@@ -62,7 +62,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
         self._photo = run.required_raster(PHOTO)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ..measure.enhancement import Operation, enhance
+        from .measure.enhancement import Operation, enhance
 
         path = run.layer_path(OUTPUT)
         operation, size = Operation(run.word(OPERATION)), run.real(SIZE)
