@@ -24,8 +24,8 @@ from .sensors.comparesensormodels import CompareSensorModels
 from .sensors.fitsensormodel import FitSensorModel
 from .sensors.orthorectify import Orthorectify
 from .sensors.planpoints import PlanPoints
+from .toolkit.algorithms.base import ReadyModel
 from .toolkit.algorithms.outputs import RASTER_ENDINGS
-from .toolkit.algorithms.ready_model import ReadyModel
 from .toolkit.resources import icon_path, model_paths
 
 ALGORITHMS = (

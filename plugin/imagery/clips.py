@@ -10,8 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from osgeo import gdal
 
-from . import limits as limits
-from . import messages
+from . import limits, messages
 from .errors import Exceeding, NotCoveredError, RasterError, WindowError
 from .gdal_calls import gdal_call
 from .grids import Extent, Grid, NumberedWindow, PixelWindow, snap_window

@@ -5,8 +5,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
 
-from . import limits as limits
-from . import messages
+from . import limits, messages
 from .errors import SettingsError, WindowError
 
 if TYPE_CHECKING:

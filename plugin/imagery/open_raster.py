@@ -12,8 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from osgeo import gdal, gdal_array
 
-from . import limits as limits
-from . import messages
+from . import limits, messages
 from .errors import RasterError
 from .gdal_calls import check_raster_path, gdal_call
 from .grids import PixelWindow

@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 from osgeo import gdal, gdal_array
 
-from . import limits as limits
-from . import messages
+from . import limits, messages
 from .atomic_files import replacing
 from .errors import Message, RasterError
 from .gdal_calls import drop_from_memory, gdal_call, gdal_masks_beside, gdal_silenced, gdal_writing

@@ -21,8 +21,7 @@ from itertools import combinations
 import numpy as np
 import pywt
 
-from . import limits as limits
-from . import messages
+from . import limits, messages
 from .clips import Clip
 from .errors import SettingsError
 from .filters import FilterPair, Pair, filter_pair, halved, scale, split, sums_of_products

@@ -31,8 +31,8 @@ from ..imagery.grids import Grid
 from ..imagery.records import Column
 from ..imagery.statistics import DECIDED, VISIBLE
 from ..toolkit import messages as toolkit_messages
-from ..toolkit.layer_editing import edit_step
 from ..toolkit.layer_styles import load_style
+from ..toolkit.layers import edit_step
 from ..toolkit.table_fields import column_fields, column_values, feature, table_fields, text, whole_number
 from ..toolkit.translation import sentence, tr
 from .measure import messages

@@ -16,7 +16,7 @@ STAND_IN = Path(__file__).parents[2] / "tests" / "qt6" / "stand_in" / "qgis" / "
 _CORE = """
 import types
 from qgis._core import *
-from qgis.PyQt.QtCore import NULL as NULL
+from qgis.PyQt.QtCore import NULL
 
 class edit:
     def __init__(self, layer: QgsVectorLayer) -> None: ...

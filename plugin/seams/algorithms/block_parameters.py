@@ -65,7 +65,7 @@ def _indexed_sources(run: Run, given: GivenSources, crs: QgsCoordinateReferenceS
 
     Raises SettingsError when the layer is no such index.
     """
-    from ...toolkit import layers as layers
+    from ...toolkit import layers
     from ..tables.input_layers import indexed_sources
 
     if not run.parameters.get(common.SOURCE_INDEX):

@@ -121,7 +121,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     @staticmethod
     def _judged(run: Run) -> tuple[list[str], list[WindowRecord]]:
         """The windows' fields, and those that an observer judged."""
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
         from ..tables.record_tables import read_windows
 
         windows = run.source(WINDOWS)
@@ -141,7 +141,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     @staticmethod
     def _measures(run: Run, names: list[str], judged: list[WindowRecord]) -> dict[str, _Values]:
         """What is there of each measure."""
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
         from ..tables.record_tables import check_inspected, read_pairs
 
         read = {

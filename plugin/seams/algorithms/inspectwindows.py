@@ -146,7 +146,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_fields
         from ..measure.inspection import inspect_windows
@@ -209,7 +209,7 @@ class InspectWindows(SeamInspectorAlgorithm):
         )
 
     def _cells(self, run: Run) -> list[Cell]:
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
         from ..tables.input_layers import seam_cells
 
         if not run.parameters.get(CELLS):

@@ -71,7 +71,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ...imagery.lines import find_seams
         from ...imagery.open_raster import OpenRaster
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
         from ...toolkit.table_fields import column_fields, column_values, feature
         from ..measure.window_placing import place_windows
         from ..tables.result_tables import PLACED_COLUMNS

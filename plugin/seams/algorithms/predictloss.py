@@ -107,7 +107,7 @@ class PredictLoss(SeamInspectorAlgorithm):
         self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_fields, column_values, feature
         from ..measure.inspection import in_order
@@ -150,7 +150,7 @@ class PredictLoss(SeamInspectorAlgorithm):
     def _system(self, windows: QgsProcessingFeatureSource, run: Run) -> tuple[QgsCoordinateReferenceSystem, str]:
         """The reference system of the first source that can be read, else the index layer's, else the windows'."""
         from ...imagery.open_raster import describe_placed
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
 
         for ref in self._given.refs:
             with suppress(RasterError):  # it is named when the sources are gathered

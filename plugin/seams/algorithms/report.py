@@ -107,7 +107,7 @@ class Report(SeamInspectorAlgorithm):
         return {} if notices is None else {OUTPUT: str(path)}
 
     def _request(self, run: Run) -> ReportRequest:
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
         from ..measure.inspection import Block
         from ..report.report_request import ReportRequest
         from ..tables import record_tables
@@ -139,7 +139,7 @@ class Report(SeamInspectorAlgorithm):
 
     def _table(self, run: Run, name: str, read: Callable[..., dict[int, list[Row]]]) -> dict[int, list[Row]]:
         """What an optional table says of each window."""
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
 
         if not run.parameters.get(name):
             return {}

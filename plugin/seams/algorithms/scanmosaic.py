@@ -195,7 +195,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
 
     def _given_seams(self, run: Run, crs: QgsCoordinateReferenceSystem) -> GivenSeams | None:
         """What the seamlines say; None without them."""
-        from ...toolkit import layers as layers
+        from ...toolkit import layers
         from ..measure.scan.lines.given_seams import given_seams
         from ..tables.input_layers import seam_features
 
@@ -211,7 +211,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
 
     def _scan_blocks(self, run: Run, scan: WholeScan) -> None:
         from ...toolkit.executors import open_executor
-        from ..scan_job import time_left
+        from ..jobs import time_left
 
         told_at = time.monotonic()
         with open_executor(run.text(common.SCHEDULER)) as (executor, ahead):

@@ -34,8 +34,8 @@ from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import transformed_box
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
+from ..jobs import ScanDone
 from ..measure import messages
-from ..scan_job import ScanDone
 from .inputs.inputs_panel import InputsPanel
 from .judge_bar import JudgeBar
 from .judging_desk import JudgingDesk

@@ -17,7 +17,7 @@ from ...toolkit import layers
 from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import result_of, result_record
 from ..measure.window_records import WindowRecord
-from ..tables import window_layer as window_layer
+from ..tables import window_layer
 from ..window_summary import is_same
 from . import messages
 from .unsaved_windows import UnsavedWindows, owner_of, restore

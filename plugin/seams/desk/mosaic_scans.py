@@ -29,9 +29,9 @@ from ...toolkit.desk.message_bar import BarQuestion, bar_level, write_log
 from ...toolkit.desk.widgets import single_shot
 from ...toolkit.layer_styles import load_style
 from ...toolkit.translation import filled, sentence, shown_number, tr
+from ..jobs import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job, time_left
 from ..measure.scan import messages
 from ..measure.scan.whole_scan import JOURNAL_ENDING
-from ..scan_job import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job, time_left
 from ..tables import scan_layers
 from ..tables.scan_layers import ScanLayer
 

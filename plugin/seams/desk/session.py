@@ -19,13 +19,13 @@ from ...imagery.statistics import FIRST, Operator
 from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.desk.message_bar import bar_level
 from ...toolkit.desk.widgets import single_shot
-from ...toolkit.layer_editing import edit_step
+from ...toolkit.layers import edit_step
 from ...toolkit.translation import sentence, tr
 from ..measure.inputs.valid_cells import FEWEST_PX, SEARCHED_SIDES
 from ..measure.inspection import WindowRequest
 from ..measure.live_window import LiveWindow
 from ..measure.window.window_result import WindowCurves, WindowResult
-from ..tables import window_layer as window_layer
+from ..tables import window_layer
 from ..tables.window_layer import style_if_plain
 from . import messages
 from .images.window_pictures import WindowPictures

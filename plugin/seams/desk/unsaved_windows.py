@@ -23,7 +23,7 @@ from ...imagery.record_store import RecordKeeper, RecordStore
 from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.desk.widgets import single_shot
-from ...toolkit.layer_editing import edit_step
+from ...toolkit.layers import edit_step
 from ...toolkit.table_fields import is_known, whole_number
 from ...toolkit.translation import tr
 from .windows.window_watch import WindowWatch

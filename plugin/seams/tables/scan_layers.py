@@ -1,7 +1,7 @@
 """What a scan found as rows of layers, in one GeoPackage: pieces of seam, parts of the sources, the worst places."""
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Callable
@@ -21,9 +21,9 @@ from qgis.core import (
 from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import SettingsError
-from ...toolkit import layers as layers
-from ...toolkit.layers import mosaic_crs
-from ...toolkit.table_fields import column_features, column_fields, column_values, feature
+from ...imagery.records import Column
+from ...toolkit.layers import mosaic_crs, rectangle
+from ...toolkit.table_fields import column_fields, column_values, feature
 from ..measure.scan.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
 from .result_tables import PLACED_COLUMNS
 
@@ -41,52 +41,45 @@ class ScanLayer:
     style: str
     """Of ``resources/styles``."""
     geometry: QgsWkbTypes.Type
-    fields: Callable[[int], QgsFields]
-    """For so many levels."""
-    rows: Callable[[ScanResult, ScanRequest], Iterator[QgsFeature]]
-    """The geometries are in the mosaic's reference system."""
+    columns: Sequence[Column]
+    results: Callable[[ScanResult, ScanRequest], Iterable[tuple[object, QgsGeometry]]]
+    """What the columns take, and outlines in the mosaic's reference system."""
+
+    def fields(self, levels: int) -> QgsFields:
+        """For so many levels."""
+        return column_fields(self.columns, levels)
+
+    def rows(self, result: ScanResult, request: ScanRequest) -> Iterator[QgsFeature]:
+        """All features."""
+        levels = request.settings.levels
+        fields = self.fields(levels)
+        for one, outline in self.results(result, request):
+            yield feature(fields, column_values(self.columns, one, levels), outline)
 
 
-def _seam_fields(levels: int) -> QgsFields:
-    return column_fields(SEAM_COLUMNS, levels)
-
-
-def _seam_rows(result: ScanResult, request: ScanRequest) -> Iterator[QgsFeature]:
-    levels = request.settings.levels
-    for row, one in zip(column_features(SEAM_COLUMNS, result.pieces, levels), result.pieces):
+def _pieces(result: ScanResult, _request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:
+    for one in result.pieces:
         x, y = one.piece.vertices.T.tolist()
-        row.setGeometry(QgsGeometry(QgsLineString(x, y)))
-        yield row
+        yield one, QgsGeometry(QgsLineString(x, y))
 
 
-def _cell_fields(_levels: int) -> QgsFields:
-    return column_fields(CELL_COLUMNS)
-
-
-def _cell_rows(result: ScanResult, request: ScanRequest) -> Iterator[QgsFeature]:
-    fields = column_fields(CELL_COLUMNS)
+def _cells(result: ScanResult, request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:
     for one in result.polygons:
         outline = QgsGeometry()
         outline.fromWkb(one.wkb)
-        yield feature(fields, column_values(CELL_COLUMNS, request.sources[one.source].ref.name), outline)
+        yield request.sources[one.source].ref.name, outline
 
 
-def _worst_fields(_levels: int) -> QgsFields:
-    return column_fields(PLACED_COLUMNS)
+def _worst(result: ScanResult, request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:
+    grid = request.mosaic.grid
+    return ((placed, rectangle(grid.window_extent(placed.window))) for placed in result.worst)
 
 
-def _worst_rows(result: ScanResult, request: ScanRequest) -> Iterator[QgsFeature]:
-    fields, grid = column_fields(PLACED_COLUMNS), request.mosaic.grid
-    for placed in result.worst:
-        outline = layers.rectangle(grid.window_extent(placed.window))
-        yield feature(fields, column_values(PLACED_COLUMNS, placed), outline)
-
-
-SEAMS = ScanLayer("seams", "seams", QgsWkbTypes.Type.LineString, _seam_fields, _seam_rows)
+SEAMS = ScanLayer("seams", "seams", QgsWkbTypes.Type.LineString, SEAM_COLUMNS, _pieces)
 """One line per piece of seam."""
-CELLS = ScanLayer("source_cells", "source_cells", QgsWkbTypes.Type.MultiPolygon, _cell_fields, _cell_rows)
+CELLS = ScanLayer("source_cells", "source_cells", QgsWkbTypes.Type.MultiPolygon, CELL_COLUMNS, _cells)
 """One polygon per source."""
-WORST = ScanLayer("worst_windows", "placed_windows", QgsWkbTypes.Type.Polygon, _worst_fields, _worst_rows)
+WORST = ScanLayer("worst_windows", "placed_windows", QgsWkbTypes.Type.Polygon, PLACED_COLUMNS, _worst)
 """Windows of the least kept places, the least first."""
 SCAN_LAYERS = (WORST, SEAMS, CELLS)
 """In the order in which they lie on the map, the topmost first."""

@@ -31,8 +31,8 @@ from qgis.core import (
 from ...imagery.errors import WindowLayerError
 from ...imagery.statistics import FIRST, JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
-from ...toolkit.layer_editing import change_quietly, edit_step
 from ...toolkit.layer_styles import load_style, name_fields
+from ...toolkit.layers import change_quietly, edit_step
 from ...toolkit.table_fields import column_fields, column_values, is_known
 from ...toolkit.translation import tr
 from ...toolkit.version_differences import field

@@ -12,6 +12,7 @@ from qgis.core import (
     QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeedback,
+    QgsProcessingModelAlgorithm,
     QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
 )
@@ -24,8 +25,8 @@ from ..packages import missing_packages_sentence
 from ..resources import help_url, icon_path
 from ..translation import sentence, tr
 from . import parameters as common
-from .outputs import refuse_impossible, refuse_overwriting
-from .parameters import without_rasters
+from .outputs import refuse_outputs
+from .parameters import check_files, check_rasters, without_rasters
 from .run import Run
 
 SEAM_INSPECTION = QT_TR_NOOP("Seam inspection")
@@ -145,9 +146,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
-        refuse_impossible(self, parameters, context)
         common.check_files(self, parameters)
-        refuse_overwriting(self, parameters, context)
+        refuse_outputs(self, parameters, context)
         common.check_numbers(self, parameters, context)
         common.check_systems(self, parameters, context)
         run = Run(self, parameters, context)
@@ -176,3 +176,68 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         """What lacks for the outputs asked for; empty when nothing does."""
         charts, pages = (any(parameters.get(name) for name in names) for names in (self.DRAWN, self.PAGES))
         return missing_packages_sentence(charts, pages)
+
+
+_TITLES, _HELP = ("description", "component_description", "model_group"), "help"
+
+
+class ReadyModel(QgsProcessingModelAlgorithm):
+    """Its steps know only their own inputs: one step could write over what the model was given for another."""
+
+    def createInstance(self) -> QgsProcessingAlgorithm:
+        copy = ReadyModel()
+        copy.loadVariant(self.toVariant())
+        copy.setProvider(self.provider())
+        copy.setSourceFilePath(self.sourceFilePath())
+        return copy
+
+    def displayName(self) -> str:
+        return tr(self.name().replace("_", " ").capitalize())  # ``inspect_mosaic`` is ``Inspect mosaic``
+
+    def fromFile(self, path: str) -> bool:
+        """In the user's language: names, help and the group."""
+        return super().fromFile(path) and self.loadVariant(_translated(self.toVariant()))
+
+    def helpUrl(self) -> str:
+        return help_url(self.name())
+
+    def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
+        try:
+            self._refuse(parameters, context)
+        except SeamInspectorError as error:
+            return False, sentence(error.message)
+        with gdal_silenced():
+            return super().checkParameterValues(without_rasters(self, parameters), context)
+
+    def prepareAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> bool:
+        try:
+            self._refuse(parameters, context)
+        except SeamInspectorError as error:
+            raise QgsProcessingException(sentence(error.message)) from None
+        with gdal_silenced():
+            return super().prepareAlgorithm(parameters, context, feedback)
+
+    def processAlgorithm(
+        self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
+    ) -> dict[str, Any]:
+        with gdal_silenced():
+            return dict(super().processAlgorithm(parameters, context, feedback))
+
+    def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
+        """Raise SeamInspectorError for what no step is to be asked for."""
+        check_files(self, parameters)
+        check_rasters(self, parameters)
+        refuse_outputs(self, parameters, context)
+
+
+def _translated(content: Any, is_help: bool = False) -> Any:
+    """A model's content with what people read of it translated."""
+    if isinstance(content, dict):
+        return {
+            key: _translated(value, is_help or key == _HELP) if isinstance(value, dict) or is_help or key == _HELP
+            else tr(value) if key in _TITLES and value else value
+            for key, value in content.items()
+        }  # fmt: skip
+    return tr(content) if is_help and isinstance(content, str) and content else content

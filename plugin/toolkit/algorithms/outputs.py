@@ -56,8 +56,22 @@ _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the f
     ".mif": (".mid",),
     **dict.fromkeys((".bil", ".bip", ".bsq"), (".hdr",)),
 }
-
 _SERVER = re.compile(r"^(?!ogr:|spatialite:)[A-Za-z][\w+.-]+:")  # a drive has one letter
+_IN_MEMORY = "/vsimem/"
+_NO_TABLE_BEGINS_WITH = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,/"  # as GDAL's GeoPackage has it
+_JOURNAL = "-journal"  # SQLite's, beside the database
+_OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "range", "string"}  # parameters that name no file
+_VECTORS = (
+    QgsProcessing.SourceType.TypeVector,
+    QgsProcessing.SourceType.TypeVectorAnyGeometry,
+    QgsProcessing.SourceType.TypeVectorPoint,
+    QgsProcessing.SourceType.TypeVectorLine,
+    QgsProcessing.SourceType.TypeVectorPolygon,
+)
+_WITHOUT_SIDECARS = (".csv", ".gpkg", ".html", ".json", ".points", ".shp", ".txt", ".xml")
+_SIDECARS = {".aux", ".aux.xml", ".geom", ".hdr", ".msk", ".ovr", ".prj", ".rpb", ".rpc", "_rpc.txt", ".wld"}
+
+_Identity = Union[tuple[int, int], str]
 
 
 class DataPlace(NamedTuple):
@@ -97,80 +111,107 @@ def is_file(text: str) -> bool:
     return _SERVER.match(text) is None
 
 
-def files_beside(path: str) -> list[str]:
-    """What else is written where a format is several files."""
-    stem, ending = os.path.splitext(path)
-    return [stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ())]
-
-
 def is_database(path: str) -> bool:
     """Whether other tables may lie in the same file."""
     return os.path.splitext(path)[1].lower() in _DATABASES
 
 
-_IN_MEMORY = "/vsimem/"
-_NO_TABLE_BEGINS_WITH = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,/"  # as GDAL's GeoPackage has it
-_JOURNAL = "-journal"  # SQLite's, beside the database
+class _Output(NamedTuple):
+    """An output that is wanted, and goes neither to memory nor to a temporary file."""
+
+    title: str
+    place: DataPlace
+    files: dict[_Identity, str]
+    """All that would be written or removed."""
+
+    def meets(self, other: DataPlace) -> str:
+        """The file by which it would be written over another, or what lies beside that; empty where there is none.
+
+        Another table of a database is no matter.
+        """
+        tables = {self.place.table.lower(), other.table.lower()}
+        same = self.files.get(_identity(other.path))
+        if same is not None:
+            return same if "" in tables or len(tables) == 1 else ""
+        if other.path.lower().endswith(_WITHOUT_SIDECARS):
+            return ""
+        beside = (file for file in self.files.values() if os.path.exists(file) and _is_sidecar(file, other.path))
+        return next(beside, "")
 
 
-def refuse_impossible(
+def refuse_outputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
 ) -> None:
+    """Raise SettingsError for outputs that can't be where they are to go, that are one file, or a file of an input,
+    sidecars included."""
+    wanted = []
+    for definition in algorithm.destinationParameterDefinitions():
+        if text := output_text(parameters.get(definition.name()), context):
+            _refuse_impossible(definition, text)
+            wanted.append((definition, text))
+    outputs: list[_Output] = []
+    for output in (_output(*one) for one in wanted):
+        for other in outputs:
+            if any(output.meets(DataPlace(file, other.place.table)) for file in other.files.values()):
+                path, first = output.place.path, other.title
+                raise SettingsError(messages.OUTPUTS_ARE_ONE(path=path, first=first, second=output.title))
+        outputs.append(output)
+    if not any(os.path.exists(file) or file.startswith("/vsi") for one in outputs for file in one.files.values()):
+        return  # what is not there yet is no input: most runs need no look at them
+    for place in _inputs(algorithm, parameters, context):
+        for output in outputs:
+            if met := output.meets(place):
+                raise SettingsError(messages.OUTPUT_IS_INPUT(output=output.title, path=met))
+
+
+def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) -> None:
     """Raise SettingsError for an output of features or a raster that can't be written where it is to go.
 
     Pages and charts are written last, and what keeps them from that is told then: it costs nothing that was measured.
     """
-    for definition in algorithm.destinationParameterDefinitions():
-        text, title = output_text(parameters.get(definition.name()), context), definition.description()
-        if "\0" in text:
-            raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=text))
-        if text and isinstance(definition, QgsProcessingParameterRasterDestination):
-            _check_raster(text, title)
-        elif text and isinstance(definition, QgsProcessingParameterFeatureSink):
-            _check_table(text, title)
-
-
-def _check_raster(text: str, title: str) -> None:
-    if not is_file(text) or text.startswith("ogr:") or not text.strip():
+    title, is_raster = definition.description(), isinstance(definition, QgsProcessingParameterRasterDestination)
+    if "\0" in text:
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=text))
-    _check_file(text, title)
-
-
-def _check_table(text: str, title: str) -> None:
-    if not is_file(text):
-        return  # a database server, of which QGIS asks and tells itself
-    if not text.strip():
+    if not is_raster and not (isinstance(definition, QgsProcessingParameterFeatureSink) and is_file(text)):
+        return  # of a database server QGIS asks and tells itself
+    if not text.strip() or not is_file(text) or (is_raster and text.startswith("ogr:")):
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=text))
-    place = table_place(text)
-    if os.path.exists(text) and not os.path.isfile(text):
-        _refuse(text, errno.EISDIR if os.path.isdir(text) else errno.EPERM)
-    _check_file(text if text.endswith(("/", os.sep)) else place.path, title)
-    name = os.path.basename(place.path)
-    if is_database(place.path) and not place.table and name[0] in _NO_TABLE_BEGINS_WITH:
-        raise SettingsError(messages.TABLE_BEGINS_WRONG(output=title, name=name, begins=name[0]))
-    if is_database(place.path) and os.path.isfile(place.path) and _is_locked(place.path):
-        raise SettingsError(messages.OUTPUT_IN_USE(path=place.path))
-
-
-def _check_file(path: str, title: str) -> None:
-    """Raise SettingsError where no file can be."""
-    if path.startswith(_IN_MEMORY):
-        return
-    if path.startswith("/vsi"):  # archives and servers: most of GDAL's can't be written, and are left half-made
+    place = DataPlace(text) if is_raster else table_place(text)
+    is_folder = text.endswith(("/", os.sep)) or (os.path.exists(text) and not os.path.isfile(text))
+    path = text if is_folder else place.path
+    if path.startswith("/vsi") and not path.startswith(_IN_MEMORY):
+        # archives and servers: most of GDAL's can't be written, and are left half-made
         raise SettingsError(messages.OUTPUT_NAMES_NO_FILE(output=title, path=path))
-    if path.endswith(("/", os.sep)):
-        _refuse(path, errno.EISDIR)
     try:
-        found = _state(path)
-        if is_database(path):
-            _state(path + _JOURNAL)
-        os.stat(os.path.join(os.path.dirname(os.path.realpath(path)), ""))
+        if not path.startswith(_IN_MEMORY):
+            _check_file(path)
     except OSError as error:
         raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=system_reason(error))) from None
+    name = os.path.basename(path)
+    if is_raster or not is_database(path):
+        return
+    if not place.table and name[0] in _NO_TABLE_BEGINS_WITH:
+        raise SettingsError(messages.TABLE_BEGINS_WRONG(output=title, name=name, begins=name[0]))
+    if os.path.isfile(path) and _is_locked(path):
+        raise SettingsError(messages.OUTPUT_IN_USE(path=path))
+
+
+def _check_file(path: str) -> None:
+    """Raise OSError where no file can be."""
+    if path.endswith(("/", os.sep)):
+        raise _system_error(errno.EISDIR)
+    found, folder = _state(path), os.path.dirname(os.path.realpath(path))
+    if is_database(path):
+        _state(path + _JOURNAL)
+    os.stat(os.path.join(folder, ""))
     if found is not None and not stat.S_ISREG(found.st_mode):
-        _refuse(path, errno.EISDIR if stat.S_ISDIR(found.st_mode) else errno.EPERM)
-    if not os.access(path if found is not None else os.path.dirname(os.path.realpath(path)), os.W_OK):
-        _refuse(path, errno.EACCES)
+        raise _system_error(errno.EISDIR if stat.S_ISDIR(found.st_mode) else errno.EPERM)
+    if not os.access(folder if found is None else path, os.W_OK):
+        raise _system_error(errno.EACCES)
+
+
+def _system_error(number: int) -> OSError:
+    return OSError(number, os.strerror(number))
 
 
 def _state(path: str) -> os.stat_result | None:
@@ -192,77 +233,10 @@ def _is_locked(path: str) -> bool:
     return False
 
 
-def _refuse(path: str, number: int) -> None:
-    reason = system_reason(OSError(number, os.strerror(number)))
-    raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=reason))
-
-
-_OF_WORDS_AND_NUMBERS = {"boolean", "enum", "number", "range", "string"}  # parameters that name no file
-_VECTORS = (
-    QgsProcessing.SourceType.TypeVector,
-    QgsProcessing.SourceType.TypeVectorAnyGeometry,
-    QgsProcessing.SourceType.TypeVectorPoint,
-    QgsProcessing.SourceType.TypeVectorLine,
-    QgsProcessing.SourceType.TypeVectorPolygon,
-)
-_WITHOUT_SIDECARS = (".csv", ".gpkg", ".html", ".json", ".points", ".shp", ".txt", ".xml")
-_SIDECARS = {".aux", ".aux.xml", ".geom", ".hdr", ".msk", ".ovr", ".prj", ".rpb", ".rpc", "_rpc.txt", ".wld"}
-
-_Identity = Union[tuple[int, int], str]
-
-
-class _Output(NamedTuple):
-    title: str
-    place: DataPlace
-    files: dict[_Identity, str]
-    """All that would be written or removed."""
-
-    def meets(self, other: DataPlace) -> str:
-        """The file by which it would be written over another, or what lies beside that; empty where there is none.
-
-        Another table of a database is no matter.
-        """
-        tables = {self.place.table.lower(), other.table.lower()}
-        same = self.files.get(_identity(other.path))
-        if same is not None:
-            return same if "" in tables or len(tables) == 1 else ""
-        if other.path.lower().endswith(_WITHOUT_SIDECARS):
-            return ""
-        beside = (file for file in self.files.values() if os.path.exists(file) and _is_sidecar(file, other.path))
-        return next(beside, "")
-
-
-def refuse_overwriting(
-    algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> None:
-    """Raise SettingsError when an output is a file of an input, sidecars included, or two outputs are one file."""
-    outputs: list[_Output] = []
-    for definition in algorithm.destinationParameterDefinitions():
-        output = _output(definition, parameters.get(definition.name()), context)
-        if output is None:
-            continue
-        for other in outputs:
-            if any(output.meets(DataPlace(file, other.place.table)) for file in other.files.values()):
-                path, first = output.place.path, other.title
-                raise SettingsError(messages.OUTPUTS_ARE_ONE(path=path, first=first, second=output.title))
-        outputs.append(output)
-    if not any(os.path.exists(file) or file.startswith("/vsi") for one in outputs for file in one.files.values()):
-        return  # what is not there yet is no input: most runs need no look at them
-    for place in _inputs(algorithm, parameters, context):
-        for output in outputs:
-            if met := output.meets(place):
-                raise SettingsError(messages.OUTPUT_IS_INPUT(output=output.title, path=met))
-
-
-def _output(
-    definition: QgsProcessingParameterDefinition, value: object, context: QgsProcessingContext
-) -> _Output | None:
-    """None for an output that is not wanted, or goes to memory or a temporary file."""
-    text = output_text(value, context)
-    if not text:
-        return None
+def _output(definition: QgsProcessingParameterDefinition, text: str) -> _Output:
     place = table_place(text) if isinstance(definition, QgsProcessingParameterFeatureSink) else DataPlace(text)
-    files = [place.path, text, *files_beside(place.path)]
+    stem, ending = os.path.splitext(place.path)
+    files = [place.path, text, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ()))]
     if not place.path.lower().endswith(".vrt"):  # GDAL removes a raster with its sidecars before it writes a new one
         files += _dataset_files(place.path, gdal.OF_RASTER)
     return _Output(definition.description(), place, {_identity(file): file for file in files})

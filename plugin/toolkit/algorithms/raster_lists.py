@@ -63,7 +63,7 @@ class WindowFeatures:
 
     def windows(self) -> Iterator[WindowFeature]:
         """One per feature, in the layer's order."""
-        from .. import layers as layers
+        from .. import layers
 
         for feature in layers.features(self._source):
             number = self._number(feature)
@@ -82,7 +82,7 @@ class WindowFeatures:
         return self._waiting.pop(window_id)
 
     def _given_numbers(self) -> set[int]:
-        from .. import layers as layers
+        from .. import layers
 
         if "window_id" not in self._names:
             return set()
@@ -151,7 +151,7 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
         ``carried``: fields whose values ``window_values`` then has, as text.
         """
         from ...imagery.clips import DrawnWindow
-        from .. import layers as layers
+        from .. import layers
 
         if not run.parameters.get(WINDOWS):
             return None

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
-from seam_inspector.plugin.imagery import limits as limits
+from seam_inspector.plugin.imagery import limits
 from seam_inspector.plugin.imagery.documents import document_bytes, json_document
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.gdal_calls import check_raster_path, vrt_parts

@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import gdal
 from scipy.ndimage import gaussian_filter
-from seam_inspector.plugin.imagery import clips as clips
+from seam_inspector.plugin.imagery import clips
 from seam_inspector.plugin.imagery.clips import read_overview
 from seam_inspector.plugin.imagery.limits import judged_band
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic

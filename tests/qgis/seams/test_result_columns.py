@@ -12,8 +12,7 @@ from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verd
 from seam_inspector.plugin.seams.measure.window import window_tables as window_fields
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, PairResult, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
-from seam_inspector.plugin.seams.tables import record_tables, result_tables
-from seam_inspector.plugin.seams.tables import window_layer as window_layer
+from seam_inspector.plugin.seams.tables import record_tables, result_tables, window_layer
 from seam_inspector.plugin.seams.words import VERDICTS, verdict_sentence, verdict_word
 from seam_inspector.plugin.toolkit.table_fields import column_fields
 

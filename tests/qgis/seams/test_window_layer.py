@@ -20,9 +20,9 @@ from qgis.core import (
 from seam_inspector.plugin.imagery.errors import WindowLayerError
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
-from seam_inspector.plugin.seams.tables import window_layer as window_layer
+from seam_inspector.plugin.seams.tables import window_layer
 from seam_inspector.plugin.seams.tables.window_layer import UNNUMBERED
-from seam_inspector.plugin.toolkit import layer_editing
+from seam_inspector.plugin.toolkit import layers as layer_editing
 from seam_inspector.plugin.toolkit.version_differences import field
 
 from tests.qgis.runs import assert_sentence

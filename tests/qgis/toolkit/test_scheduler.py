@@ -74,7 +74,7 @@ def test_bad_rasters_cost_no_window_on_a_cluster(cluster: str, scene: Scene, tmp
 def test_workers_take_the_core_of_an_updated_plugin(
     cluster: str, scene: Scene, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from seam_inspector.plugin.toolkit import executors as executors
+    from seam_inspector.plugin.toolkit import executors
 
     before = inspect(scene, SCHEDULER=cluster).rows()
     archive = executors._measuring_archive
@@ -99,7 +99,7 @@ def test_workers_take_the_core_of_an_updated_plugin(
 def test_workers_that_lack_a_package_are_told(
     cluster: str, scene: Scene, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from seam_inspector.plugin.toolkit import executors as executors
+    from seam_inspector.plugin.toolkit import executors
 
     monkeypatch.setattr(executors, "_NEEDED", (*executors._NEEDED, "nowhere_installed"))
     outcome = inspect(scene, SCHEDULER=cluster)

@@ -30,6 +30,7 @@ from ....toolkit import layers
 from ....toolkit import messages as toolkit_messages
 from ....toolkit.background_tasks import BackgroundTasks, Cancelled, Job, Outcome
 from ....toolkit.translation import tr
+from ...jobs import ScanOrder
 from ...measure import messages
 from ...measure.inspection import Block, make_block, window_request
 from ...measure.scan.lines.seam_features import SeamFeature
@@ -38,9 +39,7 @@ from ...measure.seam_cells import Cell
 from ...measure.source_images import Source
 from ...measure.window.window_request import InspectionSettings, WindowRequest
 from ...measure.window_records import WindowRecord
-from ...scan_job import ScanOrder
-from ...tables import input_layers
-from ...tables import window_layer as window_layer
+from ...tables import input_layers, window_layer
 from .project_inputs import Inputs
 
 

@@ -15,8 +15,8 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import Message, SeamInspectorError
 from ....imagery.grids import Extent, PixelWindow
-from ....toolkit import layer_editing
-from ....toolkit import layers as layers
+from ....toolkit import layers
+from ....toolkit import layers as layer_editing
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.message_bar import write_log
 from ....toolkit.desk.widgets import single_shot

@@ -16,7 +16,7 @@ from ... import jobs
 from ...measure.inputs.raster_facts import SourceUse, source_use
 from ...measure.window.measured_window import MeasureWindow, measure_window
 from ...measure.window.window_result import WindowClips, WindowCurves, WindowResult
-from ...tables import window_layer as window_layer
+from ...tables import window_layer
 from ..inputs.block_cache import BlockCache
 from ..keeping import Keeping
 from .window_watch import Version, WindowWatch

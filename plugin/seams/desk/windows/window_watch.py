@@ -15,11 +15,11 @@ from qgis.core import QgsMapLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.grids import Extent
-from ....toolkit import layer_editing
+from ....toolkit import layers as layer_editing
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.translation import tr
 from ...measure.window_records import WindowRecord
-from ...tables import window_layer as window_layer
+from ...tables import window_layer
 from ...tables.window_layer import UNNUMBERED
 
 _STALE = "seam_inspector/stale"  # custom property of the layer: numbers of the windows to be inspected again

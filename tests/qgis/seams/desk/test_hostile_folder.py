@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery.record_store import RecordStore
 from seam_inspector.plugin.resolution.line_layers import create_bar_layer
 from seam_inspector.plugin.seams.desk.mosaic_scans import _is_ours
 from seam_inspector.plugin.seams.desk.unsaved_windows import _KIND, owner_of
-from seam_inspector.plugin.seams.scan_job import ScanFiles
+from seam_inspector.plugin.seams.jobs import ScanFiles
 from seam_inspector.plugin.seams.tables.window_layer import free_path
 
 from tests.qgis.seams.desk.session_desk import Desk

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from osgeo import gdal
 from qgis.core import QgsApplication, QgsProject
-from seam_inspector.plugin.seams.desk import mosaic_scans as mosaic_scans
+from seam_inspector.plugin.seams.desk import mosaic_scans
 from seam_inspector.plugin.seams.desk.mosaic_scans import scan_sentence
-from seam_inspector.plugin.seams.scan_job import ScanDone, ScanFiles, time_left
+from seam_inspector.plugin.seams.jobs import ScanDone, ScanFiles, time_left
 
 from tests.qgis.seams.desk.scan_scene import SEAM_ROW, ScanDesk, ScanScene, make_scan_scene
 from tests.qgis.seams.desk.session_desk import settle, wait_for_tasks, wait_until

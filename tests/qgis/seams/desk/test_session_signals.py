@@ -17,7 +17,7 @@ from seam_inspector.plugin.seams.desk.session import Session
 from seam_inspector.plugin.seams.desk.windows.new_windows import NewWindows
 from seam_inspector.plugin.seams.desk.windows.window_results import WindowResults
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
-from seam_inspector.plugin.seams.tables import window_layer as window_layer
+from seam_inspector.plugin.seams.tables import window_layer
 from seam_inspector.plugin.toolkit.background_tasks import BackgroundTasks
 
 from tests.qgis.conftest import wait_for_tasks
