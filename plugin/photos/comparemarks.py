@@ -99,9 +99,7 @@ class CompareMarks(SeamInspectorAlgorithm):
             ),
         )
         self.addDescribed(
-            QgsProcessingParameterFeatureSink(
-                PHOTOS, tr("Photos"), table, optional=True, createByDefault=False
-            ),
+            QgsProcessingParameterFeatureSink(PHOTOS, tr("Photos"), table, optional=True, createByDefault=False),
             tr("Count, mean, maximum (px) and verdict of each photo."),
         )
         self.addDescribed(

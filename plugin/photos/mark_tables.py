@@ -4,15 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from qgis.core import (
-    QgsDataProvider,
-    QgsFeature,
-    QgsFields,
-    QgsGeometry,
-    QgsPointXY,
-    QgsVectorLayer,
-    QgsWkbTypes,
-)
+from qgis.core import QgsDataProvider, QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsVectorLayer, QgsWkbTypes
 
 from ..imagery.errors import PhotoError
 from ..imagery.gdal_calls import is_endless

@@ -22,9 +22,7 @@ from .measure.transformations import PlaneModel
 PICTURE_MAGNIFICATION = 8  # of a mark in the report
 PICTURE_SIDE_PX = 900  # of such a picture: a larger mark is reduced first
 
-_COLOURS = {
-    MarkStatus.MEASURED: (0, 230, 130), MarkStatus.GIVEN: (255, 170, 0), MarkStatus.FAILED: (255, 70, 70)
-}
+_COLOURS = {MarkStatus.MEASURED: (0, 230, 130), MarkStatus.GIVEN: (255, 170, 0), MarkStatus.FAILED: (255, 70, 70)}
 
 
 @dataclass(frozen=True)

@@ -28,9 +28,7 @@ MODEL, COUNTS, SPREAD, CORNER_SHARE = "MODEL", "COUNTS", "SPREAD", "CORNER_SHARE
 SIGMA, SIGMA_PX, LOWEST, HIGHEST = "SIGMA", "SIGMA_PX", "LOWEST", "HIGHEST"
 VIEW_ANGLE, PIXEL_SIZE, SIDE = "VIEW_ANGLE", "PIXEL_SIZE", "SIDE"
 SEED, OUTPUT = "SEED", "OUTPUT"
-_MODELS = tuple(
-    f"{kind.name} {variant.name}".strip() for kind in registry.KINDS.values() for variant in kind.variants
-)
+_MODELS = tuple(f"{kind.name} {variant.name}".strip() for kind in registry.KINDS.values() for variant in kind.variants)
 _MOST_POINTS = 1000
 
 

@@ -17,16 +17,7 @@ import numpy as np
 
 from . import limits
 from .correlation import CorrelatedImage, Peak, peaks
-from .mark_templates import (
-    CutOut,
-    MarkKind,
-    MarkShape,
-    Pattern,
-    all_shapes,
-    draw,
-    patterns,
-    wedge_to_middle,
-)
+from .mark_templates import CutOut, MarkKind, MarkShape, Pattern, all_shapes, draw, patterns, wedge_to_middle
 from .measuring_marks import window_around
 from .photo import MarkFrame, Photo, PhotoView, Place, Scene, SearchArea, block_means
 from .transformations import PlaneModel, fit_transformation

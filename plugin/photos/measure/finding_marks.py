@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import islice
 
@@ -34,86 +34,283 @@ DISTINCT_FRAME_SHARE = 0.03  # of the frame: 6 mm on 23 cm, so that an arm's end
 MARK_ROOM = 0.05  # of the frame: around a search area, so that a mark at its edge is seen whole
 
 
-def own_place(photo: Photo, template: CutOut, coarsest: int) -> Place | None:
-    """Column and row of the mark that a template was cut out of; None where it is from another photo.
-
-    The photo is searched reduced by ``coarsest`` at least.
-    """
-    rows, columns = template.pixels.shape
-    step = max(min(rows, columns) // COARSE_TEMPLATE_PX, coarsest)
-    reduced = block_means(template.pixels, step)
-    if min(reduced.shape) < limits.MIN_TEMPLATE_PX or np.ptp(reduced) == 0:
-        return None
-    field = correlate(photo.reduced(step), reduced)
-    best: tuple[float, Place] | None = None
-    for peak in peaks(np.maximum(field, 0), 2, MIN_LOOK, LOOKED_AT):
-        left, top = round(peak.column * step) - step, round(peak.row * step) - step
-        around = photo.grey(PixelWindow(left, top, columns + 2 * step, rows + 2 * step))
-        fine = correlate(around, template.pixels)
-        row, column = peak_pixel(fine)
-        if fine[row, column] >= SAME_PIXELS and (best is None or fine[row, column] > best[0]):
-            best = float(fine[row, column]), (left + column + template.centre[0], top + row + template.centre[1])
-    return None if best is None else best[1]
-
-
 def within(place: Place | None, other: Place | None, reach: float) -> bool:
     """Whether two places are known and within reach (px) of each other."""
     return place is not None and other is not None and math.dist(place, other) <= reach
 
 
-def name_marks(
-    photo: Photo,
-    calibration: CameraCalibration,
-    positions: Mapping[str, GivenPosition],
-    settings: OrientationSettings,
-    template: MarkShape | CutOut,
-    measured: Sequence[tuple[Arrangement, FoundMarks]],
-) -> FoundMarks:
-    """The marks by their own names, and how the photo lies; no results where none lie at the positions.
+@dataclass(frozen=True, eq=False)
+class MarkFinder:
+    """A photo and what is known of its marks; finds all marks of a calibration that have no given place."""
 
-    A given place may be wrong: it counts where it agrees with all others, and is judged with the measured ones later.
-    ``measured`` are the likeliest arrangement and, for a calibration that looks different when it is turned, the others
-    that the photo holds marks for too, each with what was measured by the names of its frame.
-    """
-    found = measured[0][0]
-    results, sites_of_frames = _measured_once([marks.results for _, marks in measured])
-    places = {site: one.place for site, one in results.items() if one.place is not None}
-    named, evidence = [
-        replace(one, sites={mark: sites[site] for mark, site in one.sites.items() if site in sites})
-        for (arrangement, _), sites in zip(measured, sites_of_frames)
-        for one in scan_orientation.labellings(calibration, arrangement)
-    ], OrientationEvidence.MARKS
-    approximate = {name: one for name, one in positions.items() if one.measure}
-    for some in (positions, approximate):
-        near = {name: one.place for name, one in some.items()}
-        at_positions = scan_orientation.matching_positions(named, near, found.scale * settings.search_mm)
-        if at_positions:
-            named, evidence = at_positions, OrientationEvidence.POSITIONS if near else evidence
-            break
-    else:
-        return FoundMarks(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
-    tests: dict[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]] = {
-        OrientationEvidence.DOTS: lambda some: scan_orientation.matching_dots(
-            some, _dot_counts(photo, template, found, places)
-        ),
-        OrientationEvidence.MARKS: lambda some: scan_orientation.matching_count(some, places),
-        OrientationEvidence.DATA_STRIP: lambda some: scan_orientation.matching_data_strip(
-            some, calibration, found, photo.columns, photo.rows
-        ),
-        OrientationEvidence.RESIDUALS: lambda some: scan_orientation.matching_residuals(
-            some, calibration, places, settings.model
-        ),
-    }
-    for kind, matching in tests.items():
-        left = matching(named) if len(named) > 1 else []
-        if left and len(left) < len(named):
-            named, evidence = left, kind
-    notices: tuple[Message, ...] = ()
-    if len(named) > 2 or (len(named) == 2 and evidence is not OrientationEvidence.DATA_STRIP):
-        evidence, notices = OrientationEvidence.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
-    plain = min(named, key=lambda one: (one.orientation.mirrored, one.orientation.turned))
-    by_name = {mark: results[site] for mark, site in plain.sites.items() if site in results}
-    return FoundMarks(by_name, template, plain.orientation, evidence, notices)
+    photo: Photo
+    calibration: CameraCalibration
+    positions: Mapping[str, GivenPosition]
+    settings: OrientationSettings
+    cancelled: Callable[[], bool]
+
+    def found(self) -> FoundMarks:
+        """Look for the marks around the positions where these tell enough, else in the whole photo.
+
+        Raises PhotoError for positions that contradict the calibration or the photo, and for a photo without contrast.
+        """
+        predicted = self._predicted_frame()
+        return self._in_whole_photo() if predicted is None else self._around_positions(*predicted)
+
+    @cached_property
+    def _near(self) -> dict[str, Place]:
+        """Where marks are by the positions."""
+        return {name: one.place for name, one in self.positions.items()}
+
+    def _is_given(self, name: str) -> bool:
+        """Whether a mark has a place that is not measured."""
+        return name in self.positions and not self.positions[name].measure
+
+    # --- where to look ------------------------------------------------------------------------------------------
+
+    def _predicted_frame(self) -> tuple[MarkFrame, float] | None:
+        """All marks by the positions, and pixels per mm: three at least that are not on a line, or all; else None."""
+        names = [name for name in self.calibration.marks if name in self._near]
+        every = list(self.calibration.marks)
+        if len(names) < 3 and len(names) != len(every):
+            return None
+        source = np.array([self.calibration.marks[name] for name in names])
+        target = np.array([self._near[name] for name in names])
+        made = fit_transformation(PlaneModel.SIMILARITY, source, target)
+        scale = float(math.sqrt(abs(np.linalg.det(made.matrix[:2, :2]))))
+        worst = float(np.hypot(*(made(source) - target).T).max()) / scale
+        if worst > 2 * self.settings.search_mm + limits.FILM_DEFORMATION * self.calibration.span:
+            raise PhotoError(messages.POSITIONS_OFF(worst=worst))
+        places = made(np.array([self.calibration.marks[name] for name in every]))
+        places[[every.index(name) for name in names]] = target
+        upright = made.matrix[:2, :2] / scale
+        frame = self.calibration.points @ upright.T
+        return MarkFrame(
+            tuple(every), frame, tuple(_around(place, scale * self.settings.search_mm) for place in places),
+            (SCALE_RANGE[0] * scale, SCALE_RANGE[1] * scale), math.radians(2 * limits.MAX_ROTATION_DEG),
+        ), scale
+
+    def _around_positions(self, frame: MarkFrame, scale: float) -> FoundMarks:
+        """Search the surroundings of the positions, all of them together."""
+        frame = frame.only([k for k, name in enumerate(frame.marks) if not self._is_given(name)])
+        self._check_template(scale)
+        found = self._candidates(window_views(self._search_views(frame)), [frame])
+        found_marks = _best((self._measured(one, scale) for one in found), len(frame.marks))
+        return self._one_by_one(frame, scale) if found_marks is None else found_marks
+
+    def _in_whole_photo(self) -> FoundMarks:
+        """Search the whole photo; what the positions say chooses between ways to lie."""
+        photo = self.photo
+        made = scan_orientation.possible_frames(self.calibration, photo.columns, photo.rows)
+        scale = max(frame.scales[1] for frame in made)
+        self._check_template(scale)
+        image = photo.reduced(self._factor)
+        if np.ptp(image) == 0:
+            raise PhotoError(messages.PHOTO_EMPTY(name=photo.ref.name))
+        found = self._candidates(whole_photo_views(image, self._factor), made)
+        found_marks = _best(map(self._named, found), len(made[0].marks))
+        if found_marks is not None and found_marks.results:
+            return found_marks
+        alone = self._one_by_one(self._single_frame(made[0], scale), scale)
+        return alone if found_marks is None else replace(alone, notices=found_marks.notices)
+
+    def _single_frame(self, frame: MarkFrame, scale: float) -> MarkFrame:
+        """The marks that have a position, around it; the scale is that of marks that fill the photo."""
+        names = [name for name in self._near if not self._is_given(name)]
+        places = np.array([frame.places[frame.marks.index(name)] for name in names]).reshape(-1, 2)
+        areas = tuple(_around(self._near[name], scale * self.settings.search_mm) for name in names)
+        return MarkFrame(tuple(names), places, areas, frame.scales, frame.rotation)
+
+    def _search_views(self, frame: MarkFrame) -> list[PhotoView]:
+        """The areas of a frame with room for a mark around them, reduced where they are large, all of one size."""
+        room = math.ceil(MARK_ROOM * self.calibration.span * frame.scales[1])
+        side = 2 * room + max(math.ceil(max(area.right - area.left, area.bottom - area.top)) for area in frame.areas)
+        step = max(1, math.ceil(side / SEARCH_WINDOW_PX))
+        side = step * math.ceil(side / step)
+        made: dict[int, PhotoView] = {}
+        for k in sorted(range(len(frame.areas)), key=lambda k: frame.areas[k].top):
+            area = frame.areas[k]
+            left, top = math.floor(area.left) - room, math.floor(area.top) - room
+            if not (-side < left < self.photo.columns and -side < top < self.photo.rows):
+                raise PhotoError(messages.POSITION_OUTSIDE(mark=frame.marks[k]))
+            pixels = self.photo.grey(PixelWindow(left, top, side, side))
+            made[k] = PhotoView(block_means(pixels, step) if step > 1 else pixels, left, top, step)
+        return [made[k] for k in range(len(frame.areas))]
+
+    def _check_template(self, scale: float) -> None:
+        template = self.settings.template
+        if template is None:
+            return
+        side, search = max(template.pixels.shape) / scale, 2 * self.settings.search_mm
+        if side > search:
+            raise PhotoError(messages.TEMPLATE_TOO_LARGE(side=side, search=search))
+
+    # --- what is there ------------------------------------------------------------------------------------------
+
+    @cached_property
+    def _own_place(self) -> Place | None:
+        """Of the mark that the user's template was cut out of: None without one, or where it is from another photo.
+
+        It fits there as nothing else does, so it is used there first.
+        """
+        template = self.settings.template
+        if template is None:
+            return None
+        rows, columns = template.pixels.shape
+        step = max(min(rows, columns) // COARSE_TEMPLATE_PX, self._factor)
+        reduced = block_means(template.pixels, step)
+        if min(reduced.shape) < limits.MIN_TEMPLATE_PX or np.ptp(reduced) == 0:
+            return None
+        field = correlate(self.photo.reduced(step), reduced)
+        best: tuple[float, Place] | None = None
+        for peak in peaks(np.maximum(field, 0), 2, MIN_LOOK, LOOKED_AT):
+            left, top = round(peak.column * step) - step, round(peak.row * step) - step
+            around = self.photo.grey(PixelWindow(left, top, columns + 2 * step, rows + 2 * step))
+            fine = correlate(around, template.pixels)
+            row, column = peak_pixel(fine)
+            if fine[row, column] >= SAME_PIXELS and (best is None or fine[row, column] > best[0]):
+                best = float(fine[row, column]), (left + column + template.centre[0], top + row + template.centre[1])
+        return None if best is None else best[1]
+
+    @property
+    def _factor(self) -> int:
+        """By which the photo is reduced to be searched."""
+        return max(1, math.ceil(max(self.photo.columns, self.photo.rows) / SEARCH_SIDE_PX))
+
+    def _candidates(self, scene: Scene, frames: Sequence[MarkFrame]) -> Iterator[Candidate]:
+        """By the user's template or by drawn marks; by these too where the template has found its own mark only."""
+        shapes, sign = self.settings.shapes, self.settings.sign
+        yield from candidates(self.photo, scene, frames, self.settings.template, shapes, sign, self.cancelled)
+        if self._own_place is not None:
+            for one in candidates(self.photo, scene, frames, None, shapes, sign, self.cancelled):
+                if len(one.arrangement.frame.marks) == 1 or self._has_own_mark(one):
+                    yield one
+
+    def _has_own_mark(self, candidate: Candidate) -> bool:
+        found = candidate.arrangement
+        return any(within(self._own_place, place, found.reach + 2) for place in found.predicted(found.frame.places))
+
+    def _named(self, candidate: Candidate) -> FoundMarks:
+        """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
+        measured = [(candidate.arrangement, self._measured(candidate, candidate.arrangement.scale))]
+        for other in candidate.others if measured[0][1].found >= limits.MIN_SUPPORT else ():
+            marks = self._measured(replace(candidate, arrangement=other), other.scale)
+            if marks.found >= limits.MIN_SUPPORT:
+                measured.append((other, marks))
+        return self._with_names(candidate, measured)
+
+    def _with_names(self, candidate: Candidate, measured: Sequence[tuple[Arrangement, FoundMarks]]) -> FoundMarks:
+        """The marks by their own names, and how the photo lies; no results where none lie at the positions.
+
+        A given place may be wrong: it counts where it agrees with all others, and is judged with the measured ones
+        later. ``measured`` are the likeliest arrangement and, for a calibration that looks different when it is turned,
+        the others that the photo holds marks for too, each with what was measured by the names of its frame.
+        """
+        found = measured[0][0]
+        results, sites_of_frames = _measured_once([marks.results for _, marks in measured])
+        places = {site: one.place for site, one in results.items() if one.place is not None}
+        named, evidence = [
+            replace(one, sites={mark: sites[site] for mark, site in one.sites.items() if site in sites})
+            for (arrangement, _), sites in zip(measured, sites_of_frames)
+            for one in scan_orientation.labellings(self.calibration, arrangement)
+        ], OrientationEvidence.MARKS
+        approximate = {name: one for name, one in self.positions.items() if one.measure}
+        for some in (self.positions, approximate):
+            near = {name: one.place for name, one in some.items()}
+            at_positions = scan_orientation.matching_positions(named, near, found.scale * self.settings.search_mm)
+            if at_positions:
+                named, evidence = at_positions, OrientationEvidence.POSITIONS if near else evidence
+                break
+        else:
+            return FoundMarks(notices=(messages.ARRANGEMENT_NOT_AT_POSITIONS(),))
+        tests: dict[OrientationEvidence, Callable[[Sequence[Labelling]], list[Labelling]]] = {
+            OrientationEvidence.DOTS: lambda some: scan_orientation.matching_dots(
+                some, _dot_counts(self.photo, candidate.template, found, places)
+            ),
+            OrientationEvidence.MARKS: lambda some: scan_orientation.matching_count(some, places),
+            OrientationEvidence.DATA_STRIP: lambda some: scan_orientation.matching_data_strip(
+                some, self.calibration, found, self.photo.columns, self.photo.rows
+            ),
+            OrientationEvidence.RESIDUALS: lambda some: scan_orientation.matching_residuals(
+                some, self.calibration, places, self.settings.model
+            ),
+        }
+        for kind, matching in tests.items():
+            left = matching(named) if len(named) > 1 else []
+            if left and len(left) < len(named):
+                named, evidence = left, kind
+        notices: tuple[Message, ...] = ()
+        if len(named) > 2 or (len(named) == 2 and evidence is not OrientationEvidence.DATA_STRIP):
+            evidence, notices = OrientationEvidence.ASSUMED, (messages.SCAN_ORIENTATION_ASSUMED(),)
+        plain = min(named, key=lambda one: (one.orientation.mirrored, one.orientation.turned))
+        by_name = {mark: results[site] for mark, site in plain.sites.items() if site in results}
+        return FoundMarks(by_name, candidate.template, plain.orientation, evidence, notices)
+
+    def _measured(self, candidate: Candidate, scale: float) -> FoundMarks:
+        """Every mark of a frame at full resolution, those that were not among the arrangement's places too."""
+        found = candidate.arrangement
+        sites = found.frame.sites
+        results = {}
+        for name in sorted(sites, key=lambda one: found.places.get(one, (0, 0))[1]):
+            if name in found.places:
+                near, reach = found.places[name], 2 * found.uncertainty + 2
+            else:
+                (near,) = found.predicted(np.array([sites[name]]))
+                reach = found.reach + 2
+            mark, sign = candidate.template, found.sign
+            if isinstance(mark, MarkShape):
+                mark = turned_with_frame(mark, sites[name], found.angle)
+            if self.settings.template is not None and within(self._own_place, near, reach + 2):
+                mark, sign, near, reach = self.settings.template, 1, self._own_place or near, 2.0
+            results[name] = self._measured_at(MeasuringTemplate(mark, sign), mark, near, reach, scale)
+        return FoundMarks(results, candidate.template)
+
+    def _measured_at(
+        self, template: MeasuringTemplate, mark: MarkShape | CutOut, near: Place, reach: float, scale: float
+    ) -> MeasuredMark:
+        around = max(reach, DISTINCT_SHARE * template.size)
+        if not (isinstance(mark, MarkShape) and mark.kind is MarkKind.DOT):  # dots there are in every picture
+            around = max(around, DISTINCT_FRAME_SHARE * self.calibration.span * scale)
+        half = math.ceil(around) + max(template.at((0.0, 0.0)).shape) // 2 + 1
+        try:
+            window = window_around(self.photo, near, half)
+        except PhotoError as error:
+            return MeasuredMark(reason=error.message)
+        found = measure_mark(window, near, reach, template, self.settings.min_correlation, self.settings.surface)
+        if found.place is not None and not self.photo.holds(found.place, template.radius):
+            return MeasuredMark(None, found.correlation, messages.MARK_AT_THE_EDGE())
+        return found
+
+    def _one_by_one(self, frame: MarkFrame, scale: float) -> FoundMarks:
+        """No arrangement was found: every mark on its own, where it has a position."""
+        results: dict[str, MeasuredMark] = {}
+        template: MarkShape | CutOut | None = self.settings.template
+        for k, name in enumerate(frame.marks):
+            single = frame.only([k])
+            found = self._candidates(window_views(self._search_views(single)), [single])
+            tries = islice(found, 1 if template is None else 2)  # with the user's own, then drawn
+            best = _best((self._measured(candidate, scale) for candidate in tries), 1)
+            if best is None:
+                results[name] = MeasuredMark(reason=messages.MARK_NOT_SEEN())
+                continue
+            template = template or best.template
+            results.update(best.results)
+        return FoundMarks(results, template)
+
+
+def _best(searches: Iterable[FoundMarks], marks: int) -> FoundMarks | None:
+    """The first with enough marks to support each other; where none has, the first of all, which says why."""
+    first: FoundMarks | None = None
+    for one in searches:
+        if one.found >= min(limits.MIN_SUPPORT, marks):
+            return one
+        if first is None:
+            first = one
+    return first
+
+
+def _around(place: Place, reach: float) -> SearchArea:
+    return SearchArea(place[0] - reach, place[1] - reach, place[0] + reach, place[1] + reach)
 
 
 def _measured_once(
@@ -144,222 +341,3 @@ def _dot_counts(
         if count:
             counts[site] = count
     return counts
-
-
-def find_marks(
-    photo: Photo,
-    calibration: CameraCalibration,
-    positions: Mapping[str, GivenPosition],
-    settings: OrientationSettings,
-    cancelled: Callable[[], bool],
-) -> FoundMarks:
-    """Look for all marks of a calibration that have no given place.
-
-    Raises PhotoError for positions that contradict the calibration or the photo, and for a photo without contrast.
-    """
-    finder = _Finder(photo, calibration, positions, settings, cancelled)
-    predicted = finder.predicted_frame()
-    return finder.in_whole_photo() if predicted is None else finder.around_positions(*predicted)
-
-
-class _Finder:
-    """A photo and what is known of its marks."""
-
-    def __init__(
-        self,
-        photo: Photo,
-        calibration: CameraCalibration,
-        positions: Mapping[str, GivenPosition],
-        settings: OrientationSettings,
-        cancelled: Callable[[], bool],
-    ) -> None:
-        self._photo, self._calibration, self._settings, self._cancelled = photo, calibration, settings, cancelled
-        self._positions = positions
-        self._given = {name for name, one in positions.items() if not one.measure}
-        self._near = {name: one.place for name, one in positions.items()}
-
-    # --- where to look ------------------------------------------------------------------------------------------
-
-    def predicted_frame(self) -> tuple[MarkFrame, float] | None:
-        """All marks by the positions, and pixels per mm: three at least that are not on a line, or all; else None."""
-        names = [name for name in self._calibration.marks if name in self._near]
-        every = list(self._calibration.marks)
-        if len(names) < 3 and len(names) != len(every):
-            return None
-        source = np.array([self._calibration.marks[name] for name in names])
-        target = np.array([self._near[name] for name in names])
-        made = fit_transformation(PlaneModel.SIMILARITY, source, target)
-        scale = float(math.sqrt(abs(np.linalg.det(made.matrix[:2, :2]))))
-        worst = float(np.hypot(*(made(source) - target).T).max()) / scale
-        if worst > 2 * self._settings.search_mm + limits.FILM_DEFORMATION * self._calibration.span:
-            raise PhotoError(messages.POSITIONS_OFF(worst=worst))
-        places = made(np.array([self._calibration.marks[name] for name in every]))
-        places[[every.index(name) for name in names]] = target
-        upright = made.matrix[:2, :2] / scale
-        frame = self._calibration.points @ upright.T
-        return MarkFrame(
-            tuple(every), frame, tuple(_around(place, scale * self._settings.search_mm) for place in places),
-            (SCALE_RANGE[0] * scale, SCALE_RANGE[1] * scale), math.radians(2 * limits.MAX_ROTATION_DEG),
-        ), scale
-
-    def around_positions(self, frame: MarkFrame, scale: float) -> FoundMarks:
-        """Search the surroundings of the positions, all of them together."""
-        wanted = [k for k, name in enumerate(frame.marks) if name not in self._given]
-        frame = MarkFrame(
-            tuple(frame.marks[k] for k in wanted), frame.places[wanted], tuple(frame.areas[k] for k in wanted),
-            frame.scales, frame.rotation,
-        )
-        self._check_template(scale)
-        found = self._candidates(window_views(self._search_views(frame)), [frame])
-        found_marks = _best((self._measured(one, scale) for one in found), len(frame.marks))
-        return self._one_by_one(frame, scale) if found_marks is None else found_marks
-
-    def in_whole_photo(self) -> FoundMarks:
-        """Search the whole photo; what the positions say chooses between ways to lie."""
-        photo = self._photo
-        made = scan_orientation.possible_frames(self._calibration, photo.columns, photo.rows)
-        scale = max(frame.scales[1] for frame in made)
-        self._check_template(scale)
-        image = photo.reduced(self._factor)
-        if np.ptp(image) == 0:
-            raise PhotoError(messages.PHOTO_EMPTY(name=photo.ref.name))
-        found = self._candidates(whole_photo_views(image, self._factor), made)
-        found_marks = _best(map(self._named, found), len(made[0].marks))
-        if found_marks is not None and found_marks.results:
-            return found_marks
-        alone = self._one_by_one(self._single_frame(made[0], scale), scale)
-        return alone if found_marks is None else replace(alone, notices=found_marks.notices)
-
-    def _single_frame(self, frame: MarkFrame, scale: float) -> MarkFrame:
-        """The marks that have a position, around it; the scale is that of marks that fill the photo."""
-        names = [name for name in self._near if name not in self._given]
-        places = np.array([frame.places[frame.marks.index(name)] for name in names]).reshape(-1, 2)
-        areas = tuple(_around(self._near[name], scale * self._settings.search_mm) for name in names)
-        return MarkFrame(tuple(names), places, areas, frame.scales, frame.rotation)
-
-    def _search_views(self, frame: MarkFrame) -> list[PhotoView]:
-        """The areas of a frame with room for a mark around them, reduced where they are large, all of one size."""
-        room = math.ceil(MARK_ROOM * self._calibration.span * frame.scales[1])
-        side = 2 * room + max(math.ceil(max(area.right - area.left, area.bottom - area.top)) for area in frame.areas)
-        step = max(1, math.ceil(side / SEARCH_WINDOW_PX))
-        side = step * math.ceil(side / step)
-        made: dict[int, PhotoView] = {}
-        for k in sorted(range(len(frame.areas)), key=lambda k: frame.areas[k].top):
-            area = frame.areas[k]
-            left, top = math.floor(area.left) - room, math.floor(area.top) - room
-            if not (-side < left < self._photo.columns and -side < top < self._photo.rows):
-                raise PhotoError(messages.POSITION_OUTSIDE(mark=frame.marks[k]))
-            pixels = self._photo.grey(PixelWindow(left, top, side, side))
-            made[k] = PhotoView(block_means(pixels, step) if step > 1 else pixels, left, top, step)
-        return [made[k] for k in range(len(frame.areas))]
-
-    def _check_template(self, scale: float) -> None:
-        template = self._settings.template
-        if template is None:
-            return
-        side, search = max(template.pixels.shape) / scale, 2 * self._settings.search_mm
-        if side > search:
-            raise PhotoError(messages.TEMPLATE_TOO_LARGE(side=side, search=search))
-
-    # --- what is there ------------------------------------------------------------------------------------------
-
-    @cached_property
-    def _own_place(self) -> Place | None:
-        """Of the mark that the user's template was cut out of, where that is in this photo."""
-        template = self._settings.template
-        return None if template is None else own_place(self._photo, template, self._factor)
-
-    @property
-    def _factor(self) -> int:
-        """By which the photo is reduced to be searched."""
-        return max(1, math.ceil(max(self._photo.columns, self._photo.rows) / SEARCH_SIDE_PX))
-
-    def _candidates(self, scene: Scene, frames: Sequence[MarkFrame]) -> Iterator[Candidate]:
-        """By the user's template or by drawn marks; by these too where the template has found its own mark only."""
-        shapes, sign = self._settings.shapes, self._settings.sign
-        yield from candidates(self._photo, scene, frames, self._settings.template, shapes, sign, self._cancelled)
-        if self._own_place is not None:
-            for one in candidates(self._photo, scene, frames, None, shapes, sign, self._cancelled):
-                if len(one.arrangement.frame.marks) == 1 or self._has_own_mark(one):
-                    yield one
-
-    def _has_own_mark(self, candidate: Candidate) -> bool:
-        found = candidate.arrangement
-        return any(within(self._own_place, place, found.reach + 2) for place in found.predicted(found.frame.places))
-
-    def _named(self, candidate: Candidate) -> FoundMarks:
-        """Measure the places of an arrangement and find out which mark is where; no results where that can't be."""
-        measured = [(candidate.arrangement, self._measured(candidate, candidate.arrangement.scale))]
-        for other in candidate.others if measured[0][1].found >= limits.MIN_SUPPORT else ():
-            marks = self._measured(replace(candidate, arrangement=other), other.scale)
-            if marks.found >= limits.MIN_SUPPORT:
-                measured.append((other, marks))
-        return name_marks(
-            self._photo, self._calibration, self._positions, self._settings, candidate.template, measured
-        )
-
-    def _measured(self, candidate: Candidate, scale: float) -> FoundMarks:
-        """Every mark of a frame at full resolution, those that were not among the arrangement's places too."""
-        found = candidate.arrangement
-        sites = found.frame.sites
-        results = {}
-        for name in sorted(sites, key=lambda one: found.places.get(one, (0, 0))[1]):
-            if name in found.places:
-                near, reach = found.places[name], 2 * found.uncertainty + 2
-            else:
-                (near,) = found.predicted(np.array([sites[name]]))
-                reach = found.reach + 2
-            mark, sign = candidate.template, found.sign
-            if isinstance(mark, MarkShape):
-                mark = turned_with_frame(mark, sites[name], found.angle)
-            if self._settings.template is not None and within(self._own_place, near, reach + 2):
-                mark, sign, near, reach = self._settings.template, 1, self._own_place or near, 2.0
-            results[name] = self._measured_at(MeasuringTemplate(mark, sign), mark, near, reach, scale)
-        return FoundMarks(results, candidate.template)
-
-    def _measured_at(
-        self, template: MeasuringTemplate, mark: MarkShape | CutOut, near: Place, reach: float, scale: float
-    ) -> MeasuredMark:
-        around = max(reach, DISTINCT_SHARE * template.size)
-        if not (isinstance(mark, MarkShape) and mark.kind is MarkKind.DOT):  # dots there are in every picture
-            around = max(around, DISTINCT_FRAME_SHARE * self._calibration.span * scale)
-        half = math.ceil(around) + max(template.at((0.0, 0.0)).shape) // 2 + 1
-        try:
-            window = window_around(self._photo, near, half)
-        except PhotoError as error:
-            return MeasuredMark(reason=error.message)
-        found = measure_mark(window, near, reach, template, self._settings.min_correlation, self._settings.surface)
-        if found.place is not None and not self._photo.holds(found.place, template.radius):
-            return MeasuredMark(None, found.correlation, messages.MARK_AT_THE_EDGE())
-        return found
-
-    def _one_by_one(self, frame: MarkFrame, scale: float) -> FoundMarks:
-        """No arrangement was found: every mark on its own, where it has a position."""
-        results: dict[str, MeasuredMark] = {}
-        template: MarkShape | CutOut | None = self._settings.template
-        for k, name in enumerate(frame.marks):
-            single = MarkFrame((name,), frame.places[k : k + 1], (frame.areas[k],), frame.scales, frame.rotation)
-            found = self._candidates(window_views(self._search_views(single)), [single])
-            tries = islice(found, 1 if template is None else 2)  # with the user's own, then drawn
-            best = _best((self._measured(candidate, scale) for candidate in tries), 1)
-            if best is None:
-                results[name] = MeasuredMark(reason=messages.MARK_NOT_SEEN())
-                continue
-            template = template or best.template
-            results.update(best.results)
-        return FoundMarks(results, template)
-
-
-def _best(searches: Iterable[FoundMarks], marks: int) -> FoundMarks | None:
-    """The first with enough marks to support each other; where none has, the first of all, which says why."""
-    first: FoundMarks | None = None
-    for one in searches:
-        if one.found >= min(limits.MIN_SUPPORT, marks):
-            return one
-        if first is None:
-            first = one
-    return first
-
-
-def _around(place: Place, reach: float) -> SearchArea:
-    return SearchArea(place[0] - reach, place[1] - reach, place[0] + reach, place[1] + reach)

@@ -11,7 +11,7 @@ import numpy as np
 from ...imagery.errors import Message, PhotoError
 from . import limits, messages, scan_orientation
 from .camera_calibration import CameraCalibration, check_calibration
-from .finding_marks import find_marks, within
+from .finding_marks import MarkFinder, within
 from .mark_templates import CutOut, MarkKind, MarkShape
 from .measuring_marks import MeasuredMark, window_around
 from .orientation import (
@@ -169,7 +169,7 @@ def orient_photo(
     given = {name: one.place for name, one in positions.items() if not one.measure}
     found = FoundMarks(template=settings.template)
     if set(given) != set(calibration.marks):
-        found = find_marks(photo, calibration, positions, settings, cancelled)
+        found = MarkFinder(photo, calibration, positions, settings, cancelled).found()
     marks = _without_doubles([_mark(name, place, given, found) for name, place in calibration.marks.items()])
     marks = fail_misplaced_marks(marks)
     marks = _supported(marks, positions, found.template)
@@ -190,9 +190,7 @@ def orient_photo(
     return PhotoOrientation(tuple(marks), fitted, way, evidence, found.template, notices, views, expected)
 
 
-def _check_positions(
-    photo: Photo, calibration: CameraCalibration, positions: Mapping[str, GivenPosition]
-) -> None:
+def _check_positions(photo: Photo, calibration: CameraCalibration, positions: Mapping[str, GivenPosition]) -> None:
     unknown = [name for name in positions if name not in calibration.marks]
     if unknown:
         raise PhotoError(messages.POSITION_UNKNOWN(mark=unknown[0], marks=", ".join(calibration.marks)))

@@ -195,9 +195,7 @@ def _micmac_interior(content: bytes, path: Path) -> tuple[FrameInterior, np.ndar
     if math.isnan(size.sum()) or len(size) != 2 or len(principal) != 2:
         raise ValueError
     return (
-        FrameInterior(
-            np.repeat(focal[:1], 2), principal, radial, np.zeros(2), principal if centre is None else centre
-        ),
+        FrameInterior(np.repeat(focal[:1], 2), principal, radial, np.zeros(2), principal if centre is None else centre),
         size,
     )
 

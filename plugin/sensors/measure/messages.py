@@ -10,9 +10,7 @@ NO_POINTS_FILE = Message(
     "{name} is no points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose "
     "one, or a point layer with the fields column and row."
 )
-NO_POINTS_IN_IMAGE = Message(
-    "{name} holds no ground control points itself; choose a layer or a file of points."
-)
+NO_POINTS_IN_IMAGE = Message("{name} holds no ground control points itself; choose a layer or a file of points.")
 IMAGE_POINTS_BROKEN = Message("A ground control point inside {name} is no number; choose a layer or a file of points.")
 POINTS_OF_OTHER_IMAGES = Message(
     "The points are of the images {names}; choose one of them, since a file that names images is read for one."
@@ -157,9 +155,7 @@ RPC_FITTED = Message(
     "and heights of {low:.0f} to {high:.0f} m.", INFO
 )
 RPC_EXACT = Message("The RPC is the model itself.", INFO)
-RPC_IMAGE_WITHOUT_IMAGE = Message(
-    "No image with the RPC is written: there is no image to copy; choose it.", WARNING
-)
+RPC_IMAGE_WITHOUT_IMAGE = Message("No image with the RPC is written: there is no image to copy; choose it.", WARNING)
 RPC_OF_WHOLE_SCENE = Message(
     "The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} "
     "on.", INFO
@@ -206,9 +202,7 @@ IMAGE_NOT_ORIENTED = Message(
 ORIENTATION_INCOMPLETE = Message(
     "An interior and an exterior orientation are needed together; give the one that is missing."
 )
-ORIENTATION_AND_MODEL = Message(
-    "Orientations of a frame camera and a model or RPC file are given; choose one of them."
-)
+ORIENTATION_AND_MODEL = Message("Orientations of a frame camera and a model or RPC file are given; choose one of them.")
 EXTERIOR_WITHOUT_SYSTEM = Message(
     "{name} names no coordinate reference system and the image has none; set that of the exterior orientation."
 )
@@ -232,8 +226,7 @@ HEIGHTS_ASSUMED = Message(
     "differ by up to 100 m: choose egm96 or egm2008 if they are such.", WARNING
 )
 HEIGHTS_CONVERTED = Message(
-    "The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are "
-    "added.", INFO
+    "The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.", INFO
 )
 ANOTHER_GRID_IS_THERE = Message(
     "PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few "
@@ -298,9 +291,7 @@ PLAN_IMAGE_WITHOUT_RPC = Message(
 PLAN_TOLD = Message(
     "With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.", INFO
 )
-PLAN_DRAWS_FAILED = Message(
-    "With {count} control points {failed} draws failed and count as the worst: {why}", WARNING
-)
+PLAN_DRAWS_FAILED = Message("With {count} control points {failed} draws failed and count as the worst: {why}", WARNING)
 # the recommendation
 RECOMMEND_PUSHBROOM = Message(
     "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few "
@@ -327,6 +318,5 @@ RECOMMEND_POLYNOMIAL_2D = Message(
     "a plane model, which serves for small areas only.", INFO
 )
 NOTHING_TO_RECOMMEND = Message(
-    "No model could be fitted and judged; the table says why for each, so measure more points or correct "
-    "them.", INFO
+    "No model could be fitted and judged; the table says why for each, so measure more points or correct them.", INFO
 )

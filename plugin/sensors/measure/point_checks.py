@@ -167,5 +167,3 @@ def coverage_warnings(coverage: ControlCoverage) -> list[Message]:
     if coverage.extrapolated > MAX_EXTRAPOLATED:
         return [messages.CONTROL_IN_A_CORNER(share=coverage.extrapolated)]
     return []
-
-

@@ -21,6 +21,7 @@ EXPONENTS_3D = (
 )  # fmt: skip
 """Powers of x (longitude), y (latitude), z (height): 4, 10 and 20 terms make orders 1, 2 and 3."""
 
+
 def terms_3d(scaled: np.ndarray, order: int) -> np.ndarray:
     """(n, 3) -> (n, 4 | 10 | 20), the constant first."""
     return _terms(scaled, [powers for powers in EXPONENTS_3D if sum(powers) <= order])
@@ -303,4 +304,3 @@ def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray
     (backward, to_ground_fit), (forward, to_image_fit) = fits
     rounding = 1e-9 * float(np.max(scale_i.scale)) * float(weights.max())
     return to_ground_fit if backward + rounding < forward else to_image_fit
-

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .polynomials import Rational
     from .sensor_model import FittedModel, SensorModel
 
+
 @dataclass(frozen=True)
 class Variant:
     """One form of a model: an order, a term or a correction."""
