@@ -5,7 +5,7 @@ from __future__ import annotations
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from .noise.desk.noise_panel import NoisePanel
-from .seams.desk.charts.curves_and_profile import CurvesAndProfile
+from .seams.desk.charts.profile_panel import CurvesAndProfile
 from .seams.desk.images.images_panel import ImagesPanel
 from .toolkit.desk.tabs import DeskTab
 

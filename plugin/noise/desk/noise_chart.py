@@ -8,8 +8,7 @@ from typing import NamedTuple
 from qgis.PyQt.QtWidgets import QWidget
 
 from ...toolkit.charts.chart_style import ChartStyle
-from ...toolkit.charts.figure_painter import ROOMY_LINES, Room, draw_figure, fit_figure, set_font
-from ...toolkit.desk.painted_chart import PaintedChart
+from ...toolkit.desk.painted_chart import ROOMY_LINES, PaintedChart, Room, draw_figure, fit_figure, set_font
 from ...toolkit.translation import band_title
 from ..charts import draw_noise_clip
 from ..measure.band_noise import BandNoise
@@ -55,7 +54,7 @@ class NoiseChart(PaintedChart):
     def _request(self) -> NoiseDrawing | None:
         if self._style is None:
             return None
-        return NoiseDrawing(self._bands, self._style, self._room(""), self._group)
+        return NoiseDrawing(self._bands, self._style, self._room(), self._group)
 
 
 def figure(request: NoiseDrawing) -> Figure:

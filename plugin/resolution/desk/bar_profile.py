@@ -8,8 +8,7 @@ from functools import partial
 from qgis.PyQt.QtWidgets import QWidget
 
 from ...toolkit.charts.chart_style import ChartStyle
-from ...toolkit.charts.figure_painter import Room, draw_figure, fit_figure, set_font
-from ...toolkit.desk.painted_chart import PaintedChart
+from ...toolkit.desk.painted_chart import PaintedChart, Room, draw_figure, fit_figure, set_font
 from ...toolkit.desk.theme import chart_style
 from ...toolkit.translation import tr
 from ..charts import BAND_COLOURS, draw_profiles
@@ -53,7 +52,7 @@ class BarProfile(PaintedChart):
         self._ask()
 
     def _request(self) -> ProfileDrawing:
-        return ProfileDrawing(self._number, self._readings, self._criterion, chart_style(self), self._room(""))
+        return ProfileDrawing(self._number, self._readings, self._criterion, chart_style(self), self._room())
 
 
 def figure(request: ProfileDrawing) -> Figure:

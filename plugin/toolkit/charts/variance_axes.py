@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import Locator, MaxNLocator, NullLocator
 
@@ -17,7 +16,7 @@ def draw_frame(axes: Axes, levels: int, style: ChartStyle, logarithmic: bool) ->
     axes.yaxis.set_major_locator(_ShareLocator() if logarithmic else MaxNLocator(6, min_n_ticks=3))
     axes.yaxis.set_minor_locator(NullLocator())
     axes.yaxis.set_major_formatter(_plain)
-    axes.set_xticks(np.arange(levels + 1), level_labels(levels))
+    axes.set_xticks(range(levels + 1), [*map(str, range(1, levels + 1)), tr("background")])
     axes.set_xlim(-0.4, max(levels, 1) + 0.4)
     axes.set_xlabel(tr("level"), color=style.text, loc="right")  # a long word in a narrow chart is not cut off there
     axes.set_ylabel(tr("relative variance"), color=style.text)
@@ -27,11 +26,6 @@ def draw_frame(axes: Axes, levels: int, style: ChartStyle, logarithmic: bool) ->
     axes.grid(True, which="major", color=style.grid, linewidth=0.8)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["bottom", "left"]].set_color(style.text)
-
-
-def level_labels(levels: int, in_two_rows: bool = False) -> list[str]:
-    """What stands below the components; the long word in a row of its own where it would not fit."""
-    return [*(str(level) for level in range(1, levels + 1)), "\n" * in_two_rows + tr("background")]
 
 
 class _ShareLocator(Locator):

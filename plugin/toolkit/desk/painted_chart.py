@@ -1,15 +1,81 @@
-"""A chart that a thread draws. Imports matplotlib: load it only when a chart is to be seen."""
+"""A chart of matplotlib in a widget, in its font. matplotlib takes 20 to 150 ms for one, so a thread draws it.
+
+Imports matplotlib: load it only when a chart is to be seen.
+"""
 from __future__ import annotations
 
 from concurrent.futures import Future, ThreadPoolExecutor
-from typing import Any, Callable
+from typing import Any, Callable, NamedTuple
 
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties, fontManager
 from qgis.PyQt.QtCore import QPointF, QSize, QTimer
 from qgis.PyQt.QtGui import QFontInfo, QImage, QPainter, QPaintEvent, QPalette
 from qgis.PyQt.QtWidgets import QSizePolicy, QWidget
 
-from ..charts.figure_painter import Room
+from ..background_tasks import interface_first
+from ..charts.figure_files import set_local_ticks
 from .theme import readable_palette
+
+ROOMY_LINES = 12  # a lower chart does without the axes' titles
+_FALLBACK_FAMILY = "DejaVu Sans"  # matplotlib brings it along
+
+
+class Room(NamedTuple):
+    """What a chart has to fit into, in the interface's pixels."""
+
+    width: int
+    height: int
+    ratio: float
+    """Pixels of the screen on one of the interface."""
+    family: str
+    font: int
+    """Height of the font."""
+    line: int
+
+
+class FigurePicture(NamedTuple):
+    """A whole figure that was drawn."""
+
+    request: Any
+    pixels: bytes
+    """RGBA, row by row."""
+    width: int
+    height: int
+
+
+def draw_figure(figure: Callable[[Any], Figure], request: Any) -> FigurePicture:
+    """What ``figure`` makes of a request, as pixels. Has no part in Qt."""
+    with interface_first():
+        made = figure(request)
+        set_local_ticks(made)
+        canvas = FigureCanvasAgg(made)
+        canvas.draw()
+        pixels = np.asarray(canvas.buffer_rgba())
+        return FigurePicture(request, pixels.tobytes(), pixels.shape[1], pixels.shape[0])
+
+
+def fit_figure(figure: Figure, room: Room) -> None:
+    """As many pixels as there is room for; points grow with the screen's."""
+    dpi = 100 * room.ratio
+    figure.set_dpi(dpi)
+    figure.set_size_inches(room.width * room.ratio / dpi, room.height * room.ratio / dpi)
+
+
+def set_font(axes: Any, room: Room) -> FontProperties:
+    """The interface's font for the words around axes."""
+    known = {font.name for font in fontManager.ttflist}
+    family = room.family if room.family in known else _FALLBACK_FAMILY
+    size = round(room.font * 0.72, 2)  # points of 1/72 inch, at 100 pixels per inch
+    font = FontProperties(family=family, size=size)
+    labels = [*axes.get_xticklabels(), *axes.get_yticklabels()]  # later ones are made from these
+    for text in (*labels, axes.xaxis.label, axes.yaxis.label):
+        text.set_fontproperties(font)
+    axes.tick_params(labelsize=size)
+    return font
+
 
 _LOOK_MS = 5  # a drawing under way is asked this often whether it is done
 _DIMMED = 0.35  # how much is left of a chart that is disabled
@@ -48,19 +114,11 @@ class PaintedChart(QWidget):
         """What is to be seen now; None for nothing."""
         raise NotImplementedError
 
-    def _room(self, longest_word: str) -> Room:
+    def _room(self) -> Room:
         """What the chart has to fit into."""
-        info, metrics = QFontInfo(self.font()), self.fontMetrics()
-        return Room(
-            self.width(),
-            self.height(),
-            self.devicePixelRatioF(),
-            info.family(),
-            info.pixelSize(),
-            metrics.height(),
-            metrics.horizontalAdvance("0"),
-            metrics.horizontalAdvance(longest_word),
-        )
+        info, ratio = QFontInfo(self.font()), self.devicePixelRatioF()
+        height = self.fontMetrics().height()
+        return Room(self.width(), self.height(), ratio, info.family(), info.pixelSize(), height)
 
     def _ask(self) -> None:
         """Have what is to be seen now drawn, unless it is or the thread is at work still."""

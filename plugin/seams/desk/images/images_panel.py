@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 
 GAP = 4
 """Between views, px."""
+_SIDE_BY_SIDE = "SeamInspector/images_side_by_side"
 
 
 class PictureFlow(QWidget):
@@ -82,9 +83,6 @@ class PictureFlow(QWidget):
         self.arrange()
 
 
-_SIDE_BY_SIDE = "SeamInspector/images_side_by_side"
-
-
 class ImagesBar(QWidget):
     """The stretch is the project's, side by side or not is the operator's own habit."""
 
@@ -105,12 +103,18 @@ class ImagesBar(QWidget):
         self._zoom.setToolTip(tr("Screen pixels per image pixel"))
         self._zoom.setMinimumWidth(self.fontMetrics().horizontalAdvance("0.00x"))
         self._zoom.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        zoom_out = self._button(_theme_icon("ZoomOut"), tr("Zoom all pictures out (wheel, -)"), self._zoom_out)
-        zoom_in = self._button(_theme_icon("ZoomIn"), tr("Zoom all pictures in (wheel, +)"), self._zoom_in)
-        self._zoom_to_all = self._button(_theme_icon("ZoomFullExtent"), tr("Show the whole picture"), self._show_all)
+        zoom_out = self._button(
+            _theme_icon("ZoomOut"), tr("Zoom all pictures out (wheel, -)"), lambda: viewport.zoom_by(-1)
+        )
+        zoom_in = self._button(
+            _theme_icon("ZoomIn"), tr("Zoom all pictures in (wheel, +)"), lambda: viewport.zoom_by(1)
+        )
+        self._zoom_to_all = self._button(
+            _theme_icon("ZoomFullExtent"), tr("Show the whole picture"), lambda: viewport.set_zoom(None)
+        )
         self.zoom_to_best = self._button(
             QIcon(), tr("Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen"),
-            self._reset,
+            lambda: viewport.set_zoom(BEST_ZOOM),
         )
         self.zoom_to_best.setText("2x")
         for button in (self._zoom_to_all, self.zoom_to_best):
@@ -166,18 +170,6 @@ class ImagesBar(QWidget):
         button.setIcon(icon)
         button.clicked.connect(slot)
         return button
-
-    def _zoom_in(self) -> None:
-        self._viewport.zoom_by(1)
-
-    def _zoom_out(self) -> None:
-        self._viewport.zoom_by(-1)
-
-    def _show_all(self) -> None:
-        self._viewport.set_zoom(None)
-
-    def _reset(self) -> None:
-        self._viewport.set_zoom(BEST_ZOOM)
 
 
 def _theme_icon(name: str) -> QIcon:

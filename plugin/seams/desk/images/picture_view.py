@@ -1,7 +1,7 @@
 """One raster's picture with its name above it. All views share a viewport, so they move as one."""
 from __future__ import annotations
 
-from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, QSize, QSizeF, Qt, pyqtSignal
 from qgis.PyQt.QtGui import (
     QColor,
     QFocusEvent,
@@ -59,29 +59,18 @@ class LossImage:
         self, painter: QPainter, corner: QPointF, viewport: Viewport, ratio: float, inside: PixelWindow | None
     ) -> None:
         """Over a picture whose corner on the widget is given; ``inside``: the window in it, None: all of it."""
-        window = inside or PixelWindow(0, 0, *viewport.window)
-        scale, (left, top) = viewport.scale, viewport.origin()
-        x, y = left + window.column * scale, top + window.row * scale
-        cell = self.loss.cell_px * scale
+        box, cell = viewport.box(inside), self.loss.cell_px * viewport.scale
         painter.save()
         painter.translate(corner)
         painter.scale(1 / ratio, 1 / ratio)
-        painter.setClipRect(QRectF(x, y, window.width * scale, window.height * scale) & QRectF(0, 0, *viewport.screen))
+        painter.setClipRect(box & QRectF(0, 0, *viewport.screen))
         painter.setOpacity(LOSS_OPACITY)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)  # as on the map
-        painter.drawImage(QRectF(x, y, cell * self._image.width(), cell * self._image.height()), self._image)
+        painter.drawImage(QRectF(box.topLeft(), cell * QSizeF(self._image.size())), self._image)
         painter.restore()
 
 
 _ARMS = ((1, 0), (-1, 0), (0, 1), (0, -1))
-
-
-def paint_outline(painter: QPainter, box: QRectF) -> None:
-    """Light within dark, outside of the box itself."""
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    for margin, colour in ((1.5, QColor(0, 0, 0, 170)), (0.5, QColor(255, 255, 255, 230))):
-        painter.setPen(QPen(colour, 1))
-        painter.drawRect(box.adjusted(-margin, -margin, margin, margin))
 
 
 def paint_cross(painter: QPainter, rect: QRect) -> None:
@@ -322,12 +311,13 @@ class PictureView(QWidget):
         painter.restore()
 
     def _paint_outline(self, painter: QPainter, inside: PixelWindow) -> None:
-        """Of the window within the ground around it, outside of its pixels."""
-        scale, ratio, (left, top) = self._viewport.scale, self.devicePixelRatioF(), self._viewport.origin()
-        x, y = left + inside.column * scale, top + inside.row * scale
-        box = QRectF(x / ratio, y / ratio, inside.width * scale / ratio, inside.height * scale / ratio)
-        box.translate(QPointF(self.image_rect().topLeft()))
-        paint_outline(painter, box)
+        """Of the window within the ground around it, outside of its pixels: light within dark."""
+        ratio, corner, part = self.devicePixelRatioF(), QPointF(self.image_rect().topLeft()), self._viewport.box(inside)
+        box = QRectF(corner + part.topLeft() / ratio, part.size() / ratio)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        for margin, colour in ((1.5, QColor(0, 0, 0, 170)), (0.5, QColor(255, 255, 255, 230))):
+            painter.setPen(QPen(colour, 1))
+            painter.drawRect(box.adjusted(-margin, -margin, margin, margin))
 
     # The linked cursor
 

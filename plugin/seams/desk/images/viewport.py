@@ -3,8 +3,9 @@ from __future__ import annotations
 
 import math
 
-from qgis.PyQt.QtCore import QObject, pyqtSignal
+from qgis.PyQt.QtCore import QObject, QRectF, pyqtSignal
 
+from ....imagery.grids import PixelWindow
 from ...measure.limits import JUDGED_MAGNIFICATION
 
 BEST_ZOOM = JUDGED_MAGNIFICATION
@@ -49,6 +50,11 @@ class Viewport(QObject):
         """Window pixels of a place in a view."""
         left, top = self.origin()
         return (x - left) / self.scale, (y - top) / self.scale
+
+    def box(self, window: PixelWindow | None) -> QRectF:
+        """Where a part of the pictures is in a view, screen pixels; None: all of them."""
+        part, scale, (left, top) = window or PixelWindow(0, 0, *self.window), self.scale, self.origin()
+        return QRectF(left + part.column * scale, top + part.row * scale, part.width * scale, part.height * scale)
 
     def pan(self, dx: float, dy: float) -> None:
         """Move the pictures by screen pixels."""

@@ -1,11 +1,12 @@
 """The pictures of windows: read in the background when they are asked for, some of them kept."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ....toolkit.background_tasks import BackgroundTasks, End, Outcome
+from ....toolkit.background_tasks import BackgroundTasks, End, Job, Outcome
 from ....toolkit.picture_stretch import GreyRanges, Stretch
 from ....toolkit.translation import tr
 from ... import jobs
@@ -42,14 +43,12 @@ class WindowPictures(QObject):
         if row is None:
             return None
         self._wanted = key = self._key(row)
-        request = None if key in self._kept else self._request(row)
-        if request is not None:
-            self._background.cancel_others({key})
-            if not self._background.is_under_way(key):
-                look = self._look()
-                job = jobs.pictures_job(PictureRequest(request, look[0], self._ranges.get(look, {})))
-                self._background.start(tr("Read pictures"), job, partial(self._take, key, look), key)
-        return self._found(key)
+        look = self._look()
+
+        def job(request: WindowRequest) -> Job:
+            return jobs.pictures_job(PictureRequest(request, look[0], self._ranges.get(look, {})))
+
+        return self._kept_or_asked(row, key, tr("Read pictures"), job, partial(self._take, key, look))
 
     def composite(self, fid: int) -> tuple[ClipPicture, ...] | None:
         """The hard-cut composite of a window whose pictures are there; None while it is being made, empty where the
@@ -59,13 +58,24 @@ class WindowPictures(QObject):
         if row is None or shown is None or not shown.pictures:
             return None
         key = COMPOSITE, self._key(row)
-        request = None if key in self._kept else self._request(row)
-        if request is not None:
+        job = partial(jobs.composite_picture_job, shown=shown)
+        return self._kept_or_asked(row, key, tr("Cut the composite"), job, partial(self._take_composite, key))
+
+    def _kept_or_asked(
+        self, row: WindowRecord, key: object, title: str, job: Callable[[WindowRequest], Job],
+        take: Callable[[object], None],
+    ) -> tuple[ClipPicture, ...] | None:
+        """The pictures known by a key, else None, and they are being made."""
+        block, layer = self._block.silent(), self._watch.layer
+        if key not in self._kept and block is not None and layer is not None:
             self._background.cancel_others({key})
             if not self._background.is_under_way(key):
-                job = jobs.composite_picture_job(request, shown)
-                self._background.start(tr("Cut the composite"), job, partial(self._take_composite, key), key)
-        return self._found(key)
+                request = next(self._block.requests(block, layer, [row]))
+                self._background.start(title, job(request), take, key)
+        if key not in self._kept:
+            return None
+        self._kept[key] = self._kept.pop(key)  # the last one to go
+        return self._kept[key].pictures
 
     def forget(self) -> None:
         """They are of another layer."""
@@ -73,16 +83,6 @@ class WindowPictures(QObject):
         self._ranges.clear()
         self._wanted = None
         self._background.cancel_others(set())
-
-    def _request(self, row: WindowRecord) -> WindowRequest | None:
-        block, layer = self._block.silent(), self._watch.layer
-        return None if block is None or layer is None else next(self._block.requests(block, layer, [row]))
-
-    def _found(self, key: object) -> tuple[ClipPicture, ...] | None:
-        if key not in self._kept:
-            return None
-        self._kept[key] = self._kept.pop(key)  # the last one to go
-        return self._kept[key].pictures
 
     def _take(self, key: object, look: _Look, made: object) -> None:
         assert isinstance(made, WindowPictureSet)
