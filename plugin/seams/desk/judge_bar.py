@@ -32,8 +32,6 @@ from .judging import Judging, JudgingProgress
 from .windows.window_columns import verdict_chip, window_tip, windows_sentence
 
 if TYPE_CHECKING:
-    from .session import Session
-if TYPE_CHECKING:
     from ..measure.window.window_result import WindowResult
     from ..measure.window_records import WindowRecord
     from .session import Session

@@ -19,8 +19,6 @@ from .windows.filter_boxes import WindowOrder, order_named
 
 if TYPE_CHECKING:
     from ..measure.window_records import WindowRecord
-if TYPE_CHECKING:
-    from ..measure.window_records import WindowRecord
     from .session import Session
 
 _KEY = "judging"

@@ -33,10 +33,7 @@ from .mosaic_scans import worst_layer
 from .windows.windows_panel import WindowsPanel
 
 if TYPE_CHECKING:
-    from .session import Session
-if TYPE_CHECKING:
     from ..measure.window_records import WindowRecord
-if TYPE_CHECKING:
     from .session import Session
 
 _NUMBER = "window_id"  # the one column that tells nothing

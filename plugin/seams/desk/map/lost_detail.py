@@ -21,17 +21,12 @@ from ...words import LOSS_OPACITY, loss_legend, loss_rgba
 from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 if TYPE_CHECKING:
-    from ..charts.profile_panel import ProfilePanel
-    from ..session import Session
-if TYPE_CHECKING:
-    from ...measure.window.window_result import WindowResult
-    from ...measure.window_records import WindowRecord
-    from ..session import Session
-if TYPE_CHECKING:
     import numpy as np
 
     from ...measure.profile.seam_profile import ProfileBin
     from ...measure.window.window_result import WindowResult
+    from ...measure.window_records import WindowRecord
+    from ..charts.profile_panel import ProfilePanel
     from ..session import Session
 
 class LostDetail(QObject):

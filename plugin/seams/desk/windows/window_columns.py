@@ -20,11 +20,6 @@ from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdic
 if TYPE_CHECKING:
     from ...measure.window.window_result import WindowResult
     from ...measure.window_records import WindowRecord
-if TYPE_CHECKING:
-    from ...measure.window.window_result import WindowResult
-    from ...measure.window_records import WindowRecord
-if TYPE_CHECKING:
-    from ...measure.window_records import WindowRecord
 
 _CHIP_SIDES = (12, 16, 20, 24, 32, 48)  # px; an icon takes the next larger one and scales it down
 

@@ -1,9 +1,9 @@
-"""The windows as a sorted table, kept in step with the session row by row."""
+"""The windows as a sorted table, those left out that nobody wants to see, kept in step with the session row by row."""
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from itertools import compress, groupby
-from operator import is_not, itemgetter
+from itertools import groupby
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 from qgis.PyQt.QtCore import QAbstractTableModel, QModelIndex, QObject, Qt
@@ -41,89 +41,73 @@ class WindowsModel(QAbstractTableModel):
         """None in an order that is no column's."""
         self._key: Callable[[WindowRecord], Any] = WINDOW_ID.key
         self.sort_order = _ASCENDING
-        self._rows: list[WindowRecord] = []
-        self._taken: Sequence[WindowRecord] = ()  # the windows as they were given, in their own order
-        self._stale = 0
-        self._places: dict[int, int] = {}
+        self._tests: Sequence[Callable[[WindowRecord], bool]] = ()
+        self._taken: Sequence[WindowRecord] = ()  # all windows as they were given, in their own order
         self._chips: dict[tuple[str, bool], QIcon] = {}
         self._italic = QFont()
         self._italic.setItalic(True)
+        self.has_stale = False
+        """Whether a window is to be inspected again."""
+        self._fids: list[int] = []
+        self._set_rows([])
+
+    # The windows shown
 
     def windows(self) -> list[WindowRecord]:
         """From top to bottom; not to be changed."""
         return self._rows
 
-    @property
-    def has_stale(self) -> bool:
-        """Whether a window is to be inspected again."""
-        return self._stale > 0
+    def fids(self) -> list[int]:
+        """Of the windows shown, from top to bottom; not to be changed, and the same list while they are the same."""
+        return self._fids
 
-    def set_short_titles(self, short: bool) -> None:
-        """Whether headings have to be short."""
-        if short != self._short_titles:
-            self._short_titles = short
-            self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(self.columns) - 1)
+    def row_of(self, fid: int) -> int:
+        """The row a window is shown in; -1 when it is not."""
+        return self._places.get(fid, -1)
+
+    def row_numbered(self, number: int) -> int:
+        """The row of the window with a number, which stays the same when saving gives it another feature id."""
+        fid = self._numbers.get(number)
+        return -1 if fid is None else self._places[fid]
+
+    @property
+    def count(self) -> int:
+        """Of all windows, those included that are left out."""
+        return len(self._taken)
+
+    @property
+    def levels(self) -> int:
+        """Of the ratios that there are columns for."""
+        return self._levels
+
+    @property
+    def is_filtered(self) -> bool:
+        """Whether some windows may be left out."""
+        return bool(self._tests)
 
     def set_windows(self, windows: Iterable[WindowRecord]) -> None:
-        """Show these, with as little stir as can be: selection and persistent indexes stay with their windows."""
-        windows = list(windows)
-        if self._took_in_place(windows):
+        """Take these, with as little stir as can be: selection and persistent indexes stay with their windows."""
+        windows, taken = list(windows), self._taken
+        self._taken, self.has_stale = windows, True in [row.stale for row in windows]
+        if self._took_in_place(taken, windows):
             return
-        rows = self._in_order(windows)
-        levels, used = max((len(row.ratios) for row in rows), default=0) or self._levels, used_columns(rows)
+        known = {row.fid: row for row in taken}
+        wanted = [
+            row for row in windows
+            if (row.fid in self._places if known.get(row.fid) is row else self._passes(row))
+        ]
+        rows = self._in_order(wanted)
+        levels, used = max((len(row.ratios) for row in windows), default=0) or self._levels, used_columns(windows)
         if (levels, used) != (self._levels, self._used):
             self._levels, self._used = levels, used
             self._reset(rows, all_columns(columns_of(levels), used))
-            return
-        wanted = {row.fid: row for row in rows}
-        gone = _runs(place for place, row in enumerate(self._rows) if row.fid not in wanted)
-        added = _runs(place for place, row in enumerate(rows) if row.fid not in self._places)
-        if len(gone) + len(added) > _MAX_RUNS:
-            self._reset(rows)
-            return
-        for first, last in reversed(gone):
-            self.beginRemoveRows(QModelIndex(), first, last)
-            self._set_rows(self._rows[:first] + self._rows[last + 1 :])
-            self.endRemoveRows()
-        kept = [row for row in rows if row.fid in self._places]
-        before = {row.fid: row for row in self._rows}
-        if [row.fid for row in kept] != [row.fid for row in self._rows]:
-            self._rearrange(kept)
         else:
-            self._set_rows(kept)
-        for first, last in added:
-            self.beginInsertRows(QModelIndex(), first, last)
-            self._set_rows(self._rows[:first] + rows[first : last + 1] + self._rows[first:])
-            self.endInsertRows()
-        self._tell_changes(
-            place for place, row in enumerate(rows) if (old := before.get(row.fid, row)) is not row and old != row
-        )
+            self._show(rows)
 
-    def _took_in_place(self, windows: Sequence[WindowRecord]) -> bool:
-        """Whether the windows shown are the same, in the same places, and only what is said of some of them changed.
-
-        So it is while windows are judged: among thousands of others one costs hardly more than among a few.
-        """
-        taken, self._taken = self._taken, windows
-        if len(windows) != len(taken):
-            return False
-        changed = {}
-        for row in compress(windows, [*map(is_not, windows, taken)]):
-            place = self._places.get(row.fid)
-            if place is None or not self._stays(self._rows[place], row):
-                return False
-            changed[place] = row
-        told = sorted(place for place, row in changed.items() if row != self._rows[place])
-        for place, row in changed.items():
-            self._stale += row.stale - self._rows[place].stale
-            self._rows[place] = row
-        self._tell_changes(told)
-        return True
-
-    def _stays(self, old: WindowRecord, new: WindowRecord) -> bool:
-        """Whether a window needs no other place and no other columns."""
-        is_in_order = old.window_id == new.window_id and self._key(old) == self._key(new)
-        return is_in_order and len(old.ratios) == len(new.ratios) and used_columns([old]) == used_columns([new])
+    def set_filter(self, tests: Iterable[Callable[[WindowRecord], bool]]) -> None:
+        """Show the windows that pass all of these."""
+        self._tests = tuple(tests)
+        self._show(self._in_order(row for row in self._taken if self._passes(row)))
 
     def sort(self, column: int, order: Qt.SortOrder = _ASCENDING) -> None:
         """By numbers and ranks; windows with nothing in the column come last in either order."""
@@ -137,6 +121,14 @@ class WindowsModel(QAbstractTableModel):
         """In an order that is no column's."""
         self.sorted_by, self.sort_order, self._key = None, _ASCENDING, key
         self._rearrange(self._in_order(self._rows))
+
+    def set_short_titles(self, short: bool) -> None:
+        """Whether headings have to be short."""
+        if short != self._short_titles:
+            self._short_titles = short
+            self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(self.columns) - 1)
+
+    # What views ask
 
     def rowCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008
         return 0 if parent.isValid() else len(self._rows)
@@ -160,17 +152,48 @@ class WindowsModel(QAbstractTableModel):
             return None if self.is_blind else column.tip(row, self._result(row.fid))
         return None
 
-    def headerData(self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = _DISPLAY) -> Any:
         if orientation != Qt.Orientation.Horizontal or not 0 <= section < len(self.columns):
             return None
         column = self.columns[section]
-        if role == Qt.ItemDataRole.DisplayRole:
+        if role == _DISPLAY:
             return column.title(self._short_titles)
-        if role == Qt.ItemDataRole.ToolTipRole:
+        if role == _TOOL_TIP:
             return column.title_tip()
-        if role == Qt.ItemDataRole.TextAlignmentRole:  # the arrow is on the right, and may be drawn over the words
+        if role == _ALIGNMENT:  # the arrow is on the right, and may be drawn over the words
             return ALIGNED_LEFT if column == self.sorted_by else column.alignment
         return None
+
+    # From one state of the rows to the next
+
+    def _took_in_place(self, taken: Sequence[WindowRecord], windows: Sequence[WindowRecord]) -> bool:
+        """Whether the same windows are shown in the same places, and only what is said of some of them changed.
+
+        So it is while windows are judged: among thousands of others one costs hardly more than among a few.
+        """
+        if len(windows) != len(taken):
+            return False
+        changed = [(old, new) for old, new in zip(taken, windows) if old is not new]
+        if not all(self._stays(old, new) for old, new in changed):
+            return False
+        shown = [(self._places[old.fid], new, old != new) for old, new in changed if old.fid in self._places]
+        for place, row, _ in shown:
+            self._rows[place] = row
+        self._tell_changes(sorted(place for place, _, is_other in shown if is_other))
+        return True
+
+    def _stays(self, old: WindowRecord, new: WindowRecord) -> bool:
+        """Whether a window needs no other place and no other columns."""
+        return (
+            (old.fid, old.window_id) == (new.fid, new.window_id)
+            and self._key(old) == self._key(new)
+            and len(old.ratios) == len(new.ratios)
+            and used_columns([old]) == used_columns([new])
+            and (old.fid in self._places) == self._passes(new)
+        )
+
+    def _passes(self, row: WindowRecord) -> bool:
+        return all(test(row) for test in self._tests)
 
     def _in_order(self, windows: Iterable[WindowRecord]) -> list[WindowRecord]:
         keyed = [(self._key(row), row) for row in sorted(windows, key=WINDOW_ID.key)]
@@ -178,11 +201,35 @@ class WindowsModel(QAbstractTableModel):
         present.sort(key=itemgetter(0), reverse=self.sort_order != _ASCENDING)
         return [row for _, row in present] + [row for value, row in keyed if value is None]
 
+    def _show(self, rows: list[WindowRecord]) -> None:
+        """Other rows instead of those shown: first some go, then the others change places, then some come."""
+        wanted = {row.fid: row for row in rows}
+        gone = _runs(place for place, row in enumerate(self._rows) if row.fid not in wanted)
+        added = _runs(place for place, row in enumerate(rows) if row.fid not in self._places)
+        if len(gone) + len(added) > _MAX_RUNS:
+            self._reset(rows)
+            return
+        for first, last in reversed(gone):
+            self.beginRemoveRows(QModelIndex(), first, last)
+            self._set_rows(self._rows[:first] + self._rows[last + 1 :])
+            self.endRemoveRows()
+        kept = [row for row in rows if row.fid in self._places]
+        before = {row.fid: row for row in self._rows}
+        if [row.fid for row in kept] != self._fids:
+            self._rearrange(kept)
+        else:
+            self._set_rows(kept)
+        for first, last in added:
+            self.beginInsertRows(QModelIndex(), first, last)
+            self._set_rows(self._rows[:first] + rows[first : last + 1] + self._rows[first:])
+            self.endInsertRows()
+        self._tell_changes(place for place, row in enumerate(rows) if before.get(row.fid, row) != row)
+
     def _rearrange(self, rows: list[WindowRecord]) -> None:
         """The same windows in another order."""
         self.layoutAboutToBeChanged.emit([], QAbstractTableModel.LayoutChangeHint.VerticalSortHint)
         before = self.persistentIndexList()
-        fids = [self._rows[index.row()].fid for index in before]
+        fids = [self._fids[index.row()] for index in before]
         self._set_rows(rows)
         after = [self.index(self._places[fid], index.column()) for fid, index in zip(fids, before)]
         self.changePersistentIndexList(before, after)
@@ -199,8 +246,10 @@ class WindowsModel(QAbstractTableModel):
         self.endResetModel()
 
     def _set_rows(self, rows: list[WindowRecord]) -> None:
-        self._rows, self._stale = rows, sum(row.stale for row in rows)
-        self._places = {row.fid: place for place, row in enumerate(rows)}
+        fids = [row.fid for row in rows]
+        self._rows, self._fids = rows, self._fids if fids == self._fids else fids
+        self._places = {fid: place for place, fid in enumerate(self._fids)}
+        self._numbers = {row.window_id: row.fid for row in rows}
 
     def _tell_changes(self, changed: Iterable[int]) -> None:
         runs = _runs(changed)

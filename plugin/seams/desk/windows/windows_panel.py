@@ -25,7 +25,7 @@ from qgis.PyQt.QtWidgets import (
 )
 
 from ....imagery.atomic_files import replacing
-from ....imagery.errors import cell_text
+from ....imagery.errors import SettingsError, cell_text
 from ....imagery.messages import system_reason
 from ....imagery.statistics import INVISIBLE, UNSURE, VISIBLE, Operator
 from ....toolkit.desk.message_bar import bar_level
@@ -34,14 +34,13 @@ from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
 from .filter_boxes import TABLE, KindBox, OrderBox, WindowOrder
 from .window_columns import TableColumn
-from .windows_filter import WindowsFilter
+from .windows_filter import window_filter
 from .windows_model import WindowsModel
 from .windows_table import WindowsTable
 
 if TYPE_CHECKING:
-    from ..session import Session
-if TYPE_CHECKING:
     from ...measure.window_records import WindowRecord
+    from ..session import Session
 
 _WIDE_LETTERS = 60  # the count of windows has room beside the search
 _TYPED_MS = 500  # without a letter: what is searched for stands
@@ -73,7 +72,6 @@ class WindowsPanel(QWidget):
         self._is_following = False
         self._own: frozenset[str] | None = None  # the fields that are seen while others are hidden
         self._windows = WindowsModel(self, session.result)
-        self._shown = WindowsFilter(self._windows, self)
         self._search = QgsFilterLineEdit(self)  # before the table, for Tab
         self._verdicts = KindBox(self)
         self._orders = OrderBox(self)
@@ -81,7 +79,7 @@ class WindowsPanel(QWidget):
         self._problem.setTextFormat(Qt.TextFormat.PlainText)
         self._filter_time = single_shot(self, self._tell_filter, _TYPED_MS)
         self._count = QLabel(self)
-        self.table = WindowsTable(self._windows, self._shown, self)
+        self.table = WindowsTable(self._windows, self)
         self.table.setToolTip(
             tr("Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on "
                "the headings chooses columns, a drag moves them.")
@@ -108,7 +106,7 @@ class WindowsPanel(QWidget):
         self.table.zoomRequested.connect(self._zoom)
         self.table.removeRequested.connect(self._remove)
         self.table.customContextMenuRequested.connect(self._show_menu)
-        self._shown.layoutChanged.connect(self._tell_order)
+        self._windows.layoutChanged.connect(self._tell_order)
         session.windowsChanged.connect(self._take_windows)
         session.selectionChanged.connect(self._take_selection)
         self._take_windows()
@@ -162,12 +160,12 @@ class WindowsPanel(QWidget):
 
     def save_csv(self, path: Path) -> None:
         """The windows that are shown, with all of their numbers; raises OSError."""
-        rows = [row for row in map(self._session.row, self._shown.fids()) if row is not None]
+        rows = [row for row in map(self._session.row, self._windows.fids()) if row is not None]
         write_csv(path, self._windows.columns if not self._windows.is_blind else self.table.visible_columns(), rows)
 
     def ordered_fids(self) -> list[int]:
         """The windows shown, from top to bottom: the same list while they are the same; not to be changed."""
-        return self._shown.fids()
+        return self._windows.fids()
 
     # Following the session
 
@@ -177,9 +175,14 @@ class WindowsPanel(QWidget):
 
     def _filter(self, *_: object) -> None:
         with self._following():
-            problem = self._shown.set_filter(self._search.text(), self._verdicts.test(), self._own)
-        self._problem.setText("" if problem is None else sentence(problem))
-        self._problem.setVisible(problem is not None)
+            problem, found = "", None
+            try:
+                found = window_filter(self._search.text(), self._windows.levels, self._own, self._session.windows())
+            except SettingsError as error:  # which leaves no window out
+                problem = sentence(error.message)
+            self._windows.set_filter(test for test in (found, self._verdicts.test()) if test is not None)
+        self._problem.setText(problem)
+        self._problem.setVisible(bool(problem))
         self._filter_time.start()
 
     def _tell_filter(self) -> None:
@@ -189,13 +192,14 @@ class WindowsPanel(QWidget):
     def _following(self) -> Iterator[None]:
         """While rows come and go the table's selection changes by itself; the session's is what counts."""
         top = self.table.rowAt(0)
-        anchor = self._shown.number_at(top) if self.table.verticalScrollBar().value() > 0 and top >= 0 else None
+        is_scrolled = self.table.verticalScrollBar().value() > 0 and top >= 0
+        anchor = self._windows.windows()[top].window_id if is_scrolled else None
         selected = self._selected_numbers()
         with self._unmoved():
             yield
-        top = -1 if anchor is None else self._shown.row_numbered(anchor)
+        top = -1 if anchor is None else self._windows.row_numbered(anchor)
         if top >= 0 and top != self.table.rowAt(0):
-            self.table.scrollTo(self._shown.index(top, 0), QAbstractItemView.ScrollHint.PositionAtTop)
+            self.table.scrollTo(self._windows.index(top, 0), QAbstractItemView.ScrollHint.PositionAtTop)
         self._show_selection(selected)
         self._describe()
         self.orderChanged.emit()
@@ -204,20 +208,20 @@ class WindowsPanel(QWidget):
         self._show_selection(self._selected_numbers())
 
     def _selected_numbers(self) -> set[int]:
-        return {self._shown.number_at(row) for row in self.table.selected_rows()}
+        return {self._windows.windows()[row].window_id for row in self.table.selected_rows()}
 
     def _show_selection(self, before: set[int]) -> None:
         """Select what the session has selected, and bring it into sight where it was not selected ``before``."""
-        rows = sorted(row for row in map(self._shown.row_of, self._session.selected()) if row >= 0)
+        rows = sorted(row for row in map(self._windows.row_of, self._session.selected()) if row >= 0)
         selection = self.table.selectionModel()
         with self._unmoved():
             if rows != self.table.selected_rows():
                 selection.select(self.table.rows_selection(rows), _SELECT_ROWS)
             if rows and selection.currentIndex().row() not in rows:
-                selection.setCurrentIndex(self._shown.index(rows[0], 0), QItemSelectionModel.SelectionFlag.NoUpdate)
-        fresh = [row for row in rows if self._shown.number_at(row) not in before]
+                selection.setCurrentIndex(self._windows.index(rows[0], 0), QItemSelectionModel.SelectionFlag.NoUpdate)
+        fresh = [row for row in rows if self._windows.windows()[row].window_id not in before]
         if fresh and not any(map(self.table.is_in_sight, rows)):
-            self.table.scrollTo(self._shown.index(fresh[0], 0), QAbstractItemView.ScrollHint.PositionAtCenter)
+            self.table.scrollTo(self._windows.index(fresh[0], 0), QAbstractItemView.ScrollHint.PositionAtCenter)
 
     @contextmanager
     def _unmoved(self) -> Iterator[None]:
@@ -243,9 +247,9 @@ class WindowsPanel(QWidget):
 
     def _describe(self) -> None:
         """How many windows are left by the filter, and what an empty table says."""
-        shown, count = self._shown.rowCount(), self._windows.rowCount()
+        shown, count = self._windows.rowCount(), self._windows.count
         has_room = self.width() > _WIDE_LETTERS * self.fontMetrics().averageCharWidth()  # the judge bar says it, too
-        self._count.setVisible(self._shown.is_on and count > 0 and has_room)
+        self._count.setVisible(self._windows.is_filtered and count > 0 and has_room)
         self._count.setText(filled(tr("{shown} of {count}"), shown=shown, count=count))
         hint = tr("Draw a window on the map, or place windows along the seamlines.")
         if count:
@@ -257,7 +261,7 @@ class WindowsPanel(QWidget):
     # What the operator asks for
 
     def _zoom_to(self, index: QModelIndex) -> None:
-        self.zoomRequested.emit(self._shown.fids()[index.row()])
+        self.zoomRequested.emit(self._windows.fids()[index.row()])
 
     def _zoom(self) -> None:
         current = self.table.currentIndex()

@@ -20,7 +20,6 @@ from .column_room import (
     shared_room,
 )
 from .window_columns import TableColumn
-from .windows_filter import WindowsFilter
 from .windows_model import WindowsModel
 
 
@@ -31,16 +30,15 @@ class WindowsTable(QTableView):
     copyRequested = pyqtSignal()
     zoomRequested = pyqtSignal()
 
-    def __init__(self, windows: WindowsModel, shown: WindowsFilter, parent: QWidget | None = None) -> None:
+    def __init__(self, windows: WindowsModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.hint = ""
         """What is said in the middle of an empty table."""
         self._windows = windows
-        self._shown = shown
         self._has_stale = False
         self._choice = load_choice()
         self._blind: frozenset[str] | None = None  # columns that tell nothing; None: all may be seen
-        self.setModel(shown)
+        self.setModel(windows)
         self.setItemDelegate(ReadableItems(self))
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
@@ -65,7 +63,7 @@ class WindowsTable(QTableView):
         header.sectionMoved.connect(self._keep_order)
         header.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         header.customContextMenuRequested.connect(self._show_columns_menu)
-        shown.modelReset.connect(self.show_sorting)
+        windows.modelReset.connect(self.show_sorting)
         self._put_in_order()
         self.fit()
 
@@ -76,7 +74,7 @@ class WindowsTable(QTableView):
 
     def selected_fids(self) -> list[int]:
         """From top to bottom."""
-        fids = self._shown.fids()
+        fids = self._windows.fids()
         return [fids[row] for row in self.selected_rows()]
 
     def rows_selection(self, rows: list[int]) -> QItemSelection:
@@ -85,13 +83,13 @@ class WindowsTable(QTableView):
         first = 0
         for place, row in enumerate(rows):
             if place + 1 == len(rows) or rows[place + 1] != row + 1:
-                selection.select(self._shown.index(rows[first], 0), self._shown.index(row, 0))
+                selection.select(self._windows.index(rows[first], 0), self._windows.index(row, 0))
                 first = place + 1
         return selection
 
     def is_in_sight(self, row: int) -> bool:
         """Whether the row is in the visible part of the table."""
-        rect = self.visualRect(self._shown.index(row, 0))
+        rect = self.visualRect(self._windows.index(row, 0))
         return rect.top() >= 0 and rect.bottom() < max(self.viewport().height(), rect.height())
 
     def visible_columns(self) -> list[TableColumn]:
@@ -170,7 +168,7 @@ class WindowsTable(QTableView):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self.hint and self._shown.rowCount() == 0:
+        if self.hint and self._windows.rowCount() == 0:
             painter = QPainter(self.viewport())
             painter.setPen(readable_palette(self).color(QPalette.ColorRole.PlaceholderText))
             margin = self.fontMetrics().height()

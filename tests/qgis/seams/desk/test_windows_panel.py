@@ -24,7 +24,7 @@ def many(count: int) -> list:
 
 
 def cell(panel: WindowsPanel, fid: int, column: int, role: int = Qt.ItemDataRole.DisplayRole) -> object:
-    return panel.table.model().index(panel._shown.row_of(fid), column).data(role)
+    return panel.table.model().index(panel._windows.row_of(fid), column).data(role)
 
 
 def select_row(panel: WindowsPanel, fid: int, *more: int) -> None:
@@ -35,7 +35,7 @@ def select_row(panel: WindowsPanel, fid: int, *more: int) -> None:
 
 
 def place_of(panel: WindowsPanel, fid: int) -> QPoint:
-    return panel.table.visualRect(panel.table.model().index(panel._shown.row_of(fid), 0)).center()
+    return panel.table.visualRect(panel.table.model().index(panel._windows.row_of(fid), 0)).center()
 
 
 def top_window(panel: WindowsPanel) -> int:
@@ -201,13 +201,13 @@ def test_new_window_selected_before_it_was_told_comes_into_sight(
     session.select([501])  # the layer tells its selection before the session tells the rows
     session.put([*many(500), window(501)])
     assert panel.table.selected_fids() == [501]
-    assert panel.table.is_in_sight(panel._shown.row_of(501))
+    assert panel.table.is_in_sight(panel._windows.row_of(501))
 
 
 def test_selected_window_comes_into_sight(panel: WindowsPanel, session: WindowsSession) -> None:
     session.put(many(500))
     session.select([300])
-    assert panel.table.is_in_sight(panel._shown.row_of(300))
+    assert panel.table.is_in_sight(panel._windows.row_of(300))
 
 
 # Changes
@@ -467,7 +467,7 @@ def test_verdicts_are_not_cut_at_the_usual_width(
     option.initFrom(panel.table)
     option.font = panel.table.font()
     for fid in panel.ordered_fids():
-        index = panel.table.model().index(panel._shown.row_of(fid), VERDICT)
+        index = panel.table.model().index(panel._windows.row_of(fid), VERDICT)
         assert delegate.sizeHint(option, index).width() <= panel.table.columnWidth(VERDICT)
     assert panel.table.horizontalScrollBar().maximum() == 0
 

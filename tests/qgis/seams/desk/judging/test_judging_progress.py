@@ -59,7 +59,7 @@ def test_what_is_shown_is_put_together_anew_only_when_a_window_comes_or_goes(
 def test_a_number_that_is_written_is_found_at_its_row(session: WindowsSession, panel: WindowsPanel) -> None:
     shown = panel.ordered_fids()
     session.change(12, window_id=13)
-    assert panel._shown.number_at(len(shown) - 1) == 13
-    assert (panel._shown.row_numbered(13), panel._shown.row_numbered(12)) == (len(shown) - 1, -1)
+    assert panel._windows.windows()[len(shown) - 1].window_id == 13
+    assert (panel._windows.row_numbered(13), panel._windows.row_numbered(12)) == (len(shown) - 1, -1)
     rows: list[WindowRecord] = session.windows()
-    assert [panel._shown.number_at(row) for row in range(len(rows))] == [row.window_id for row in rows]
+    assert [row.window_id for row in panel._windows.windows()] == [row.window_id for row in rows]
