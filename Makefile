@@ -76,9 +76,10 @@ test-matrix: link ## Run the tests on the QGIS of this machine, of Debian trixie
 guide: link ## Make the guide of docs, in build/guide/index.html
 	$(PYTHON) -m sphinx -W --keep-going -q -j auto -b html docs build/guide
 
-help-pages: link ## Make anew what the guide has from the code (tables of the algorithms, reference and notebook of Python), and the plugin's help
+help-pages: link ## Make anew what the guide has from the code (tables of the algorithms, the desk's keys, reference and notebook of Python), and the plugin's help
 	QT_QPA_PLATFORM=offscreen $(PYTHON) tools/algorithm_tables.py
 	$(PYTHON) -m tools.python_pages
+	$(PYTHON) tools/keys_table.py
 	$(PYTHON) tools/help_pages.py
 
 pictures: link ## Make the pictures of the guide's first pages anew, of what `make demo` left

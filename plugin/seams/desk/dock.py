@@ -39,6 +39,7 @@ from ..measure import messages
 from .inputs.inputs_panel import InputsPanel
 from .judge_bar import JudgeBar
 from .judging_desk import JudgingDesk
+from .keys import DeskKeys
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .mosaic_scans import MosaicScans, ScanMessage, show_layer
@@ -70,7 +71,7 @@ class InspectionDock(ToolDock):
         )
         self.inputs = InputsPanel(self.session)
         self.windows = WindowsPanel(self.session)
-        self.judging = JudgingDesk(self.session, self.windows, self._canvas, iface.mainWindow(), self)
+        self.judging = JudgingDesk(self.session, self.windows, self)
         self.judge = self.judging.bar
         self._tabs = tuple(tabs)
         self.panels = {tab.name: tab.make(self.session) for tab in self._tabs}
@@ -89,9 +90,8 @@ class InspectionDock(ToolDock):
         self.scans.found.connect(self._tell_findings)
         self._worst_inspector = single_shot(self, self._inspect_worst)  # apart, as adding fields takes some 30 ms
         self.steps = UndoActions(self.session, iface.mainWindow(), self)
-        self.steps.take_keys_in(self)
-        self.steps.take_keys_while(self.tool, self._canvas)
-        self.visibilityChanged.connect(self.steps.set_in_sight)
+        self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
+        self._keys.set_actions(self.judging.key_actions())
         self._make_actions()
         self._lay_out()
         self._found = FoundMessage(iface.messageBar(), self.session.open_windows, self)
@@ -111,6 +111,7 @@ class InspectionDock(ToolDock):
 
     def close_desk(self) -> None:
         super().close_desk()
+        self._keys.close()
         self.steps.close()
         self.reports.close()
         self.swiping.close()

@@ -221,7 +221,6 @@ class OperatorButton(QToolButton):
 
 _LINES, _HIGH_LINES = (2, 3), (3, 6)  # of the sentence, and where the dock is high
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
-_TENTHS = {key: 10 * digit or 100 for digit, key in enumerate(range(Qt.Key.Key_0, Qt.Key.Key_9 + 1))}
 
 
 class JudgeBar(QWidget):
@@ -272,25 +271,20 @@ class JudgeBar(QWidget):
         judging.changed.connect(self.refresh)
         self.refresh()
 
-    def keys(self) -> dict[int, Callable[[], bool]]:
-        """What each key does; it says by False that it has nothing to do.
+    def key_actions(self) -> dict[str, Callable[[], bool]]:
+        """What each key does, by its name; it says by False that it has nothing to do.
 
         They set a judgement and never toggle it.
         """
-        judge, say_sure = self._judging.judge, self._judging.say_sure
+        judging = self._judging
         return {
-            Qt.Key.Key_V: partial(judge, VISIBLE),
-            Qt.Key.Key_I: partial(judge, INVISIBLE),
-            Qt.Key.Key_U: partial(judge, UNSURE),
-            Qt.Key.Key_N: self._judging.go_on,
-            Qt.Key.Key_P: partial(self._judging.step, -1),
-            Qt.Key.Key_Backspace: self._judging.take_back,
-            Qt.Key.Key_R: self.notes.begin_remark,
-            **{key: partial(say_sure, tenths) for key, tenths in _TENTHS.items()},
+            **{word: partial(judging.judge, word) for word in (VISIBLE, INVISIBLE, UNSURE)},
+            "next": judging.go_on,
+            "before": partial(judging.step, -1),
+            "take back": judging.take_back,
+            "remark": self.notes.begin_remark,
+            **{f"sure {percent}": partial(judging.say_sure, percent) for percent in range(10, 101, 10)},
         }
-
-    REPEATING_KEYS = frozenset((Qt.Key.Key_N, Qt.Key.Key_P))
-    """That go on while they are held."""
 
     def set_high(self, is_high: bool) -> None:
         """Whether there is room for most of a long sentence."""

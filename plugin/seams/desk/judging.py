@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, dataclass, replace
 from itertools import chain, compress, islice
 from operator import is_not
 from typing import TYPE_CHECKING, Any
@@ -15,6 +15,7 @@ from ...imagery.statistics import DECIDED, OPERATORS, Operator
 from ...toolkit.project_settings import load_settings, save_settings
 from ...toolkit.translation import filled, tr
 from ..words import observer_word
+from .inputs.project_inputs import read_settings
 from .windows.filter_boxes import WindowOrder, order_named
 
 if TYPE_CHECKING:
@@ -44,11 +45,7 @@ class JudgingSettings:
 
 def load_judging(project: QgsProject) -> JudgingSettings:
     """The project's; the defaults where it has none, or they are another kind of thing."""
-    stored = load_settings(project, _KEY)
-    values = {
-        one.name: stored[one.name] for one in fields(JudgingSettings) if type(stored.get(one.name)) is type(one.default)
-    }
-    return JudgingSettings(**values)
+    return read_settings(JudgingSettings, load_settings(project, _KEY))
 
 
 def save_judging(project: QgsProject, settings: JudgingSettings) -> None:

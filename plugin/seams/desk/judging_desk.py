@@ -1,7 +1,7 @@
 """Puts judging together: the model, its bar and keys, the table that follows it, and what is hidden while blind."""
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -17,14 +17,12 @@ from qgis.core import (
     QgsVectorLayer,
     QgsVectorLayerSimpleLabeling,
 )
-from qgis.gui import QgsLayerTreeView, QgsMapCanvas, QgsMapTool
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QEvent, QObject, Qt
+from qgis.PyQt.QtCore import QObject
 from qgis.PyQt.QtGui import QColor
-from qgis.PyQt.QtWidgets import QApplication, QMessageBox, QToolBar, QWidget
+from qgis.PyQt.QtWidgets import QMessageBox, QWidget
 
 from ...imagery.statistics import Agreement, Operator, agreement
-from ...toolkit.desk.keyboard import FocusFilter, is_keyboard_free
 from ...toolkit.desk.widgets import is_confirmed
 from ...toolkit.translation import filled, percent, shown_number, tr
 from .judge_bar import JudgeBar
@@ -42,21 +40,14 @@ _NUMBER = "window_id"  # the one column that tells nothing
 class JudgingDesk(QObject):
     """``model`` and ``bar`` are for the dock to use."""
 
-    def __init__(
-        self, session: Session, windows: WindowsPanel, canvas: QgsMapCanvas, main_window: QWidget, dock: QWidget
-    ) -> None:
+    def __init__(self, session: Session, windows: WindowsPanel, dock: QWidget) -> None:
         super().__init__(dock)
         self._session = session
         self._windows = windows
-        self._canvas = canvas
         self._dock = dock
         self._hidden: QgsVectorLayer | None = None  # the layer whose verdicts are hidden
         self.model = Judging(session, windows.ordered_fids, partial(is_confirmed, dock), self)
         self.bar = JudgeBar(session, self.model)
-        self._keys = JudgeKeys(dock, main_window, self._is_editing)
-        keys = self.bar.keys()
-        keys[Qt.Key.Key_S] = partial(toggle_seamlines, session)
-        self._keys.set_keys(keys, self.bar.REPEATING_KEYS)
         self.model.changed.connect(self._follow)
         self.bar.agreementAsked.connect(self.show_agreement)
         windows.orderChanged.connect(self.bar.refresh)
@@ -65,28 +56,23 @@ class JudgingDesk(QObject):
         windows.judged.connect(self._judge)
         session.inputsChanged.connect(self._hide_on_map)
         session.loss_view.changed.connect(self._hide_loss)
-        dock.installEventFilter(self)
         self._follow()
 
     def close(self) -> None:
         """Leave nothing behind."""
-        self._dock.removeEventFilter(self)
-        self._keys.close()
         self._show_on_map()
         self.model.close()
         self.bar.close()
+
+    def key_actions(self) -> dict[str, Callable[[], bool]]:
+        """What the keys that judge do, by their names."""
+        return {**self.bar.key_actions(), "seamlines": partial(toggle_seamlines, self._session)}
 
     def show_agreement(self) -> None:
         """How well both operators agree, and where they do not when that is wanted."""
         if ask_for_disagreements(agreement_of(self._session.windows()), self._dock):
             self.model.change(order="operators")
             self._windows.set_filter("", "operators_differ")
-
-    def eventFilter(self, _watched: QObject | None, event: QEvent | None) -> bool:
-        """Keys judge while the desk is in sight."""
-        if event is not None and event.type() in (QEvent.Type.Show, QEvent.Type.Hide):
-            self._keys.listen(event.type() == QEvent.Type.Show)
-        return False
 
     def _follow(self) -> None:
         """The operator, the order or what is hidden changed."""
@@ -114,11 +100,6 @@ class JudgingDesk(QObject):
         else:
             self.model.take_back()
 
-    def _is_editing(self) -> bool:
-        """Whether a tool of QGIS is editing on the map: letters are its then."""
-        tool = self._canvas.mapTool()
-        return tool is not None and bool(tool.flags() & QgsMapTool.Flag.EditTool)
-
     # What the map tells
 
     def _hide_loss(self, *_: object) -> None:
@@ -139,72 +120,6 @@ class JudgingDesk(QObject):
         layer, self._hidden = self._hidden, None
         if layer is not None and not sip.isdeleted(layer):
             show_verdicts(layer)
-
-
-_KEYS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
-_OURS = (QgsMapCanvas, QgsLayerTreeView, QToolBar)  # beside the desk and the main window itself
-_PLAIN = (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
-
-
-class JudgeKeys(QObject):
-    """Takes its keys before anybody else does, so that no shortcut of QGIS on the same key is ambiguous with them.
-
-    It listens while the desk is in sight. Keys stay with a text field that has the focus, with menus and dialogs, with
-    other docks, whose lists find a row by its letter, with other windows than QGIS's main one and the desk's, and with
-    a tool of QGIS that is editing on the map.
-    """
-
-    def __init__(self, desk: QWidget, main_window: QWidget, is_editing: Callable[[], bool]) -> None:
-        super().__init__(desk)
-        self._desk = desk
-        self._main_window = main_window
-        self._is_editing = is_editing
-        self._actions: Mapping[int, Callable[[], bool]] = {}
-        self._repeating: frozenset[int] = frozenset()
-        self._keyboard = FocusFilter(self)
-
-    def set_keys(self, actions: Mapping[int, Callable[[], bool]], repeating: frozenset[int]) -> None:
-        """What each key does; an action that has nothing to do says so by False, and the key is somebody else's then.
-
-        ``repeating``: keys that go on while they are held.
-        """
-        self._actions, self._repeating = actions, repeating
-
-    def listen(self, listening: bool) -> None:
-        """While the desk is in sight."""
-        self._keyboard.listen(listening)
-
-    def close(self) -> None:
-        """Listen no more."""
-        self.listen(False)
-
-    def eventFilter(self, _receiver: QObject | None, event: QEvent | None) -> bool:
-        if event is None or event.type() not in _KEYS:
-            return False
-        key = event.key()
-        if key not in self._actions or event.modifiers() not in _PLAIN or not self._is_free():
-            return False
-        if event.type() == QEvent.Type.ShortcutOverride:
-            event.accept()  # so that it comes as a key press and not as somebody's shortcut
-            return True
-        if event.isAutoRepeat() and key not in self._repeating:
-            return True
-        return self._actions[key]()
-
-    def _is_free(self) -> bool:
-        focus = QApplication.focusWidget()
-        window = focus.window() if focus is not None else QApplication.activeWindow()
-        is_ours = window in (self._main_window, self._desk.window()) and self._is_ours(focus)
-        return is_ours and is_keyboard_free() and not self._is_editing()
-
-    def _is_ours(self, focus: QWidget | None) -> bool:
-        """Whether nobody else's widget has the focus."""
-        if focus is None or focus is self._main_window:
-            return True
-        widget: QWidget | None = focus
-        while widget is not None and widget is not self._desk and not isinstance(widget, _OURS):
-            widget = widget.parentWidget()
-        return widget is not None
 
 
 _NAME = "seam_inspector_blind"  # of the layer's style; its user's own one is kept beside it

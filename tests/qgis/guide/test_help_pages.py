@@ -65,6 +65,12 @@ def test_the_tables_of_the_pages_are_those_of_the_dialogs(repository: Path, prov
         assert page == tables.with_tables(page, one.create()), f"{one.name()}: {RENEW}"
 
 
+def test_the_table_of_keys_is_that_of_the_desk(repository: Path) -> None:
+    keys = tool(repository, "keys_table")
+    page = keys.PAGE.read_text("utf-8")
+    assert page == keys.with_keys(page), RENEW
+
+
 def test_a_table_names_every_parameter_and_output(repository: Path, provider: QgsProcessingProvider) -> None:
     for one in provider.algorithms():
         made = algorithm(one.name())

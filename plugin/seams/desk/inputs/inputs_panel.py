@@ -296,7 +296,7 @@ class InputsPanel(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self._arrange()
         before_more = (self.index, self.seamlines, self.windows, self.side, self.more)
-        order = (self.box, self.mosaic, *self.sources.fields(), *before_more, *self.more.fields())
+        order = (self.box, self.mosaic, *self.sources.fields(), *before_more, *self.more.boxes.values())
         for before, after in zip(order, order[1:]):
             QWidget.setTabOrder(before, after)
 

@@ -1,10 +1,11 @@
 """What the inspection desk works on, remembered in the project."""
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import asdict, dataclass, replace
-from functools import lru_cache, partial
-from typing import Any, Callable
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, fields, replace
+from functools import lru_cache
+from types import MappingProxyType
+from typing import Any, TypeVar
 
 from qgis.core import QgsMapLayer, QgsProject, QgsProviderRegistry, QgsVectorLayer
 from qgis.PyQt.QtCore import QObject, pyqtSignal
@@ -18,6 +19,7 @@ from ...measure.limits import DENSITIES
 from ...measure.window_records import REFERENCES
 
 _KEY = "inputs"
+_WORDS = {"reference": REFERENCES, "density": DENSITIES, "stretch": tuple(stretch.value for stretch in Stretch)}
 
 
 @dataclass(frozen=True)
@@ -58,8 +60,7 @@ class Inputs:
 
 def load_inputs(project: QgsProject) -> Inputs:
     """The project's inputs; the defaults where it has none or they can't be understood."""
-    stored = load_settings(project, _KEY)
-    return Inputs(**{name: value for name, read in _READERS.items() if (value := read(stored.get(name))) is not None})
+    return read_settings(Inputs, load_settings(project, _KEY), _WORDS)
 
 
 def save_inputs(project: QgsProject, inputs: Inputs) -> None:
@@ -67,36 +68,27 @@ def save_inputs(project: QgsProject, inputs: Inputs) -> None:
     save_settings(project, _KEY, asdict(inputs))
 
 
-def _text(value: object) -> str | None:
-    return value if isinstance(value, str) else None
+Settings = TypeVar("Settings")
 
 
-def _texts(value: object) -> tuple[str, ...] | None:
-    return tuple(text for text in value if isinstance(text, str)) if isinstance(value, list) else None
+def read_settings(
+    kind: type[Settings], stored: Mapping[str, Any], words: Mapping[str, Sequence[str]] = MappingProxyType({})
+) -> Settings:
+    """A dataclass of plain values as JSON holds them; what is another kind of thing than its default is left out.
 
-
-def _number(value: object) -> float | None:
-    return float(value) if isinstance(value, (int, float)) and not isinstance(value, bool) else None
-
-
-def _whole(value: object) -> int | None:
-    return value if isinstance(value, int) and not isinstance(value, bool) else None
-
-
-def _word(known: tuple[str, ...], value: object) -> str | None:
-    return value if isinstance(value, str) and value in known else None
-
-
-_READERS: dict[str, Callable[[object], Any]] = {
-    **dict.fromkeys(("mosaic", "source_index", "seamlines", "windows", "wavelet", "cells"), _text),
-    **dict.fromkeys(("side_m", "spacing_m", "max_ratio", "min_kept", "piece_m", "corridor_m"), _number),
-    "sources": _texts,
-    "levels": _whole,
-    "reference": partial(_word, REFERENCES),
-    "density": partial(_word, DENSITIES),
-    "stretch": partial(_word, tuple(stretch.value for stretch in Stretch)),
-}
-"""How each value is understood; what is another kind of thing is left out."""
+    ``words``: the only values that some fields can have.
+    """
+    values = {}
+    for one in fields(kind):  # type: ignore[arg-type]
+        value: Any = stored.get(one.name)
+        wanted = type(one.default)
+        if one.type == "float" and type(value) in (int, float):
+            value, wanted = float(value), float
+        elif wanted is tuple and isinstance(value, list):
+            value = tuple(text for text in value if isinstance(text, str))
+        if type(value) is wanted and (one.name not in words or value in words[one.name]):
+            values[one.name] = value
+    return kind(**values)
 
 
 _PLACES_KEY = "places"

@@ -18,6 +18,7 @@ from ....toolkit.layers import transformed_point
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import tr
 from ...words import LOSS_OPACITY, loss_legend, loss_rgba
+from ..keys import keys_for
 from .picture_overlay import PictureOverlay, PlacedPicture, rgba_image
 
 if TYPE_CHECKING:
@@ -42,7 +43,7 @@ class LostDetail(QObject):
             tr("Show where detail was lost, over the map and the images (L). One scale for all windows")
         )
         self.action.setCheckable(True)
-        self.action.setShortcut(QKeySequence(Qt.Key.Key_L))  # text fields keep their letters
+        self.action.setShortcut(QKeySequence(*keys_for("lost detail")))  # text fields keep their letters
         self.action.setShortcutContext(Qt.ShortcutContext.WindowShortcut)
         self.action.toggled.connect(session.loss_view.show)
         session.loss_view.changed.connect(self.action.setChecked)

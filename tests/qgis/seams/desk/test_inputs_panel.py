@@ -261,30 +261,30 @@ def test_each_choice_changes_its_own_input_only(desk: Desk) -> None:
         desk.choose(box, value)
         expected = replace(expected, **{field: value})
         assert desk.session.inputs == expected
-    more = desk.panel.more
+    more: dict[str, Any] = desk.panel.more.boxes
     spins: tuple[tuple[Any, str, float], ...] = (
         (desk.panel.side, "side_m", 50.0),
-        (more.spacing, "spacing_m", 300.0),
-        (more.levels, "levels", 4),
-        (more.min_kept, "min_kept", 0.6),
-        (more.max_ratio, "max_ratio", 0.6),
+        (more["spacing_m"], "spacing_m", 300.0),
+        (more["levels"], "levels", 4),
+        (more["min_kept"], "min_kept", 0.6),
+        (more["max_ratio"], "max_ratio", 0.6),
     )
     for spin, field, value in spins:
         spin.setValue(value)
         expected = replace(expected, **{field: value})
         assert desk.session.inputs == expected
-    more.wavelet.setCurrentText("db4")
-    more.wavelet.activated.emit(more.wavelet.currentIndex())
+    more["wavelet"].setCurrentText("db4")
+    more["wavelet"].activated.emit(more["wavelet"].currentIndex())
     expected = replace(expected, wavelet="db4")
     assert desk.session.inputs == expected
-    more.reference.setCurrentIndex(1)
-    more.reference.activated.emit(1)
+    more["reference"].setCurrentIndex(1)
+    more["reference"].activated.emit(1)
     expected = replace(expected, reference="composite")
     assert desk.session.inputs == expected
     seam_cells = vector("Polygon", "seam cells", source=("string", ["a.tif"]))
-    assert offered(more.cells) == ["none", "seam cells"]
-    more.cells.setLayer(seam_cells)
-    more.cells.activated.emit(more.cells.currentIndex())
+    assert offered(more["cells"]) == ["none", "seam cells"]
+    more["cells"].setLayer(seam_cells)
+    more["cells"].activated.emit(more["cells"].currentIndex())
     assert desk.session.inputs == replace(expected, cells=seam_cells.id())
 
 
@@ -293,10 +293,10 @@ def test_following_the_session_changes_nothing(desk: Desk) -> None:
                     reference="composite", cells=GONE)
     desk.session.set_inputs(inputs)
     assert desk.session.settings == [inputs]
-    assert desk.panel.more.wavelet.currentText() == "db2"
-    assert desk.panel.more.levels.value() == 5
-    assert desk.panel.more.reference.currentText() == "the composite"
-    assert desk.panel.more.cells.currentText() == "missing: sheet_144"
+    assert desk.panel.more.boxes["wavelet"].currentText() == "db2"
+    assert desk.panel.more.boxes["levels"].value() == 5
+    assert desk.panel.more.boxes["reference"].currentText() == "the composite"
+    assert desk.panel.more.boxes["cells"].currentText() == "missing: sheet_144"
 
 
 @pytest.mark.parametrize(
@@ -402,7 +402,7 @@ def test_tab_goes_through_all_fields(desk: Desk) -> None:
         widget = widget.nextInFocusChain()
     wanted = [
         panel.mosaic, *panel.sources.fields(), panel.index, panel.seamlines, panel.windows, panel.side,
-        *panel.more.fields(),
+        *panel.more.boxes.values(),
     ]  # fmt: skip
     assert [one for one in seen if one in wanted][: len(wanted)] == wanted
 

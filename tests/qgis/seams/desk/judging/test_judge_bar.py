@@ -120,57 +120,57 @@ def test_confidence_and_remark_are_written_where_the_operator_is(
     bar: JudgeBar, session: WindowsSession, judging: Judging
 ) -> None:
     session.select([1])
-    bar.keys()[Qt.Key.Key_7]()
+    bar.key_actions()["sure 70"]()
     assert session.row(1).confidence == 70  # type: ignore[union-attr]
-    bar.keys()[Qt.Key.Key_0]()
+    bar.key_actions()["sure 100"]()
     assert bar.notes.confidence.value() == session.row(1).confidence == 100  # type: ignore[union-attr]
     bar.notes.confidence.setValue(85)
     judging.change(operator=2)
     assert bar.notes.confidence.text() == "- %"
-    bar.keys()[Qt.Key.Key_1]()
+    bar.key_actions()["sure 10"]()
     row = session.row(1)
     assert row is not None
     assert (row.confidence, row.confidence_2) == (85, 10)
 
 
 def test_a_digit_after_a_verdict_is_the_judged_window_s(bar: JudgeBar, session: WindowsSession) -> None:
-    keys = bar.keys()
+    keys = bar.key_actions()
     session.select([1])
-    keys[Qt.Key.Key_V]()
+    keys["visible"]()
     assert session.selected() == [12]
-    keys[Qt.Key.Key_8]()
+    keys["sure 80"]()
     assert bar._progress.text() == "Window 1: 80 % sure"
-    keys[Qt.Key.Key_7]()  # corrected
+    keys["sure 70"]()  # corrected
     assert _sure(session) == {1: 70}
     assert session.selected() == [12]
     session.select([2])
     session.select([12])
     assert bar._progress.text() == "3 of 6 judged, 1 to go"
-    keys[Qt.Key.Key_5]()
+    keys["sure 50"]()
     assert _sure(session) == {1: 70, 12: 50}
 
 
 def test_a_digit_given_before_the_verdict_is_the_selected_window_s(bar: JudgeBar, session: WindowsSession) -> None:
-    keys = bar.keys()
+    keys = bar.key_actions()
     session.select([1])
-    for key in (Qt.Key.Key_6, Qt.Key.Key_V, Qt.Key.Key_9, Qt.Key.Key_I):
+    for key in ("sure 60", "visible", "sure 90", "invisible"):
         keys[key]()
     assert _sure(session) == {1: 60, 12: 90}
 
 
 def test_after_a_step_a_digit_is_the_selected_window_s(bar: JudgeBar, session: WindowsSession) -> None:
-    keys = bar.keys()
+    keys = bar.key_actions()
     session.select([1])
-    for key in (Qt.Key.Key_V, Qt.Key.Key_P, Qt.Key.Key_4):
+    for key in ("visible", "before", "sure 40"):
         keys[key]()
     assert _sure(session) == {10: 40}
 
 
 def test_the_last_window_gets_its_digit_though_none_is_selected_then(bar: JudgeBar, session: WindowsSession) -> None:
-    keys = bar.keys()
+    keys = bar.key_actions()
     session.put([window(1, "reduced")])
     session.select([1])
-    for key in (Qt.Key.Key_V, Qt.Key.Key_3):
+    for key in ("visible", "sure 30"):
         keys[key]()
     assert _sure(session) == {1: 30}
 
@@ -184,7 +184,7 @@ def test_a_remark_takes_one_key_and_enter(bar: JudgeBar, session: WindowsSession
     bar.activateWindow()
     QTest.qWaitForWindowActive(bar)
     assert bar.notes.isHidden()
-    assert bar.keys()[Qt.Key.Key_R]()
+    assert bar.key_actions()["remark"]()
     assert bar.notes._label.text() == "Remark on window 1:"
     QTest.keyClicks(bar.notes._edit, "by the kerb")
     QTest.keyClick(bar.notes._edit, Qt.Key.Key_Return)
@@ -194,7 +194,7 @@ def test_a_remark_takes_one_key_and_enter(bar: JudgeBar, session: WindowsSession
     assert bar.notes.isHidden()
     session.select([1])
     assert bar.notes._edit.text() == "by the kerb"
-    bar.keys()[Qt.Key.Key_R]()
+    bar.key_actions()["remark"]()
     QTest.keyClicks(bar.notes._edit, "no")
     QTest.keyClick(bar.notes._edit, Qt.Key.Key_Escape)
     assert session.row(1).remark == "by the kerb"  # type: ignore[union-attr]

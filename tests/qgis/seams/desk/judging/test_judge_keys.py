@@ -4,7 +4,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from qgis.gui import QgsLayerTreeView, QgsMapCanvas
+from qgis.gui import QgsLayerTreeView, QgsMapCanvas, QgsMapTool
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QKeySequence
 from qgis.PyQt.QtTest import QTest
@@ -25,7 +25,7 @@ from qgis.PyQt.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
-from seam_inspector.plugin.seams.desk.judging_desk import JudgeKeys
+from seam_inspector.plugin.seams.desk.keys import DeskKeys
 
 from tests.qgis.seams.desk.windows_session import Show
 
@@ -49,9 +49,15 @@ class _Desk:
         self.taken: list[str] = []
         self.editing = False
         self.has_windows = True
-        self.keys = JudgeKeys(body, self.window, lambda: self.editing)
-        self.keys.set_keys({Qt.Key.Key_V: self._judge, Qt.Key.Key_N: self._next}, frozenset((Qt.Key.Key_N,)))
+        self.keys = DeskKeys(body, self.window, self)  # which has the map's tool
+        self.keys.set_actions({"visible": self._judge, "next": self._next})
         self.keys.listen(True)
+
+    def mapTool(self) -> _Desk:
+        return self
+
+    def flags(self) -> QgsMapTool.Flags:
+        return QgsMapTool.Flag.EditTool if self.editing else QgsMapTool.Flag.Transient
 
     def _judge(self) -> bool:
         if self.has_windows:
