@@ -1,4 +1,4 @@
-"""The keys of the desk: one table, from which tools/keys_table.py makes the guide's, and what listens to those that work everywhere.
+"""The keys of the desk: one table, of which tools/keys_table.py makes the guide's, and what listens to them.
 
 QGIS has shortcuts of its own on some of these keys, and Qt does nothing where two compete for one. So keys are taken
 where they arrive, at the widget that has the focus, before anybody makes a shortcut of them.

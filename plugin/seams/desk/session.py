@@ -184,11 +184,6 @@ class Session(QObject):
         block = self.block()
         return block.mosaic.grid if block is not None else None
 
-    def source_count_over(self, window: PixelWindow) -> int:
-        """How many sources' footprints cover a window."""
-        block = self.block()
-        return len(block.sources_over(window)) if block is not None else 0
-
     def nearest_judgeable(self, window: PixelWindow, on_seam: bool) -> PixelWindow | None:
         """The nearest window of that size that can be judged, its middle on a seam; None where none is near."""
         grid = self.mosaic_grid()

@@ -131,7 +131,7 @@ def two_source_points(desk: Desk) -> list[tuple[float, float]]:
             point = (
                 extent.xMinimum() + column / 40 * extent.width(), extent.yMinimum() + row / 40 * extent.height()
             )  # fmt: skip
-            if session.source_count_over(clicked_window(grid, point, session.inputs)) == 2:
+            if len(session.block().sources_over(clicked_window(grid, point, session.inputs))) == 2:
                 points.append(point)
     assert len(points) >= CLICKS
     return points[:: len(points) // CLICKS][:CLICKS]

@@ -239,7 +239,7 @@ def seam_path(desk: Desk) -> list[Point]:
             place = line.interpolate(0.3 * step).asPoint()
             point = place.x(), place.y()
             try:
-                count = session.source_count_over(clicked_window(grid, point, session.inputs))
+                count = len(session.block().sources_over(clicked_window(grid, point, session.inputs)))
             except Exception:
                 count = 0
             if count == 2:

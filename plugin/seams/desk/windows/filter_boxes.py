@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from functools import partial
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -137,17 +137,20 @@ class KindBox(_Box):
         self.addItem(tr("all"), None)
         for verdict in VERDICTS:
             self.addItem(verdict_chip(verdict), verdict_word(verdict), partial(_has_verdict, verdict))
-        self._offer(tr("not judged"), self._is_not_judged, tr("Windows without the observer's word."))
-        self._offer(tr("not sure"), self._is_unsure, tr("Windows where the observer was not sure."))
-        self._offer(tr("changed"), attrgetter("stale"), tr("Windows to be inspected again."))
-        self._offer(
-            tr("tool differs"), tool_and_observer_disagree,
-            tr("Windows where the tool's verdict and an observer's word disagree."),
-        )  # fmt: skip
-        self._offer(tr("operators differ"), operators_disagree, tr("Windows where the two operators disagree."))
         self._kinds = ["", *(verdict or "not_inspected" for verdict in VERDICTS)]
-        self._kinds += ["not_judged", "unsure", "stale", "tool_differs", "operators_differ"]
-        self._telling = self._places([*VERDICTS, "tool_differs", "operators_differ"])
+        for kind, text, test, tip in (
+            ("not_judged", tr("not judged"), partial(self._is_said, ""), tr("Windows without the observer's word.")),
+            ("unsure", tr("not sure"), partial(self._is_said, UNSURE), tr("Windows where the observer was not sure.")),
+            ("stale", tr("changed"), attrgetter("stale"), tr("Windows to be inspected again.")),
+            ("tool_differs", tr("tool differs"), tool_and_observer_disagree,
+             tr("Windows where the tool's verdict and an observer's word disagree.")),
+            ("operators_differ", tr("operators differ"), operators_disagree,
+             tr("Windows where the two operators disagree.")),
+        ):
+            self._kinds.append(kind)
+            self._offer(text, test, tip)
+        telling = {*VERDICTS, "tool_differs", "operators_differ"} - {""}
+        self._telling = [place for place, kind in enumerate(self._kinds) if kind in telling]
         self._fit()
         self.setMaxVisibleItems(self.count())
 
@@ -175,14 +178,9 @@ class KindBox(_Box):
         self._allow_telling(not is_blind)
         self.show_kind(kind)
 
-    def _places(self, kinds: Iterable[str]) -> list[int]:
-        return [place for place, kind in enumerate(self._kinds) if kind and kind in kinds]
-
-    def _is_not_judged(self, row: WindowRecord) -> bool:
-        return not getattr(row, self.operator.observer)
-
-    def _is_unsure(self, row: WindowRecord) -> bool:
-        return bool(getattr(row, self.operator.observer) == UNSURE)
+    def _is_said(self, word: str, row: WindowRecord) -> bool:
+        """By whose verdicts are asked for."""
+        return bool(getattr(row, self.operator.observer) == word)
 
 
 class OrderBox(_Box):

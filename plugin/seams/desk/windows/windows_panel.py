@@ -77,7 +77,7 @@ class WindowsPanel(QWidget):
         self._orders = OrderBox(self)
         self._problem = QLabel(self)
         self._problem.setTextFormat(Qt.TextFormat.PlainText)
-        self._filter_time = single_shot(self, self._tell_filter, _TYPED_MS)
+        self._filter_time = single_shot(self, self.filterChosen, _TYPED_MS)
         self._count = QLabel(self)
         self.table = WindowsTable(self._windows, self)
         self.table.setToolTip(
@@ -90,16 +90,13 @@ class WindowsPanel(QWidget):
         self._search.setPlaceholderText(tr("Filter windows"))
         self._search.setToolTip(tr("Shows the windows whose number, verdict, cause, observer or reason matches."))
         self._count.setToolTip(tr("How many windows are shown."))
-        self._menu = rows_menu(
-            self, zoom=self._zoom, inspect=self._inspect, judge=self._judge, copy=self.copy,
-            save_csv=self._ask_for_csv, remove=self._remove,
-        )
+        self._menu = self._rows_menu()
         self._lay_out()
 
         self._search.textChanged.connect(self._filter)
         self._verdicts.currentIndexChanged.connect(self._filter)
         self._orders.activated.connect(self._choose_order)
-        self.table.horizontalHeader().sectionClicked.connect(self._show_table_order)
+        self.table.horizontalHeader().sectionClicked.connect(lambda *_: self.orderChosen.emit(TABLE.name))
         self.table.copyRequested.connect(self.copy)
         self.table.selectionModel().selectionChanged.connect(self._lead)
         self.table.doubleClicked.connect(self._zoom_to)
@@ -152,7 +149,7 @@ class WindowsPanel(QWidget):
     def operator(self, operator: Operator) -> None:
         self._verdicts.operator = operator
 
-    def copy(self) -> None:
+    def copy(self, *_: object) -> None:
         """The selected rows to the clipboard."""
         rows = [row for row in map(self._session.row, self.table.selected_fids()) if row is not None]
         if rows:
@@ -184,9 +181,6 @@ class WindowsPanel(QWidget):
         self._problem.setText(problem)
         self._problem.setVisible(bool(problem))
         self._filter_time.start()
-
-    def _tell_filter(self) -> None:
-        self.filterChosen.emit()
 
     @contextmanager
     def _following(self) -> Iterator[None]:
@@ -263,15 +257,15 @@ class WindowsPanel(QWidget):
     def _zoom_to(self, index: QModelIndex) -> None:
         self.zoomRequested.emit(self._windows.fids()[index.row()])
 
-    def _zoom(self) -> None:
+    def _zoom(self, *_: object) -> None:
         current = self.table.currentIndex()
         if current.isValid():
             self._zoom_to(current)
 
-    def _inspect(self) -> None:
+    def _inspect(self, *_: object) -> None:
         self._session.inspect(self.table.selected_fids())
 
-    def _judge(self, word: str) -> None:
+    def _judge(self, word: str, *_: object) -> None:
         if set(self.table.selected_fids()) != set(self._session.selected()):  # the filter hides some
             self._session.select(self.table.selected_fids())
         self.judged.emit(word)
@@ -279,10 +273,7 @@ class WindowsPanel(QWidget):
     def _choose_order(self, place: int) -> None:
         self.orderChosen.emit(self._orders.itemData(place))
 
-    def _show_table_order(self, *_: object) -> None:
-        self.orderChosen.emit(TABLE.name)
-
-    def _ask_for_csv(self) -> None:
+    def _ask_for_csv(self, *_: object) -> None:
         path, _ = QFileDialog.getSaveFileName(self, tr("Save the windows"), "windows.csv", tr("CSV files (*.csv)"))
         if not path:
             return
@@ -292,7 +283,7 @@ class WindowsPanel(QWidget):
             problem = messages.TABLE_NOT_SAVED(path=path, error=system_reason(error))
             self.told.emit(sentence(problem), bar_level(problem))
 
-    def _remove(self) -> None:
+    def _remove(self, *_: object) -> None:
         fids = self.table.selected_fids()
         rows = [row for row in map(self._session.row, fids) if row is not None]
         judged = sum(bool(row.observer or row.observer_2) for row in rows)
@@ -305,6 +296,45 @@ class WindowsPanel(QWidget):
             self._menu.popup(self.table.viewport().mapToGlobal(place))
 
     # Widgets
+
+    def _rows_menu(self) -> QMenu:
+        """The menu of the selected rows. Its shortcuts are only told there: the table takes the keys itself."""
+        menu = QMenu(self)
+        menu.setToolTipsVisible(True)
+        for entry in (
+            (tr("Zoom to window"), "mActionZoomToSelected", self._zoom,
+             tr("Shows the window with one image pixel on 2 x 2 pixels of the screen."), Qt.Key.Key_Return),
+            (tr("Inspect again"), "mActionRefresh", self._inspect, tr("Measures the selected windows anew."), None),
+            None,
+            (tr("Judge visible"), "mActionShowAllLayers", partial(self._judge, VISIBLE),
+             tr("The loss of detail can be seen at 2x magnification."), None),
+            (tr("Judge invisible"), "mActionHideAllLayers", partial(self._judge, INVISIBLE),
+             tr("The loss of detail can't be seen at 2x magnification."), None),
+            (tr("Judge not sure"), "mActionHelpContents", partial(self._judge, UNSURE),
+             tr("It can't be said. The window counts as not judged in all results."), None),
+            (tr("Take judgement back"), "mActionUndo", partial(self._judge, ""),
+             tr("The selected windows are not judged yet."), None),
+            None,
+            (tr("Copy rows"), "mActionEditCopy", self.copy,
+             tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),
+            (tr("Save as CSV ..."), "mActionFileSaveAs", self._ask_for_csv,
+             tr("All windows that are shown, with all of their numbers."), None),
+            None,
+            (tr("Remove"), "mActionDeleteSelected", self._remove,
+             tr("Removes the selected windows; undo brings them back."), Qt.Key.Key_Delete),
+        ):
+            if entry is None:
+                menu.addSeparator()
+                continue
+            text, icon, slot, tip, key = entry
+            action = QAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text, menu)
+            action.setToolTip(tip)
+            if key is not None:
+                action.setShortcut(QKeySequence(key))
+                action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
+            action.triggered.connect(slot)
+            menu.addAction(action)
+        return menu
 
     def _lay_out(self) -> None:
         line = QHBoxLayout()
@@ -320,59 +350,6 @@ class WindowsPanel(QWidget):
         layout.addWidget(self._problem)
         layout.addWidget(self.table, 1)
         self.setFocusProxy(self.table)
-
-
-def rows_menu(
-    parent: QWidget,
-    *,
-    zoom: Callable[[], None],
-    inspect: Callable[[], None],
-    judge: Callable[[str], None],
-    copy: Callable[[], None],
-    save_csv: Callable[[], None],
-    remove: Callable[[], None],
-) -> QMenu:
-    """The menu of the selected rows. Its shortcuts are only told there: the table takes the keys itself."""
-    menu = QMenu(parent)
-    menu.setToolTipsVisible(True)
-    for entry in (
-        (tr("Zoom to window"), "mActionZoomToSelected", zoom,
-         tr("Shows the window with one image pixel on 2 x 2 pixels of the screen."), Qt.Key.Key_Return),
-        (tr("Inspect again"), "mActionRefresh", inspect, tr("Measures the selected windows anew."), None),
-        None,
-        (tr("Judge visible"), "mActionShowAllLayers", partial(judge, VISIBLE),
-         tr("The loss of detail can be seen at 2x magnification."), None),
-        (tr("Judge invisible"), "mActionHideAllLayers", partial(judge, INVISIBLE),
-         tr("The loss of detail can't be seen at 2x magnification."), None),
-        (tr("Judge not sure"), "mActionHelpContents", partial(judge, UNSURE),
-         tr("It can't be said. The window counts as not judged in all results."), None),
-        (tr("Take judgement back"), "mActionUndo", partial(judge, ""),
-         tr("The selected windows are not judged yet."), None),
-        None,
-        (tr("Copy rows"), "mActionEditCopy", copy,
-         tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),
-        (tr("Save as CSV ..."), "mActionFileSaveAs", save_csv,
-         tr("All windows that are shown, with all of their numbers."), None),
-        None,
-        (tr("Remove"), "mActionDeleteSelected", remove,
-         tr("Removes the selected windows; undo brings them back."), Qt.Key.Key_Delete),
-    ):
-        if entry is None:
-            menu.addSeparator()
-            continue
-        text, icon, slot, tip, key = entry
-        action = QAction(QgsApplication.getThemeIcon(f"/{icon}.svg"), text, menu)
-        action.setToolTip(tip)
-        if key is not None:
-            action.setShortcut(QKeySequence(key))
-            action.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
-        action.triggered.connect(slot if not isinstance(slot, partial) else partial(_without_state, slot))
-        menu.addAction(action)
-    return menu
-
-
-def _without_state(slot: Callable[[], None], _checked: bool = False) -> None:
-    slot()
 
 
 def copied_rows(columns: Sequence[TableColumn], rows: Iterable[WindowRecord]) -> str:

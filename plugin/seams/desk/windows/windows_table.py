@@ -213,12 +213,6 @@ class WindowsTable(QTableView):
         save_choice(self._choice)
         self.fit()
 
-    def _choose_columns(self, fields: tuple[str, ...]) -> None:
-        self._take_choice(replace(self._choice, shown=fields))
-
-    def _reset_columns(self) -> None:
-        self._take_choice(ColumnChoice())
-
     def _take_choice(self, choice: ColumnChoice) -> None:
         self._choice = choice
         save_choice(choice)
@@ -232,7 +226,10 @@ class WindowsTable(QTableView):
     def columns_menu(self) -> QMenu:
         """Which columns are seen."""
         visible = [column.field for column in self.visible_columns()]
-        menu = columns_menu(self._windows.columns, visible, self._choose_columns, self._reset_columns, self)
+        menu = columns_menu(
+            self._windows.columns, visible, lambda fields: self._take_choice(replace(self._choice, shown=fields)),
+            lambda: self._take_choice(ColumnChoice()), self,
+        )
         menu.aboutToHide.connect(menu.deleteLater)
         return menu
 

@@ -51,12 +51,12 @@ def test_vanished_layers_do_no_harm(desk: Desk) -> None:
     before = desk.session.inputs
     desk.project.removeMapLayers([desk.sources[0].id()])
     assert desk.session.inputs == before
-    assert desk.session.source_count_over(BLURRED_WINDOW) == 1
+    assert len(desk.session.block().sources_over(BLURRED_WINDOW)) == 1
     desk.project.removeMapLayers([desk.mosaic.id(), desk.seamlines.id(), desk.layer().id()])
     settle()
     assert desk.session.mosaic_grid() is None
     assert desk.session.mosaic_layer() is None
-    assert desk.session.source_count_over(BLURRED_WINDOW) == 0
+    assert desk.session.block() is None
     assert desk.session.seam_point_near(*at(256, 10), 5) is None
     assert desk.session.windows() == []
     assert load_inputs(desk.project) == before
@@ -264,7 +264,7 @@ def test_sources_are_counted_by_their_pixels(desk: Desk, scene: Scene, tmp_path:
     desk.set(desk.inputs(sources=(half.id(), desk.sources[1].id())))
     session = desk.session
     wait_until(lambda: session.coverage(BLURRED_WINDOW).unread == 0, "for the validity")
-    assert session.source_count_over(BLURRED_WINDOW) == 2
+    assert len(session.block().sources_over(BLURRED_WINDOW)) == 2
     assert session.coverage(BLURRED_WINDOW).sources == 1
     assert session.coverage(SHARP_WINDOW).sources == 2
     assert session.coverage(SHARP_WINDOW).can_be_judged

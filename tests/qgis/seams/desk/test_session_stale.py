@@ -264,10 +264,10 @@ def test_an_edited_source_index_makes_inspected_windows_stale(desk: Desk, scene:
     assert not desk.rows()[1].stale  # nothing that counts has changed
     index.deleteFeature(2)
     wait_until(lambda: desk.rows()[1].stale)
-    assert desk.session.source_count_over(BLURRED_WINDOW) == 1
+    assert len(desk.session.block().sources_over(BLURRED_WINDOW)) == 1
     index.undoStack().undo()
     wait_until(lambda: not desk.rows()[1].stale)
-    assert desk.session.source_count_over(BLURRED_WINDOW) == 2
+    assert len(desk.session.block().sources_over(BLURRED_WINDOW)) == 2
     desk.project.removeMapLayers([index.id()])
     settle()
     assert not desk.rows()[1].stale
