@@ -10,16 +10,15 @@ from qgis.core import QgsApplication
 
 application = QgsApplication([], False)
 QgsApplication.initQgis()
-from seam_inspector.plugin.seams.tables import window_fields
+from seam_inspector.plugin.seams.measure.window import window_tables
 
-made = window_fields.WindowField(
+made = window_tables.WindowField(
     "roughness", "real", lambda result: 0.25, title="roughness of the ground", heading="roughness",
     help="Made up for a test.", shown="percent", called=("rough",), is_share=True,
 )
-window_fields.MEASURED = (*window_fields.MEASURED, made)
-window_fields.WINDOW_FIELDS = (*window_fields.WINDOW_FIELDS, made)
-window_fields.give_titles({made.name: made.title})
-window_fields.in_filter.__defaults__ = (window_fields.WINDOW_FIELDS,)
+window_tables.MEASURED = (*window_tables.MEASURED, made)
+window_tables.WINDOW_FIELDS = (*window_tables.WINDOW_FIELDS, made)
+window_tables.in_filter.__defaults__ = (window_tables.WINDOW_FIELDS,)
 
 from seam_inspector.plugin.seams.desk.windows.window_columns import CHOSEN_COLUMNS
 from seam_inspector.plugin.seams.desk.windows.windows_filter import window_test
