@@ -29,6 +29,8 @@ from osgeo import gdal, ogr
 
 from . import messages
 from .errors import SeamlineError
+from .gdal_calls import gdal_silenced
+from .grids import Grid, PixelWindow
 
 
 def vertex_stations(path: np.ndarray) -> np.ndarray:
@@ -39,6 +41,42 @@ def vertex_stations(path: np.ndarray) -> np.ndarray:
 def points_at(path: np.ndarray, along: np.ndarray, wanted: np.ndarray) -> np.ndarray:
     """Points of a path, (m, 2), at some stations, (m,). ``along``: those of its vertices."""
     return np.column_stack([np.interp(wanted, along, one) for one in path.T])
+
+
+def shares_inside(path: np.ndarray, low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """From which to which share of its length, 0 to 1, each straight stretch of a path, (n, 2), lies in a rectangle
+    (Liang and Barsky); from more than to where it does not. ``low``, ``high``: the rectangle's corners, (2,)."""
+    start, step = path[:-1], np.diff(path, axis=0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        bounds = np.stack([(low - start) / step, (high - start) / step])
+    reach = np.where((start >= low) & (start <= high), np.inf, -np.inf)  # of what runs parallel: wholly in or out
+    enter = np.where(step == 0, -reach, bounds.min(axis=0)).max(axis=1).clip(0)
+    leave = np.where(step == 0, reach, bounds.max(axis=0)).min(axis=1).clip(max=1)
+    return enter, leave
+
+
+def burnt(
+    shapes: Iterable[tuple[ogr.Geometry, int]], grid: Grid, window: PixelWindow, background: int = 0,
+    touched: bool = False,
+) -> np.ndarray:
+    """Values, 0 to 255, of the geometries that the pixels of a window lie in, the last one's of several; uint8.
+
+    ``touched``: whether it is enough that a geometry touches a pixel; else it has to hold its middle.
+    """
+    xmin, _, _, ymax = grid.window_extent(window)
+    with gdal_silenced():
+        target = gdal.GetDriverByName("MEM").Create("", window.width, window.height, 1, gdal.GDT_Byte)
+        target.SetGeoTransform((xmin, grid.pixel_width, 0, ymax, 0, -grid.pixel_height))
+        target.GetRasterBand(1).Fill(background)
+        for geometry, value in shapes:
+            vector = ogr.GetDriverByName("Memory").CreateDataSource("")
+            layer = vector.CreateLayer("shape")
+            feature = ogr.Feature(layer.GetLayerDefn())
+            feature.SetGeometry(geometry)
+            layer.CreateFeature(feature)
+            options = ["ALL_TOUCHED=TRUE"] if touched else []
+            gdal.RasterizeLayer(target, [1], layer, burn_values=[value], options=options)
+        return np.asarray(target.ReadAsArray())
 
 
 BORDER_SNAP_PX = 0.5  # borders of polygons nearer than this are one: half a raster step

@@ -15,10 +15,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
-from osgeo import gdal, ogr
+from osgeo import ogr
 
-from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.grids import Grid, PixelWindow
+from ...imagery.grids import PixelWindow
+from ...imagery.lines import burnt
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import ValueRange
 from . import limits
@@ -204,7 +204,7 @@ def _tone(source: OpenRaster, window: PixelWindow, area: GreyArea) -> GreyTone |
         return None
     count, sums, places = 0, np.zeros(3), np.zeros(2)
     for block in source.blocks(PixelWindow(left, top, right - left, bottom - top), _MOST_PIXELS):
-        inside = _inside(geometry, grid, block)
+        inside = burnt([(geometry, 1)], grid, block) == 1
         if not inside.any():
             continue
         bands, invalid = source.read(block)
@@ -219,21 +219,6 @@ def _tone(source: OpenRaster, window: PixelWindow, area: GreyArea) -> GreyTone |
     red, green, blue = (sums / count).tolist()
     column, row = places / count
     return GreyTone(area.number, count, (red, green, blue), grid.to_map(column, row))
-
-
-def _inside(geometry: ogr.Geometry, grid: Grid, block: PixelWindow) -> np.ndarray:
-    """(rows, columns) bool: the pixels whose middles lie in a polygon."""
-    xmin, _, _, ymax = grid.window_extent(block)
-    with gdal_silenced():
-        target = gdal.GetDriverByName("MEM").Create("", block.width, block.height, 1, gdal.GDT_Byte)
-        target.SetGeoTransform((xmin, grid.pixel_width, 0, ymax, 0, -grid.pixel_height))
-        vector = ogr.GetDriverByName("Memory").CreateDataSource("")
-        layer = vector.CreateLayer("area")
-        feature = ogr.Feature(layer.GetLayerDefn())
-        feature.SetGeometry(geometry)
-        layer.CreateFeature(feature)
-        gdal.RasterizeLayer(target, [1], layer, burn_values=[1])
-        return np.asarray(target.ReadAsArray() == 1)
 
 
 def colour_balance(tones: Sequence[GreyTone], available: ValueRange) -> ColourBalance | None:

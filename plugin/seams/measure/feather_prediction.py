@@ -17,12 +17,12 @@ from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
-from osgeo import gdal, ogr
+from osgeo import ogr
 from scipy import ndimage
 
 from ...imagery import limits as imagery_limits
-from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.grids import Extent, Grid, PixelWindow
+from ...imagery.grids import Extent, PixelWindow
+from ...imagery.lines import burnt
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import geometry_on
 from ...imagery.wavelets import component_products, placed_components
@@ -197,8 +197,8 @@ def drawn_seam(
 
     Raises RasterError when the lines can't be transformed to the mosaic's reference system.
     """
-    borders = [_border(line, wkt, mosaic.wkt) for line in lines]
-    parts, _ = ndimage.label(~_burnt(borders, mosaic.grid, window))
+    borders = [(_border(line, wkt, mosaic.wkt), 1) for line in lines]
+    parts, _ = ndimage.label(burnt(borders, mosaic.grid, window, touched=True) == 0)
     sizes = np.bincount(parts.ravel())
     sizes[0] = 0
     sides = np.flatnonzero(sizes >= _MIN_SIDE_SHARE * parts.size)
@@ -216,17 +216,3 @@ def _border(line: bytes, wkt: str, target_wkt: str) -> ogr.Geometry:
     return geometry.Boundary() if geometry.GetDimension() == 2 else geometry
 
 
-def _burnt(lines: Sequence[ogr.Geometry], grid: Grid, window: PixelWindow) -> np.ndarray:
-    """Pixels that a line runs through, (rows, columns) bool."""
-    xmin, _, _, ymax = grid.window_extent(window)
-    with gdal_silenced():
-        target = gdal.GetDriverByName("MEM").Create("", window.width, window.height, 1, gdal.GDT_Byte)
-        target.SetGeoTransform((xmin, grid.pixel_width, 0, ymax, 0, -grid.pixel_height))
-        vector = ogr.GetDriverByName("Memory").CreateDataSource("")
-        layer = vector.CreateLayer("seams")
-        for line in lines:
-            feature = ogr.Feature(layer.GetLayerDefn())
-            feature.SetGeometry(line)
-            layer.CreateFeature(feature)
-        gdal.RasterizeLayer(target, [1], layer, burn_values=[1], options=["ALL_TOUCHED=TRUE"])
-        return target.ReadAsArray() > 0

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 import numpy as np
-from osgeo import gdal, ogr
+from osgeo import ogr
 
-from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.grids import Extent, Grid, PixelWindow, extents_meet
+from ...imagery.lines import burnt
 
 UNKNOWN = 255
 """The label of pixels that no cell covers, or one of a source that does not take part."""
@@ -35,22 +35,9 @@ def cells_over(cells: Sequence[Cell], extent: Extent) -> tuple[Cell, ...]:
 def cell_labels(cells: Sequence[Cell], names: Sequence[str], grid: Grid, window: PixelWindow) -> np.ndarray:
     """Index of each pixel's source in ``names``, (rows, columns) uint8, ``UNKNOWN`` where no cell says."""
     places = {source_stem(name): place for place, name in enumerate(names)}
-    xmin, _, _, ymax = grid.window_extent(window)
-    with gdal_silenced():
-        target = gdal.GetDriverByName("MEM").Create("", window.width, window.height, 1, gdal.GDT_Byte)
-        target.SetGeoTransform((xmin, grid.pixel_width, 0, ymax, 0, -grid.pixel_height))
-        target.GetRasterBand(1).Fill(UNKNOWN)
-        for cell in cells:
-            place = places.get(source_stem(cell.source))
-            if place is None:
-                continue
-            vector = ogr.GetDriverByName("Memory").CreateDataSource("")
-            layer = vector.CreateLayer("cell")
-            feature = ogr.Feature(layer.GetLayerDefn())
-            feature.SetGeometry(ogr.CreateGeometryFromWkb(cell.wkb))
-            layer.CreateFeature(feature)
-            gdal.RasterizeLayer(target, [1], layer, burn_values=[place])
-        return target.ReadAsArray()
+    named = [(cell, places.get(source_stem(cell.source))) for cell in cells]
+    shapes = [(ogr.CreateGeometryFromWkb(cell.wkb), place) for cell, place in named if place is not None]
+    return burnt(shapes, grid, window, UNKNOWN)
 
 
 def is_one_of(labels: np.ndarray, numbers: Iterable[int]) -> np.ndarray:

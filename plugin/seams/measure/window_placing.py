@@ -19,7 +19,7 @@ from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, SettingsError
 from ...imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
-from ...imagery.lines import Seam, points_at, vertex_stations
+from ...imagery.lines import Seam, points_at, shares_inside, vertex_stations
 from . import limits, messages
 
 MIN_SEAM_PX = 8  # around two or three pixels: noise of labels
@@ -299,14 +299,7 @@ class SeamTrack:
 
     def stretches(self, left: float, top: float, right: float, bottom: float) -> np.ndarray:
         """(k, 2): stations between which the seam lies inside a rectangle of columns and rows (Liang-Barsky)."""
-        low, high = np.array([left, top]), np.array([right, bottom])
-        start, step = self._pixels[:-1], np.diff(self._pixels, axis=0)
-        along = step != 0
-        safe = np.where(along, step, 1)
-        beside = np.where((low <= start) & (start <= high), np.inf, -np.inf)  # runs parallel: wholly in or out
-        enter = np.where(along, np.minimum((low - start) / safe, (high - start) / safe), -beside)
-        leave = np.where(along, np.maximum((low - start) / safe, (high - start) / safe), beside)
-        enter, leave = np.maximum(enter.max(axis=1), 0), np.minimum(leave.min(axis=1), 1)
+        enter, leave = shares_inside(self._pixels, np.array([left, top]), np.array([right, bottom]))
         crosses = enter <= leave
         station, length = self._station[:-1][crosses], np.diff(self._station)[crosses]
         first, last = station + enter[crosses] * length, station + leave[crosses] * length

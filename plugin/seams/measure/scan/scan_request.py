@@ -16,15 +16,15 @@ from ..inputs.mosaic_copies import leave_out_copies
 from ..limits import FULL
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN
-from ..source_images import Source, SourceTree
+from ..source_images import Footprints, Source
 from . import messages
 from .blocks.block_grid import BlockGrid, BlockKey
 from .blocks.scan_block import BlockRequest
 from .blocks.seam_sides import REACH_PX, SeamSides, SeamSquares
-from .lines.given_seams import GivenSeams, NamedSeam
+from .lines.given_seams import GivenSeams
 from .lines.piece_index import PieceIndex
 from .lines.seam_fields import source_numbers
-from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, cut_off
+from .lines.seam_pieces import SeamPiece, Side, SidedSeam, cut_in_pieces, cut_off
 from .scan_settings import ScanSettings
 
 SHORTEST_PIECE_PX = 1.25 * MIN_STRIP_PX / (2 * STRIP_PX)
@@ -54,7 +54,7 @@ class ScanRequest:
         return grey_factor(self.mosaic)
 
     @property
-    def seams(self) -> tuple[NamedSeam, ...]:
+    def seams(self) -> tuple[SidedSeam, ...]:
         """Those that are given."""
         return self.given.seams if self.given else ()
 
@@ -66,7 +66,7 @@ class ScanRequest:
     @cached_property
     def named(self) -> tuple[dict[str, int], Message | None]:
         """Numbers of the sources by what the seams call them, and which names mean none."""
-        names = {name for seam in self.seams for name in (seam.left, seam.right) if name}
+        names = {name for seam in self.seams for name in (seam.left, seam.right) if name and isinstance(name, str)}
         return source_numbers(names, [one.ref.name for one in self.sources])
 
     @cached_property
@@ -77,9 +77,9 @@ class ScanRequest:
         return {**given, **{self.sources[number].ref.name: given[name] for name, number in numbers.items()}}
 
     @cached_property
-    def tree(self) -> SourceTree:
-        """The sources by place."""
-        return SourceTree(self.sources)
+    def footprints(self) -> Footprints:
+        """Of the sources."""
+        return Footprints(self.sources)
 
     @cached_property
     def numbers(self) -> dict[str, int]:
@@ -105,12 +105,13 @@ class ScanRequest:
         if len(self.sources) <= UNKNOWN:
             return 0
         extents = (self.mosaic.grid.window_extent(self.blocks.window(key)) for key in self.keys())
-        return sum(len(self.tree.numbers_meeting(extent)) > UNKNOWN for extent in extents)
+        return sum(len(self.footprints.meeting(extent)) > UNKNOWN for extent in extents)
 
     def block(self, key: BlockKey) -> BlockRequest:
         """One of its blocks."""
         window = self.blocks.window(key)
-        sources = largest(self.tree.meeting(self.mosaic.grid.window_extent(window)), self.mosaic, window)
+        meeting = self.footprints.meeting(self.mosaic.grid.window_extent(window))
+        sources = largest(tuple(self.sources[number] for number in meeting), self.mosaic, window)
         request = BlockRequest(self.mosaic, sources, key, window, self.settings, grey_factor=self.grey_factor)
         squares = self.seam_squares
         if squares is None:
@@ -172,7 +173,7 @@ def scan_request(
     if settings.corridor_m and given is None:
         notices.append(messages.CORRIDOR_WITHOUT_SEAMS())
     request = ScanRequest(mosaic, tuple(kept), settings, given)
-    if kept and not request.tree.numbers_meeting(mosaic.extent):
+    if kept and not request.footprints.meeting(mosaic.extent):
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
     if crowded := request.crowded:
         notices.append(messages.SOURCES_CROWDED(count=crowded, most=UNKNOWN))

@@ -11,7 +11,7 @@ from .....imagery.grids import PixelWindow
 from .....imagery.lines import points_at, vertex_stations
 from ...following.boxes import enlarged
 from ..lines.piece_index import PieceIndex
-from ..lines.seam_pieces import SidedLine
+from ..lines.seam_pieces import SidedSeam
 from .block_grid import LABEL_PX, MARGIN_PX, UNIT_PX, UNITS, BlockGrid, BlockKey
 
 BESIDE_PX = 48
@@ -28,7 +28,7 @@ class SeamSquares:
     """
 
     def __init__(
-        self, seams: Iterable[SidedLine], blocks: BlockGrid, corridor_px: float = 0.0, beside_px: int = BESIDE_PX
+        self, seams: Iterable[SidedSeam], blocks: BlockGrid, corridor_px: float = 0.0, beside_px: int = BESIDE_PX
     ) -> None:
         """``corridor_px``: how far from the seams is read at all, 0: everything; ``beside_px``: what is measured."""
         self._blocks = blocks

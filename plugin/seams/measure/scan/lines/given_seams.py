@@ -17,25 +17,14 @@ from ...seam_cells import Cell
 from .. import messages
 from .seam_features import SeamFeature, gathered, told
 from .seam_fields import seam_fields
-
-
-@dataclass(frozen=True, eq=False)
-class NamedSeam:
-    """A seam with what lies beside it, where the producer says so."""
-
-    vertices: np.ndarray
-    """(n, 2) float64 map units, n >= 2; first and last are equal when it is a ring."""
-    left: str | None
-    """What the mosaic was made from on the left hand: an orthoimage's name, else a date."""
-    right: str | None
-    """The same on the right hand. Producers' left and right are often exchanged; ``sides_of`` sets them right."""
+from .seam_pieces import SidedSeam
 
 
 @dataclass(frozen=True, eq=False)
 class GivenSeams:
     """What a layer of seams says."""
 
-    seams: tuple[NamedSeam, ...]
+    seams: tuple[SidedSeam, ...]
     """Longest first."""
     cells: tuple[Cell, ...]
     """The polygons that name their orthoimage."""
@@ -62,10 +51,11 @@ def given_seams(features: Iterable[SeamFeature], grid: Grid, source_field: str =
     if pieces.lines:
         network.add_lines(pieces.lines, pieces.line_sides)
     named = any(map(told, chain(pieces.ring_owners, *pieces.line_sides)))
-    seams = sorted(
-        network.seams(whoever=not named),
-        key=lambda one: (-round(_length(one.vertices) / grid.pixel_width, 3), one.vertices[0, 0], one.vertices[0, 1]),
-    )
+
+    def longest_first(seam: SidedSeam) -> tuple[float, float, float]:
+        return -round(seam.length / grid.pixel_width, 3), seam.vertices[0, 0], seam.vertices[0, 1]
+
+    seams = sorted(network.seams(whoever=not named), key=longest_first)
     if not seams:
         raise SeamlineError(
             imagery_messages.SEAMLINES_APART() if pieces.rings else imagery_messages.SEAMLINES_TOO_SHORT()
@@ -125,7 +115,7 @@ class _Network:
         of_pair[backward] = of_pair[backward, ::-1]
         self._parts.append((nodes + shift, pairs, of_pair, [str(name) for name in names]))
 
-    def seams(self, whoever: bool) -> Iterator[NamedSeam]:
+    def seams(self, whoever: bool) -> Iterator[SidedSeam]:
         """The longest paths through pieces that part the same two owners; or just the longest paths."""
         for nodes, pairs, sides, names in self._parts:
             group = np.zeros(len(pairs), dtype=int)
@@ -138,7 +128,7 @@ class _Network:
 
     def _of_group(
         self, nodes: np.ndarray, pairs: np.ndarray, sides: np.ndarray, names: Sequence[str]
-    ) -> Iterator[NamedSeam]:
+    ) -> Iterator[SidedSeam]:
         used, local = np.unique(pairs, return_inverse=True)
         local = local.reshape(-1, 2)
         places = nodes[used]  # ascending, as all nodes are
@@ -156,7 +146,7 @@ class _Network:
             one, other = int(found[0].min()), int(found[0].max())
             weight = abs(np.diff(places[walk]))
             left, right = (one, other) if weight[found[:, 0] == one].sum() * 2 >= weight.sum() else (other, one)
-            yield NamedSeam(
+            yield SidedSeam(
                 seamlines.as_xy(seam * self._size + self._origin), told(names[left]) or None, told(names[right]) or None
             )
 
@@ -169,9 +159,6 @@ class _Network:
         shift = complex(np.floor(ends.real.min()), np.floor(ends.imag.min()))
         return shift, ends - shift
 
-
-def _length(vertices: np.ndarray) -> float:
-    return float(np.hypot(*np.diff(vertices, axis=0).T).sum())
 
 
 WIDTH_PX = 1.0  # on the mean: what is narrower is how borders drawn twice differ, and is bridged

@@ -4,13 +4,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Protocol, Union
+from typing import Union
 
 import numpy as np
 
 from .....imagery.errors import Message, SettingsError
 from .....imagery.grids import Grid
-from .....imagery.lines import points_at, vertex_stations
+from .....imagery.lines import points_at, shares_inside, vertex_stations
 from .. import messages
 from .label_borders import NONE
 
@@ -21,20 +21,22 @@ Side = Union[int, str, None]
 """A source beside a seam: its number or its name; None where nothing says."""
 
 
-class SidedLine(Protocol):
-    """What a seam is known by here."""
+@dataclass(frozen=True, eq=False)
+class SidedSeam:
+    """A seam with what lies beside it, where the producer or the labels of the mosaic say so."""
+
+    vertices: np.ndarray
+    """(n, 2) float64 map units, n >= 2; first and last are equal when it is a ring."""
+    left: Side
+    """On the left hand of who walks along the vertices: the source's number; or what a producer says that the mosaic
+    was made from, an orthoimage's name, else a date."""
+    right: Side
+    """The same on the right hand. Producers' left and right are often exchanged; ``sides_of`` sets them right."""
 
     @property
-    def vertices(self) -> np.ndarray:
-        """(n, 2) float64 map units."""
-
-    @property
-    def left(self) -> Side:
-        """The source on the left hand of who walks along the vertices."""
-
-    @property
-    def right(self) -> Side:
-        """The source on the right hand."""
+    def length(self) -> float:
+        """Map units."""
+        return float(vertex_stations(self.vertices)[-1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +57,7 @@ class SeamPiece:
     """The source on the right hand."""
 
 
-def cut_in_pieces(seams: Iterable[SidedLine], piece_m: float, grid: Grid) -> list[SeamPiece]:
+def cut_in_pieces(seams: Iterable[SidedSeam], piece_m: float, grid: Grid) -> list[SeamPiece]:
     """Seams in pieces of equal length each, as close to ``piece_m`` metres as their length allows.
 
     What lies outside the mosaic's grid is cut off, parts inside that are shorter than a pixel too; ``cut_off`` tells
@@ -82,7 +84,7 @@ def cut_in_pieces(seams: Iterable[SidedLine], piece_m: float, grid: Grid) -> lis
     return pieces
 
 
-def cut_off(seams: Iterable[SidedLine], pieces: Sequence[SeamPiece], grid: Grid) -> Message | None:
+def cut_off(seams: Iterable[SidedSeam], pieces: Sequence[SeamPiece], grid: Grid) -> Message | None:
     """How many metres of the seams lie outside the mosaic; None where that is less than a metre."""
     scale = np.array([grid.metres_x, grid.metres_y])
     given = sum(float(vertex_stations(seam.vertices * scale)[-1]) for seam in seams)
@@ -101,13 +103,8 @@ def _inside(path: np.ndarray, grid: Grid) -> Iterator[tuple[np.ndarray, float]]:
         if along[-1] >= shortest:
             yield path, 0.0
         return
-    # Each straight stretch is inside between two shares of its length (Liang and Barsky).
     start, step = path[:-1], np.diff(path, axis=0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        bounds = np.stack([(low - start) / step, (high - start) / step])
-    within = (start >= low) & (start <= high)
-    enter = np.where(step == 0, np.where(within, -np.inf, np.inf), bounds.min(axis=0)).max(axis=1).clip(0)
-    leave = np.where(step == 0, np.where(within, np.inf, -np.inf), bounds.max(axis=0)).min(axis=1).clip(max=1)
+    enter, leave = shares_inside(path, low, high)
     touched = np.flatnonzero(enter < leave)
     # A part goes on where one stretch is left at its end and the next one entered at its start.
     goes_on = (np.diff(touched) == 1) & (leave[touched[:-1]] == 1) & (enter[touched[1:]] == 0)

@@ -13,22 +13,11 @@ from scipy import ndimage
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Grid
 from .label_borders import NONE, LabelBorder, cleaned, label_borders
+from .seam_pieces import SidedSeam
 
 _SIGMA = 2.0  # samples along a border, 8 px: a stair's length and more; a corner of 90 degrees is cut by 6 px
 _STRAIGHT = 0.5  # samples, 2 px, that a vertex may be off the straight line before it is kept
 _STAIR = 1.0  # the same on outlines, whose corners are kept as they are
-
-
-@dataclass(frozen=True, eq=False)
-class TracedSeam:
-    """A seam from one junction of three sources to the next, or a ring."""
-
-    vertices: np.ndarray
-    """(n, 2) float64 map units, n >= 2; first and last are equal when it is a ring."""
-    left: int
-    """Number of the source on the left hand of who walks along the vertices."""
-    right: int
-    """Number of the source on the right hand."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,11 +34,11 @@ class SourceBorder:
     """What its ends are known by: borders with an end of the same key meet there."""
 
 
-def seams_of(borders: Iterable[SourceBorder]) -> list[TracedSeam]:
+def seams_of(borders: Iterable[SourceBorder]) -> list[SidedSeam]:
     """The borders that have a source on either side, longest first."""
-    seams = [TracedSeam(one.vertices, one.left, one.right) for one in borders if one.left != NONE]
+    seams = [SidedSeam(one.vertices, one.left, one.right) for one in borders if one.left != NONE]
     # Rounded, so that equal lengths stay equal; then from the north to the south.
-    return sorted(seams, key=lambda one: (-round(_length(one.vertices), 6), -one.vertices[0, 1], one.vertices[0, 0]))
+    return sorted(seams, key=lambda one: (-round(one.length, 6), -one.vertices[0, 1], one.vertices[0, 0]))
 
 
 def trace_borders(strips: Iterable[np.ndarray], grid: Grid, label_px: int = 4) -> Iterator[SourceBorder]:
@@ -90,9 +79,6 @@ def _straightened(path: np.ndarray, tolerance: float) -> np.ndarray:
     line = ogr.CreateGeometryFromWkb(header + path.astype("<f8").tobytes()).Simplify(tolerance)
     return np.frombuffer(line.ExportToWkb(ogr.wkbNDR), dtype="<f8", offset=9).reshape(-1, 2)
 
-
-def _length(vertices: np.ndarray) -> float:
-    return float(np.hypot(*np.diff(vertices, axis=0).T).sum())
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import UNIT_PX, UNITS, BlockGrid, place_of
 from seam_inspector.plugin.seams.measure.scan.blocks.seam_sides import BESIDE_PX, SeamSquares
-from seam_inspector.plugin.seams.measure.scan.lines.given_seams import NamedSeam
+from seam_inspector.plugin.seams.measure.scan.lines.given_seams import SidedSeam
 
 from tests.examples import at_most
 
@@ -22,11 +22,11 @@ STEP_PX = 0.5
 SPARE_PX = 13  # lines are looked at 24 px apart
 
 
-def seam(*places: tuple[float, float]) -> NamedSeam:
+def seam(*places: tuple[float, float]) -> SidedSeam:
     """Through columns and rows of the mosaic."""
     columns, rows = np.array(places, float).T
     vertices = np.column_stack([GRID.left + columns * GRID.pixel_width, GRID.top - rows * GRID.pixel_height])
-    return NamedSeam(vertices, None, None)
+    return SidedSeam(vertices, None, None)
 
 
 def points_along(places: list[tuple[float, float]]) -> np.ndarray:
@@ -88,7 +88,7 @@ def test_memory_grows_with_the_seams_and_not_with_the_mosaic() -> None:
     """A country's, of 10^12 pixels."""
     side = 1_000_000
     country = BlockGrid(Grid(0.0, 0.0, 1.0, 1.0, side, side))
-    line = NamedSeam(np.array([[100.0, -100.0], [side - 100.0, -100.0], [side - 100.0, -90_000.0]]), None, None)
+    line = SidedSeam(np.array([[100.0, -100.0], [side - 100.0, -100.0], [side - 100.0, -90_000.0]]), None, None)
     tracemalloc.start()
     squares = SeamSquares([line], country, 10_000.0)
     peak = tracemalloc.get_traced_memory()[1]

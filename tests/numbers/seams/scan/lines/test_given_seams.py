@@ -9,7 +9,7 @@ import pytest
 from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.errors import SeamlineError, SettingsError
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, NamedSeam, given_seams
+from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, SidedSeam, given_seams
 from seam_inspector.plugin.seams.measure.scan.lines.seam_features import SeamFeature
 from seam_inspector.plugin.seams.measure.scan.lines.seam_fields import SeamFields, seam_fields
 
@@ -35,11 +35,11 @@ def wkb(text: str) -> bytes:
     return bytes(ogr.CreateGeometryFromWkt(text).ExportToIsoWkb())
 
 
-def length(seam: NamedSeam) -> float:
+def length(seam: SidedSeam) -> float:
     return float(np.hypot(*np.diff(seam.vertices, axis=0).T).sum())
 
 
-def northward(seam: NamedSeam) -> tuple[str | None, str | None]:
+def northward(seam: SidedSeam) -> tuple[str | None, str | None]:
     """What lies west and east of a seam that runs from south to north or back."""
     return (seam.left, seam.right) if seam.vertices[-1, 1] > seam.vertices[0, 1] else (seam.right, seam.left)
 

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.scan.lines.label_borders import LabelBorder, cleaned, label_borders
-from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import TracedSeam, seams_of, trace_borders
+from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import SidedSeam, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import (
     LABEL_PX,
@@ -29,7 +29,7 @@ SIDE = 200
 """Samples of a small mosaic."""
 
 
-def trace_seams(strips: Iterable[np.ndarray], grid: Grid, label_px: int = 4) -> list[TracedSeam]:
+def trace_seams(strips: Iterable[np.ndarray], grid: Grid, label_px: int = 4) -> list[SidedSeam]:
     return seams_of(trace_borders(strips, grid, label_px))
 
 
@@ -38,11 +38,11 @@ def grid_of(labels: np.ndarray) -> Grid:
     return Grid(576000.0, 5188000.0, 0.5, 0.5, columns * LABEL_PX, rows * LABEL_PX)
 
 
-def traced(labels: np.ndarray, height: int = 512) -> list[TracedSeam]:
+def traced(labels: np.ndarray, height: int = 512) -> list[SidedSeam]:
     return trace_seams(strips_of(labels.astype(np.int16), height), grid_of(labels), LABEL_PX)
 
 
-def pixels(seam: TracedSeam, labels: np.ndarray) -> np.ndarray:
+def pixels(seam: SidedSeam, labels: np.ndarray) -> np.ndarray:
     """Vertices as columns and rows of the mosaic."""
     grid = grid_of(labels)
     return (seam.vertices - (grid.left, grid.top)) / (grid.pixel_width, -grid.pixel_height)

@@ -14,7 +14,7 @@ from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, global_
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import BlockScan, scan_block
 from seam_inspector.plugin.seams.measure.scan.gathering import FARTHEST_FILLED_PX, ScanResult, both_looks, filled
-from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, NamedSeam
+from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, SidedSeam
 from seam_inspector.plugin.seams.measure.scan.loss_raster import NODATA as NO_LOSS
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
@@ -30,12 +30,12 @@ PIECE_M = 25.0
 GSD = 0.1
 
 
-def request_of(one: Scene, seams: tuple[NamedSeam, ...] = (), **settings: object) -> ScanRequest:
+def request_of(one: Scene, seams: tuple[SidedSeam, ...] = (), **settings: object) -> ScanRequest:
     given = GivenSeams(seams, (), ()) if seams else None
     return scan_request(one.mosaic, one.sources, ScanSettings(**settings), given)[0]  # type: ignore[arg-type]
 
 
-def result_of(folder: Path, one: Scene, seams: tuple[NamedSeam, ...] = (), **settings: object) -> ScanResult:
+def result_of(folder: Path, one: Scene, seams: tuple[SidedSeam, ...] = (), **settings: object) -> ScanResult:
     return scanned(request_of(one, seams, **settings), folder / "loss.tif")[1]
 
 
@@ -194,11 +194,11 @@ def test_bad_places_come_first_among_the_worst(tmp_path: Path) -> None:
 # --- given seams ------------------------------------------------------------------------------------------------
 
 
-def given_seam(one: Scene, column: float, left: str | None = None, right: str | None = None) -> NamedSeam:
+def given_seam(one: Scene, column: float, left: str | None = None, right: str | None = None) -> SidedSeam:
     """From top to bottom."""
     grid = one.mosaic.grid
     xs = [grid.left + column * grid.pixel_width] * 2
-    return NamedSeam(np.column_stack([xs, [grid.top, grid.top - grid.rows * grid.pixel_height]]), left, right)
+    return SidedSeam(np.column_stack([xs, [grid.top, grid.top - grid.rows * grid.pixel_height]]), left, right)
 
 
 @pytest.mark.parametrize("width", [0, FEATHER_PX])
