@@ -25,8 +25,8 @@ from .plugin.seams.measure.window.window_result import PairResult as PairResult
 # A whole mosaic
 from .plugin.seams.measure.scan.whole_scan import scan as scan
 from .plugin.seams.measure.scan.scan_settings import ScanSettings as ScanSettings
-from .plugin.seams.measure.scan.gathering import ScanResult as ScanResult
-from .plugin.seams.measure.scan.judged_pieces import JudgedPiece as JudgedPiece
+from .plugin.seams.measure.scan.scan_result import ScanResult as ScanResult
+from .plugin.seams.measure.scan.scan_result import JudgedPiece as JudgedPiece
 from .plugin.seams.measure.scan.lines.seam_pieces import SeamPiece as SeamPiece
 from .plugin.seams.measure.window_placing import PlacedWindow as PlacedWindow
 
@@ -35,7 +35,7 @@ from .plugin.seams.measure.window.window_tables import window_rows as window_row
 from .plugin.seams.measure.window.window_tables import profile_rows as profile_rows
 from .plugin.seams.measure.window.window_tables import curve_rows as curve_rows
 from .plugin.seams.measure.window.window_tables import pair_rows as pair_rows
-from .plugin.seams.measure.scan.scan_tables import seam_rows as seam_rows
+from .plugin.seams.measure.scan.scan_result import seam_rows as seam_rows
 
 # The decision on a delivery
 from .plugin.acceptance.measure.delivered_rows import make_delivery as make_delivery

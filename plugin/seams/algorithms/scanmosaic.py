@@ -31,8 +31,8 @@ from ..measure.scan import messages
 from .block_parameters import gathered_sources, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.scan.gathering import ScanResult
     from ..measure.scan.lines.given_seams import GivenSeams
+    from ..measure.scan.scan_result import ScanResult
     from ..measure.scan.scan_settings import ScanSettings
     from ..measure.scan.whole_scan import WholeScan
     from ..measure.source_images import Source

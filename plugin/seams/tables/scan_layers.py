@@ -22,14 +22,15 @@ from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import SettingsError
 from ...imagery.records import Column
+from ...toolkit import layers as layers
 from ...toolkit.layers import mosaic_crs, rectangle
 from ...toolkit.table_fields import column_fields, column_values, feature
-from ..measure.scan.scan_tables import CELL_COLUMNS, SEAM_COLUMNS
+from ..measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS
 from .result_tables import PLACED_COLUMNS
 
 if TYPE_CHECKING:
-    from ..measure.scan.gathering import ScanResult
     from ..measure.scan.scan_request import ScanRequest
+    from ..measure.scan.scan_result import ScanResult
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,6 @@ from itertools import combinations
 
 import numpy as np
 
-from ....imagery.clips import read_clip
 from ....imagery.errors import Message, RasterError
 from ....imagery.grids import Extent, PixelWindow
 from ....imagery.open_raster import describe_mosaic, placed
@@ -27,29 +26,24 @@ from ..source_images import Source, is_same_file, sources_in
 from . import messages
 from .mosaic_copies import (
     FEWEST,
-    LEAST_CONTENT,
+    FEWEST_TURNS,
+    LEAST_DROP,
     LEAST_LIKE,
     MEDIAN_LIKE,
     SAME_PLACE,
-    content_of,
     correlation_of,
     covered_share,
+    first_band,
+    have_content,
     is_made_of,
+    scattered,
 )
 from .raster_facts import SUGGESTED, Suitability, left_out
 
-BEATEN_BY = 0.05  # correlation with the mosaic: an eighth of it is what noise does to 64 x 64 px
-TURNING_BY = 0.05
-# Where it is beaten an orthoimage lacks 3 times or more of what it lacks elsewhere (demonstration block, PackO,
-# Brighton), copies by JPEG 75 twice at most, as that depends on the ground alone.
-LEAST_DROP = 2.5
-FEWEST_BEATEN = 2  # places; one may be by chance
+PLAINLY_MORE = 0.05  # of a correlation with the mosaic: an eighth of it is what noise does to 64 x 64 px
 LEAST_AGREEING = 0.95  # of the places where two others differ: copies 0.97 and more, orthoimages 0.9 and less
-
 SLIGHTLY_DISTINCT = 0.1
 DISTINCT = 0.3  # correlation with one above that with another: it is that one's image, and no neighbour on even ground
-
-
 MOST_EVEN = 1.5  # two orthoimages of a pair lack about as much where the mosaic follows the other
 ROUNDING = 0.01  # of a correlation: what sharpening or bits change
 MANY_BEATEN = 8  # pairs of others at such places
@@ -95,10 +89,10 @@ def origin_of(comparisons: Sequence[PlaceLikeness], is_whole: bool) -> Origin:
         return Origin.UNKNOWN
     best = np.array([max(rival.like_mosaic for rival in one.rivals.values()) for one in found])
     likes = np.array([one.like for one in found])
-    beaten = best - likes > BEATEN_BY
+    beaten = best - likes > PLAINLY_MORE
     if is_whole and _turns_where_beaten([one for one, is_beaten in zip(found, beaten) if is_beaten]):
         return Origin.MOSAIC
-    if min(beaten.sum(), (~beaten).sum()) >= FEWEST_BEATEN:
+    if min(beaten.sum(), (~beaten).sum()) >= FEWEST_TURNS:
         lacks_there, lacks_elsewhere = (float(np.median(1 - likes[which])) for which in (beaten, ~beaten))
         if lacks_there > LEAST_DROP * lacks_elsewhere:
             return Origin.SOURCE
@@ -108,8 +102,7 @@ def origin_of(comparisons: Sequence[PlaceLikeness], is_whole: bool) -> Origin:
 def put_together_from(comparisons: Sequence[PlaceLikeness], by: float = DISTINCT) -> tuple[str, str] | None:
     """Two others that a raster was put together from: plainly the one's image here, and the second's there."""
     found = _without_copies(comparisons)
-    for first, second in combinations(sorted({name for one in found for name in one.rivals}), 2):
-        both = [(one.rivals[first], one.rivals[second]) for one in found if {first, second} <= one.rivals.keys()]
+    for (first, second), both in _pairs_of_rivals(found):
         more = np.array([a.like_one - b.like_one for a, b in both])
         is_like = np.array([max(a.like_one, b.like_one) for a, b in both]) >= MEDIAN_LIKE
         if (is_like & (more > by)).any() and (is_like & (more < -by)).any():
@@ -117,18 +110,25 @@ def put_together_from(comparisons: Sequence[PlaceLikeness], by: float = DISTINCT
     return None
 
 
+def _pairs_of_rivals(
+    comparisons: Sequence[PlaceLikeness],
+) -> Iterator[tuple[tuple[str, str], list[tuple[Rival, Rival]]]]:
+    """The names of every two others, and both at each place that they share."""
+    for pair in combinations(sorted({name for one in comparisons for name in one.rivals}), 2):
+        shared = [one.rivals for one in comparisons if set(pair) <= one.rivals.keys()]
+        yield pair, [(rivals[pair[0]], rivals[pair[1]]) for rivals in shared]
+
+
 def _turns(comparisons: Sequence[PlaceLikeness]) -> bool:
     """Whether the mosaic follows one of two others here and the second there, and the raster does so with it."""
-    names = sorted({name for one in comparisons for name in one.rivals})
     agreeing: list[bool] = []
     is_turning = False
-    for first, second in combinations(names, 2):
-        both = [(one.rivals[first], one.rivals[second]) for one in comparisons if {first, second} <= one.rivals.keys()]
+    for _, both in _pairs_of_rivals(comparisons):
         ours = np.array([b.like_mosaic - a.like_mosaic for a, b in both])
         theirs = np.array([b.like_one - a.like_one for a, b in both])
-        plain = np.abs(ours) > TURNING_BY
+        plain = np.abs(ours) > PLAINLY_MORE
         agreeing += (ours * theirs > 0)[plain].tolist()
-        is_turning = is_turning or bool((ours > TURNING_BY).any() and (ours < -TURNING_BY).any())
+        is_turning = is_turning or bool((ours > PLAINLY_MORE).any() and (ours < -PLAINLY_MORE).any())
     return is_turning and float(np.mean(agreeing)) >= LEAST_AGREEING
 
 
@@ -138,7 +138,7 @@ def _turns_where_beaten(comparisons: Sequence[PlaceLikeness]) -> bool:
     for one in comparisons:
         for first, second in combinations(one.rivals.values(), 2):
             ours = first.like_mosaic - second.like_mosaic
-            if abs(ours) > TURNING_BY:
+            if abs(ours) > PLAINLY_MORE:
                 followed.append((first.like_one - second.like_one) / ours > LEAST_FOLLOWED)
     return len(followed) >= MANY_BEATEN and float(np.mean(followed)) >= LEAST_FOLLOWING and _turns(comparisons)
 
@@ -351,11 +351,11 @@ class _Look:
         mosaic, found = ours.bands[:1].astype(np.float64), {}
         for source in others:
             try:
-                bands, valid = self._read(source, patch.window)
+                bands, valid = first_band(source, self._mosaic, patch.window, self._pool)
             except RasterError:
                 continue
             both = patch.valid & valid & ours.valid
-            if both.mean() >= LEAST_VALID and _has_content(patch.bands, bands, both):
+            if both.mean() >= LEAST_VALID and have_content(patch.bands, bands, both):
                 likes = (correlation_of(other, bands, both) for other in (mosaic, patch.bands))
                 found[self._known[id(source)].candidate.key] = Rival(*likes)
         return found
@@ -366,28 +366,19 @@ class _Look:
         if ours.valid.mean() < LEAST_VALID:
             return None
         try:
-            bands, valid = self._read(source, window)
+            bands, valid = first_band(source, self._mosaic, window, self._pool)
         except RasterError:
             return None
         first, both = ours.bands[:1].astype(np.float64), valid & ours.valid
-        if both.mean() < LEAST_VALID or not _has_content(first, bands, both):
+        if both.mean() < LEAST_VALID or not have_content(first, bands, both):
             return None
         like, coarse = correlation_of(first, bands, both), _coarse_correlation(first[0], bands[0], both)
         return _Patch(window, bands, valid, like, coarse)
-
-    def _read(self, source: Source, window: PixelWindow) -> tuple[np.ndarray, np.ndarray]:
-        clip = read_clip(self._pool.open(source.ref), self._mosaic, window, partly=True)
-        valid = np.ones(clip.bands.shape[1:], bool) if clip.valid is None else clip.valid
-        return clip.bands[:1].astype(np.float64), valid
 
 
 def _is_mixed(patches: Sequence[_Patch]) -> bool:
     likes = [patch.like for patch in patches]
     return max(likes) >= MEDIAN_LIKE and sum(like < LEAST_LIKE for like in likes) >= 2
-
-
-def _has_content(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> bool:
-    return min(content_of(first, both), content_of(second, both)) >= LEAST_CONTENT
 
 
 def _coarse_correlation(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> float:
@@ -405,7 +396,7 @@ def _coarse_correlation(first: np.ndarray, second: np.ndarray, both: np.ndarray)
 
 def _windows(mosaic: Raster, extent: Extent, places: int) -> Iterator[PixelWindow]:
     """Patches of the mosaic under a footprint, one in each part of it, in no order."""
-    grid, rng = mosaic.grid, np.random.default_rng(0)
+    grid = mosaic.grid
     left, right = ((x - grid.left) / grid.pixel_width for x in (extent[0], extent[2]))
     top, bottom = ((grid.top - y) / grid.pixel_height for y in (extent[3], extent[1]))
     left, top, right, bottom = max(left, 0), max(top, 0), min(right, grid.columns), min(bottom, grid.rows)
@@ -413,8 +404,7 @@ def _windows(mosaic: Raster, extent: Extent, places: int) -> Iterator[PixelWindo
     if min(width, height) < COARSE_PX:
         return
     whole = PixelWindow(0, 0, width, height)
-    for place in rng.permutation(places * places):
-        row, column = (np.array(divmod(int(place), places)) + rng.random(2)) / places
+    for row, column in scattered(places):
         yield replace(
             whole, column=int(left + column * (right - left - width)), row=int(top + row * (bottom - top - height))
         )

@@ -129,7 +129,7 @@ def _compared(mosaic: OpenRaster, known: Raster, other: OpenRaster, coarser: boo
         first, second = ours.bands[mine].astype(np.float64), theirs.bands[others].astype(np.float64)
         equal = bool((ours.valid == theirs.valid).all() and (first == second)[:, both].all())
         all_equal = all_equal and equal
-        if min(content_of(first, both), content_of(second, both)) >= LEAST_CONTENT:
+        if have_content(first, second, both):
             found.append(1.0 if equal else correlation_of(first, second, both))
             if found[-1] < least:
                 return Likeness.OTHER
@@ -145,15 +145,13 @@ def _compared(mosaic: OpenRaster, known: Raster, other: OpenRaster, coarser: boo
 
 def _places(grid: Grid, mosaic: Grid) -> Iterator[tuple[PixelWindow, PixelWindow]]:
     """Windows of a raster with the pixels of the mosaic under them, one in each part of it, in no order."""
-    rng = np.random.default_rng(0)
     scale_x, scale_y = grid.pixel_width / mosaic.pixel_width, grid.pixel_height / mosaic.pixel_height
     coarser = scale_x > 1 + MOST_SIZE_DIFFERENCE
     places = PLACES // 2 if coarser else PLACES
     side = max(int(min(4 * SIDE_PX, MOST_READ_PX / scale_x)), 8 * THINNED) if coarser else SIDE_PX
     first = (mosaic.left - grid.left) / grid.pixel_width, (grid.top - mosaic.top) / grid.pixel_height
     columns, rows = int(mosaic.columns / scale_x), int(mosaic.rows / scale_y)
-    for place in rng.permutation(places * places):
-        row, column = (np.array(divmod(place, places)) + rng.random(2)) / places
+    for row, column in scattered(places):
         width, height = min(side, columns, grid.columns), min(side, rows, grid.rows)
         window = PixelWindow(
             round(first[0]) + int(column * (columns - width + 1)), round(first[1]) + int(row * (rows - height + 1)),
@@ -166,6 +164,30 @@ def _places(grid: Grid, mosaic: Grid) -> Iterator[tuple[PixelWindow, PixelWindow
         under = PixelWindow(round(left), round(top), round(width * scale_x), round(height * scale_y))
         if mosaic.contains(under):
             yield window, under
+
+
+def scattered(places: int) -> Iterator[np.ndarray]:
+    """A place in each of so many by so many parts of a rectangle, in no order: how far down and across, 0 to 1."""
+    rng = np.random.default_rng(0)
+    for place in rng.permutation(places * places):
+        yield (np.array(divmod(place, places)) + rng.random(2)) / places
+
+
+def first_band(
+    source: Source, mosaic: Raster, window: PixelWindow, pool: RasterPool
+) -> tuple[np.ndarray, np.ndarray]:
+    """Of a source in a window of the mosaic, (1, rows, columns) float64, and where it has pixels, (rows, columns) bool.
+
+    Raises RasterError.
+    """
+    clip = read_clip(pool.open(source.ref), mosaic, window, partly=True)
+    valid = np.ones(clip.bands.shape[1:], bool) if clip.valid is None else clip.valid
+    return clip.bands[:1].astype(np.float64), valid
+
+
+def have_content(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> bool:
+    """Whether two stacks (bands, rows, columns) show enough, where both have pixels, to be compared."""
+    return min(content_of(first, both), content_of(second, both)) >= LEAST_CONTENT
 
 
 def correlation_of(first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> float:
@@ -268,11 +290,10 @@ def _clip(
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """First band of a source, (1, rows, columns), and where both have pixels; None where they hardly have any."""
     try:
-        clip = read_clip(pool.open(source.ref), mosaic, place.window, partly=True)
+        values, valid = first_band(source, mosaic, place.window, pool)
     except RasterError:
         return None
-    both = place.valid if clip.valid is None else place.valid & clip.valid
-    values = clip.bands[:1].astype(np.float64)
+    both = place.valid & valid
     return (values, both) if both.mean() > 0.2 and content_of(values, both) > 0 else None
 
 

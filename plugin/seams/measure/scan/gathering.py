@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Callable
 
 import numpy as np
@@ -15,13 +15,10 @@ from ..following.boxes import enlarged
 from ..profile.cell_table import CellTable, MixtureTable
 from ..profile.ground import LevelGround, grounds
 from ..seam_cells import UNKNOWN
-from ..verdicts import Verdict
-from ..window_placing import PlacedWindow
 from . import messages
 from .block_runs import NOTHING, block_scans, global_numbers
 from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockKey
 from .blocks.scan_block import CELLS, BlockScan
-from .judged_pieces import JudgedPiece, judge_piece, metres, without_verdict
 from .lines.seam_fields import source_numbers
 from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sides_of
 from .lines.seam_tracing import SourcePolygon, polygons_of, seams_of, trace_borders
@@ -29,37 +26,7 @@ from .loss_raster import loss_cells, loss_raster
 from .piece_sums import PieceSums
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
-from .worst_windows import worst_windows
-
-
-@dataclass(frozen=True, eq=False)
-class ScanResult:
-    """What a scan tells."""
-
-    pieces: tuple[JudgedPiece, ...]
-    """All seams, piece by piece."""
-    polygons: tuple[SourcePolygon, ...]
-    """Which source each part came from; numbers of the request's sources."""
-    worst: tuple[PlacedWindow, ...]
-    """The least kept places, the least first."""
-    notices: tuple[Message, ...] = ()
-    """What was left out, assumed or could not be judged."""
-
-    @property
-    def seam_metres(self) -> float:
-        """Length of all seams."""
-        return metres(self.pieces)
-
-    @property
-    def failed_metres(self) -> float:
-        """Length of those with a significant loss."""
-        return metres(self.pieces, Verdict.SIGNIFICANT)
-
-    @property
-    def worst_kept(self) -> float | None:
-        """kept_1 of the piece that kept least; None where nothing could be measured."""
-        return min((one.least_kept for one in self.pieces if one.least_kept is not None), default=None)
-
+from .scan_result import ScanResult, judge_piece, without_verdict, worst_windows
 
 FARTHEST_FILLED_PX = 700
 """Between samples where seamlines are given: as far as the next one."""

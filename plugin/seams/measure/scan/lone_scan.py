@@ -16,8 +16,6 @@ from .block_runs import JournaledBlocks, ScanStep, held
 from .blocks.block_grid import BLOCK_PX, BlockKey
 from .blocks.scan_block import BlockRequest
 from .blocks.seam_sides import SeamSides, SeamSquares
-from .gathering import ScanResult
-from .judged_pieces import JudgedPiece, without_verdict
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece
 from .lone_blocks import LONE_LOOK, MARGIN_PX, REACH_PX, LoneTable
@@ -26,7 +24,7 @@ from .lone_stretches import STRIP_PX, LoneStretches, lone_stretches
 from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
-from .worst_windows import worst_windows
+from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
 
 _HELD = 64  # tables of blocks that are kept: some rows of neighbours
 _CELLS_BESIDE_PX = 12  # what a cell whose middle is within reach sticks out

@@ -4,7 +4,6 @@ As long as what decides on its result is the same, which a fingerprint tells.
 """
 from __future__ import annotations
 
-import dataclasses
 import errno
 import os
 import re
@@ -53,7 +52,7 @@ def fingerprint_of(
 
     Local files by path, size and time of change, those that a VRT or an archive is made of too; no source is opened.
     The remote mosaic, and up to ``MOST_ASKED`` remote sources, by what their server says of them; more by their names.
-    ``settings``: a dataclass; ``seams``: arrays, dataclasses of them, texts, numbers or bytes.
+    ``settings``: a dataclass of numbers and texts; ``seams``: arrays, texts, numbers or bytes.
     """
     asked = sum(is_remote(source.ref.path) for source in sources) <= MOST_ASKED
     parts = {
@@ -81,34 +80,15 @@ def what_changed(older: str, newer: str) -> Message:
 
 
 def _digest(items: Iterable[object]) -> str:
+    """Of arrays, and of values whose text does not depend on the process."""
     digest = blake2b(digest_size=12)
-    for part in _flat(items):
-        digest.update(f"{len(part)}:".encode())
-        digest.update(part)
+    for item in items:
+        parts = [repr(item).encode()]
+        if isinstance(item, np.ndarray):
+            parts = [f"{item.dtype.str} {item.shape}".encode(), np.ascontiguousarray(item).tobytes()]
+        for part in parts:
+            digest.update(f"{len(part)}:".encode() + part)
     return digest.hexdigest()
-
-
-def _flat(item: object) -> Iterator[bytes]:
-    """A value as bytes that don't depend on the process; the names of types are among them."""
-    if isinstance(item, bytes):
-        yield item
-    elif isinstance(item, np.ndarray):
-        yield f"{item.dtype.str} {item.shape}".encode()
-        yield np.ascontiguousarray(item).tobytes()
-    elif dataclasses.is_dataclass(item) and not isinstance(item, type):
-        yield type(item).__name__.encode()
-        for field in dataclasses.fields(item):
-            yield field.name.encode()
-            yield from _flat(getattr(item, field.name))
-    elif isinstance(item, dict):
-        yield from _flat(sorted(item.items()))
-    elif isinstance(item, Iterable) and not isinstance(item, str):
-        yield b"["
-        for part in item:
-            yield from _flat(part)
-        yield b"]"
-    else:
-        yield repr(item).encode()
 
 
 def _states(path: str, ask: bool) -> Iterator[str]:

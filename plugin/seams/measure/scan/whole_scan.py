@@ -16,13 +16,13 @@ from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.rasters import Raster
 from ..inspection import Block, PathLike
 from .block_runs import BlockRun, ScanStep
-from .gathering import Gathering, ScanResult
-from .judged_pieces import dated
+from .gathering import Gathering
 from .lines.given_seams import GivenSeams, given_seams
 from .lines.seam_features import read_seam_features
 from .lone_scan import LoneScanning
 from .scan_journal import ScanJournal, fingerprint_of, open_journal
 from .scan_request import ScanRequest, scan_request
+from .scan_result import ScanResult, dated
 from .scan_settings import ScanSettings
 
 JOURNAL_ENDING = ".scan"

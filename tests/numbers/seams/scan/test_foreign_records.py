@@ -13,9 +13,9 @@ import pytest
 from seam_inspector.plugin.imagery.record_store import RecordStore
 from seam_inspector.plugin.imagery.records import packed, unpacked
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
-from seam_inspector.plugin.seams.measure.scan.gathering import ScanResult
 from seam_inspector.plugin.seams.measure.scan.scan_journal import _KIND, _VERSION
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
+from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 

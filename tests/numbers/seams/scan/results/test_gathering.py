@@ -13,10 +13,11 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, PROD
 from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, global_numbers
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import BlockScan, scan_block
-from seam_inspector.plugin.seams.measure.scan.gathering import FARTHEST_FILLED_PX, ScanResult, both_looks, filled
+from seam_inspector.plugin.seams.measure.scan.gathering import FARTHEST_FILLED_PX, both_looks, filled
 from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, SidedSeam
 from seam_inspector.plugin.seams.measure.scan.loss_raster import NODATA as NO_LOSS
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
+from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.verdicts import Verdict

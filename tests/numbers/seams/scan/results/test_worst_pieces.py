@@ -12,9 +12,14 @@ from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.profile.seam_sums import StripProfile
-from seam_inspector.plugin.seams.measure.scan.judged_pieces import JudgedPiece, judge_piece, metres
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
-from seam_inspector.plugin.seams.measure.scan.worst_windows import window_side_px, worst_windows
+from seam_inspector.plugin.seams.measure.scan.scan_result import (
+    JudgedPiece,
+    judge_piece,
+    metres,
+    window_side_px,
+    worst_windows,
+)
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
 
 from tests.numbers.synthetic import write_raster

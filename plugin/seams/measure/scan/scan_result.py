@@ -1,0 +1,255 @@
+"""What a scan tells: pieces of seam with what they kept and the verdict on each, windows of the worst, and tables.
+
+The tables have one entry per column. The field names are contracts; layers and plain rows are made of them.
+"""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Callable
+
+import numpy as np
+
+from ....imagery import limits as imagery_limits
+from ....imagery.errors import Message, RasterError
+from ....imagery.grids import Grid, PixelWindow, standard_side_px, standard_window
+from ....imagery.lines import points_at, vertex_stations
+from ....imagery.raster_pool import open_raster
+from ....imagery.rasters import Raster
+from ....imagery.records import Column, Row, rows_of
+from ..following.likely_source import MIN_FIT, MIN_TEXTURE
+from ..limits import MAX_SIGNIFICANT_KEPT
+from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
+from ..profile.seam_sums import StripProfile
+from ..verdicts import MAX_INTERVAL_FACTOR, Verdict, judge_by_seam
+from ..window_placing import PlacedWindow, WindowIndex
+from . import messages
+from .lines.seam_pieces import SeamPiece
+from .lines.seam_tracing import SourcePolygon
+
+LEAST_WITHOUT_VERDICT = 0.02  # of the seams: more is told
+
+
+@dataclass(frozen=True, eq=False)
+class JudgedPiece:
+    """One feature of SEAMS."""
+
+    piece: SeamPiece
+    """Where it runs."""
+    left: str | None
+    """Name of the source on the left hand; None where nothing says."""
+    right: str | None
+    """Name of the source on the right hand."""
+    kept: tuple[float | None, ...] | None
+    """In the strip beside the seam, levels 1..R; None where nothing could be measured."""
+    low: float | None
+    """Lower end of the 95 % interval of kept_1."""
+    high: float | None
+    """Upper end."""
+    band_width_m: float | None
+    """Full width of the band in which less than 0.9 is kept."""
+    verdict: Verdict
+    """By what it kept beside the seam."""
+    reason: Message | None = None
+    """Why there is no verdict."""
+    visibility: float | None = None
+    """The loss in just noticeable differences of contrast at 2x; None too where no source says what there was."""
+    feather_width_m: float | None = None
+    """Full width of the feather; 0 for a cut, None where it was not looked for."""
+    left_date: str | None = None
+    """When the source on the left hand was taken, where the seams say so."""
+    right_date: str | None = None
+    """The same of the one on the right hand."""
+
+    @property
+    def least_kept(self) -> float | None:
+        """kept_1."""
+        return self.kept[0] if self.kept else None
+
+
+def judge_piece(
+    piece: SeamPiece, sides: tuple[str | None, str | None], found: StripProfile, ground_sample_distance: float,
+    visibility: float | None = None,
+) -> JudgedPiece:
+    """The verdict on one piece by its profile, and how visible its loss is, JND."""
+    if found.profile is None:
+        needed = MIN_STRIP_PX / (2 * STRIP_PX) * ground_sample_distance
+        short = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed) if piece.length_m < needed else None
+        reason = short or messages.PIECE_NOT_MEASURED()
+        return JudgedPiece(piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, reason)
+    profile = found.profile
+    # What little is left where detail was brushed away resembles no source.
+    if found.fit < MIN_FIT and found.texture >= MIN_TEXTURE:
+        return JudgedPiece(
+            piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, messages.PIECE_NOT_EXPLAINED()
+        )
+    verdict, why = judge_by_seam(profile, True, 1.0, MAX_SIGNIFICANT_KEPT)
+    if verdict is Verdict.NOT_COMPARABLE and profile.high > MAX_INTERVAL_FACTOR * profile.low:
+        why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
+    width = profile.band_width_px * ground_sample_distance
+    feather = None if profile.feather_width_px is None else profile.feather_width_px * ground_sample_distance
+    return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, visibility, feather)
+
+
+def dated(one: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
+    """A piece with the dates of its sources; ``dates``: by their names."""
+    return replace(one, left_date=dates.get(one.left or ""), right_date=dates.get(one.right or ""))
+
+
+def without_verdict(pieces: Sequence[JudgedPiece]) -> tuple[Message, ...]:
+    """How much of the seams could not be judged, where that is worth telling."""
+    lacking, total = metres(pieces, Verdict.NOT_COMPARABLE), metres(pieces)
+    if lacking < LEAST_WITHOUT_VERDICT * total or not lacking:
+        return ()
+    return (messages.SEAMS_WITHOUT_VERDICT(metres=lacking, all=total),)
+
+
+def metres(pieces: Sequence[JudgedPiece], *verdicts: Verdict) -> float:
+    """Length of all pieces, or of those with one of some verdicts."""
+    return sum((one.piece.length_m for one in pieces if not verdicts or one.verdict in verdicts), 0.0)
+
+
+WINDOWS_ALONG = 4
+"""Windows that have to fit along the mosaic's shorter side."""
+LEAST_SIDE_PX = 256
+"""Smaller windows tell too little of a seam."""
+SMALLEST_SIDE_PX = 128
+"""Beside missing pixels; below it there is no ground around the seam to compare it with."""
+
+
+def worst_windows(
+    pieces: Sequence[JudgedPiece], mosaic: Raster, count: int, levels: int,
+    is_valid: Callable[[PixelWindow], bool] | None = None,
+) -> list[PlacedWindow]:
+    """Up to ``count`` windows on the pieces that kept least, the least first, each where the mosaic has pixels; of two
+    that share more than half only the worse.
+
+    A window lies around its piece, or is moved aside, or made smaller, as far as it has to be; where it fits nowhere
+    there is none. ``is_valid``: whether a window has enough pixels; the mosaic is asked unless told otherwise.
+    """
+    grid, is_valid = mosaic.grid, is_valid or valid_in(mosaic)
+    side = window_side_px(grid, levels)
+    taken = WindowIndex(max(side, 1))
+    found: list[PlacedWindow] = []
+    measured = [(one.least_kept, number) for number, one in enumerate(pieces) if one.least_kept is not None]
+    for _, number in sorted(measured):
+        judged = pieces[number]
+        if len(found) >= count:
+            break
+        window = _fitting(*_middle(judged.piece.vertices), grid, side, is_valid)
+        if window is None or taken.shares_too_much(window):
+            continue
+        taken.add(window)
+        station = judged.piece.station_m + judged.piece.length_m / 2
+        found.append(PlacedWindow(len(found) + 1, judged.piece.seam_id, station, window))
+    return found
+
+
+def window_side_px(grid: Grid, levels: int) -> int:
+    """The standard side; of a mosaic that hardly holds such windows a part of it, so that they tell places apart."""
+    side, shorter = standard_side_px(grid, imagery_limits.STANDARD_SIDE_M), min(grid.columns, grid.rows)
+    while side > LEAST_SIDE_PX and side * WINDOWS_ALONG > shorter:
+        side //= 2
+    side = min(side, shorter)
+    return side - side % 2**levels
+
+
+def valid_in(mosaic: Raster) -> Callable[[PixelWindow], bool]:
+    """Whether a window of a mosaic has enough pixels; always where the file says nothing of it, or can't be read."""
+    try:
+        opened = open_raster(mosaic.ref)
+    except RasterError:
+        return lambda window: True
+    return (lambda window: True) if opened.is_all_valid else opened.is_valid
+
+
+def _fitting(
+    x: float, y: float, grid: Grid, side: int, is_valid: Callable[[PixelWindow], bool]
+) -> PixelWindow | None:
+    """The window around a place, else the first of those aside that holds it, else of smaller ones."""
+    while True:
+        window = standard_window(grid, x, y, side)
+        by = side * 3 // 8
+        for down, across in ((0, 0), *((i, j) for i in (0, -by, by) for j in (0, -by, by) if i or j)):
+            moved = window.moved_by(across, down).moved_into(grid.columns, grid.rows)
+            if is_valid(moved):
+                return moved
+        side //= 2
+        if side < SMALLEST_SIDE_PX:
+            return None
+
+
+def _middle(vertices: np.ndarray) -> tuple[float, float]:
+    along = vertex_stations(vertices)
+    x, y = points_at(vertices, along, along[-1:] / 2)[0].tolist()
+    return x, y
+
+
+@dataclass(frozen=True, eq=False)
+class ScanResult:
+    """What a scan tells."""
+
+    pieces: tuple[JudgedPiece, ...]
+    """All seams, piece by piece."""
+    polygons: tuple[SourcePolygon, ...]
+    """Which source each part came from; numbers of the request's sources."""
+    worst: tuple[PlacedWindow, ...]
+    """The least kept places, the least first."""
+    notices: tuple[Message, ...] = ()
+    """What was left out, assumed or could not be judged."""
+
+    @property
+    def seam_metres(self) -> float:
+        """Length of all seams."""
+        return metres(self.pieces)
+
+    @property
+    def failed_metres(self) -> float:
+        """Length of those with a significant loss."""
+        return metres(self.pieces, Verdict.SIGNIFICANT)
+
+    @property
+    def worst_kept(self) -> float | None:
+        """kept_1 of the piece that kept least; None where nothing could be measured."""
+        return min((one.least_kept for one in self.pieces if one.least_kept is not None), default=None)
+
+
+GEOMETRY = "geometry"
+"""In plain rows, where a layer has lines."""
+
+SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
+    Column("seam_id", "integer", lambda one: one.piece.seam_id),
+    Column("station", "real", lambda one: one.piece.station_m),
+    Column("left_source", "text", lambda one: one.left),
+    Column("right_source", "text", lambda one: one.right),
+    Column("left_date", "text", lambda one: one.left_date),
+    Column("right_date", "text", lambda one: one.right_date),
+    Column("length", "real", lambda one: one.piece.length_m),
+    Column("kept", "real", lambda one: one.kept, by_level=True),
+    Column("kept_low", "real", lambda one: one.low),
+    Column("kept_high", "real", lambda one: one.high),
+    Column("band_width", "real", lambda one: one.band_width_m),
+    Column("feather_width", "real", lambda one: one.feather_width_m),
+    Column("visibility", "real", lambda one: one.visibility),
+    Column("verdict", "text", lambda one: one.verdict.value),
+    Column("reason", "text", lambda one: one.reason),
+)
+"""SEAMS: one line per piece of seam."""
+
+CELL_COLUMNS: tuple[Column[str], ...] = (Column("source", "text", lambda name: name),)
+"""CELLS: one polygon per source."""
+
+
+def seam_rows(result: ScanResult) -> list[Row]:
+    """One row per piece of seam: what it kept with its 95 % interval, widths (m), verdict.
+
+    The fields are those of the layer SEAMS (docs/reference/tables.md), and ``geometry``: the line as WKT in the
+    mosaic's reference system.
+    """
+    levels = max((len(one.kept) for one in result.pieces if one.kept), default=1)
+    rows = rows_of(SEAM_COLUMNS, result.pieces, levels)
+    return [{**row, GEOMETRY: _line_wkt(one.piece.vertices)} for row, one in zip(rows, result.pieces)]
+
+
+def _line_wkt(vertices: np.ndarray) -> str:
+    return f"LINESTRING ({', '.join(f'{x!r} {y!r}' for x, y in vertices.tolist())})"
