@@ -8,9 +8,12 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsProcessing,
+    QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
     QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterRasterLayer,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
@@ -18,17 +21,19 @@ from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.translation import tr
+from ..toolkit.translation import filled, tr
 from . import stated_rules as stated
 from .measure import messages
 from .measure.acceptance_rules import ready_files
-from .paper import outputs as paper
 from .sheet_index import add_sheets, with_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
 if TYPE_CHECKING:
     from .measure.decision import Decision
 
+MOST_PICTURES = 100  # of a delivery, of the longest failures: some 12 MB of report
+
+LOSS, DEFECTS, REPORT, QUALITY = "LOSS", "DEFECTS", common.REPORT, "QUALITY"
 SEAMS, WINDOWS, JUDGE = "SEAMS", "WINDOWS", "JUDGE"
 TOOL, OBSERVER = "tool", "observer"
 ACCEPTED, TOTAL_METRES, MEASURED_METRES = "ACCEPTED", "TOTAL_METRES", "MEASURED_METRES"
@@ -46,8 +51,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         "a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of it. A piece "
         "of seam fails when it kept less than is asked for. What could not be measured never counts as passed."
     )
-    RASTER_LISTS = (SEAMS, paper.MOSAIC)
-    PAGES = (paper.REPORT, paper.QUALITY)
+    RASTER_LISTS = (SEAMS, common.MOSAIC)
+    PAGES = (REPORT, QUALITY)
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
@@ -94,8 +99,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             ),
             advanced=True,
         )
-        paper.add_inputs(self)
-        paper.add_outputs(self)
+        self._add_paper()
         self.addDescribed(*common.chart(tr(
             "The plan's operating characteristic; without a plan how many metres kept how much."
         )))
@@ -132,16 +136,20 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         self._seams, self._told = seam_layers(run.raster_values(SEAMS), run.context, needed)
         windows = run.vector_layer(WINDOWS) if run.parameters.get(WINDOWS) else None
         self._windows = "" if windows is None else layer_address(windows)
-        self._paper = paper.prepare(run)
+        self._mosaics, left_out = run.raster_refs(common.MOSAIC)
+        run.tell(*left_out)
+        self._loss = run.raster(LOSS)
 
     def execute(self, run: Run) -> dict[str, Any]:
+        from .paper.outputs import write
+
         decision = self._decision(run)
         run.tell(*decision.sentences)
         whole = decision.whole
         seams = tuple((layer.sheet, layer.address) for layer in self._seams)
         rules = run.text(stated.RULES) if run.parameters.get(stated.RULES) else ""
         return {
-            **paper.write(run, decision, self._paper, seams, self._windows, rules),
+            **write(run, decision, self._mosaics, self._loss, seams, self._windows, rules),
             **run.save(common.CHART, lambda path: _save_chart(path, decision)),
             ACCEPTED: int(decision.accepted),
             TOTAL_METRES: whole.total_m,
@@ -165,6 +173,42 @@ class AcceptMosaic(SeamInspectorAlgorithm):
             crs = QgsCoordinateReferenceSystem.fromWkt(delivery.wkt)
             delivery = replace(delivery, windows=judged_windows(run.source(WINDOWS), crs, run))
         return decide(delivery, rules, run.whole(LOT_SIZE) or None, run.whole(SEED), self._by_observer(run))
+
+    def _add_paper(self) -> None:
+        """What is shown beside the decision, and what is written."""
+        self.addDescribed(
+            QgsProcessingParameterMultipleLayers(
+                common.MOSAIC, tr("Mosaic"), QgsProcessing.SourceType.TypeRaster, optional=True
+            ),
+            tr("The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterRasterLayer(LOSS, tr("Picture of losses"), optional=True),
+            tr("As the scan wrote it: the XML refers to it, and it says how the seams were measured."),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(
+                DEFECTS, tr("Failures"), QgsProcessing.SourceType.TypeVectorLine, optional=True, createByDefault=True
+            ),
+            tr(
+                "One feature for each failure without a break, for the producer: place, length, what is kept, the two "
+                "orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV."
+            ),
+        )
+        self.addDescribed(*common.report(filled(tr(
+            "The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest "
+            "{most}, the plan's risk. Opens in a browser and prints on A4."
+        ), most=MOST_PICTURES), by_default=True))
+        self.addDescribed(
+            QgsProcessingParameterFileDestination(
+                QUALITY, tr("Quality record (ISO 19157)"), "XML (*.xml)", optional=True, createByDefault=False
+            ),
+            tr(
+                "The figures and the decision as a catalogue reads them: ISO 19157:2013 in the XML of ISO/TS "
+                "19157-2:2016."
+            ),
+        )
 
     def _add_limits(self) -> None:
         self.addDescribed(

@@ -1,21 +1,15 @@
 """``seaminspector:planinspection``: a random sample of a delivery, to be judged."""
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
-    QgsGeometry,
-    QgsLineString,
     QgsProcessing,
     QgsProcessingOutputString,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterNumber,
     QgsProcessingParameterString,
-    QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
@@ -29,15 +23,11 @@ from . import stated_rules as stated
 from .measure import acceptance_rules as limits
 from .measure import messages
 from .measure.sampling_plans import INSPECTION_LEVELS, SEVERITIES
-from .sheet_index import add_sheets, with_sheets
+from .sheet_index import add_sheets
 from .stated_rules import LOT_SIZE, SEED, add_plan_parameters
 
 if TYPE_CHECKING:
-    from ..imagery.rasters import Raster
-    from .measure.delivery import DeliveredPiece, Delivery
-    from .measure.sampling_plans import SamplingPlan
-    from .measure.sampling_risks import RiskPlan, StatedRisk
-    from .planned_sample import SampledItem
+    from .measure.sampling_risks import StatedRisk
 
 SEAMS, UNIT, SIDE, PIECE, SHEET_FIELD, COUNT = "SEAMS", "UNIT", "SIDE", "PIECE", "SHEET_FIELD", "COUNT"
 GOOD_SHARE, PRODUCERS_RISK = "GOOD_SHARE", "PRODUCERS_RISK"
@@ -134,19 +124,19 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from .measure.inspection_plan import drawn_sample
+        from .planned_sample import delivered_lot, planned, tell_plan, write_sample
 
         run.tell(*self._told)
-        delivery = self._delivery(run)
-        lot = self._on_mosaic(run, delivery)
+        delivery, lot = delivered_lot(run, self._seams, self._mosaic)
         size = run.whole(LOT_SIZE) or len(lot)
         if size < len(lot):
             raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))
-        plan, by_risk = self._plan(run, lot, size)
+        risk = self._risk(run) if run.word(stated.PLAN) == RISK else None
+        plan, by_risk = planned(run, lot, size, risk, None if risk is None else self._correlation(run))
         sample = drawn_sample(lot, min(run.whole(COUNT), size) if plan is None else plan.sample_size, run.whole(SEED))
-        self._tell_plan(run, plan, by_risk, len(sample), size)
-        destination = self._write(run, sample, size, QgsCoordinateReferenceSystem.fromWkt(delivery.wkt))
+        tell_plan(run, plan, None if by_risk is None or risk is None else (by_risk, risk), len(sample), size)
         return {
-            OUTPUT: destination,
+            OUTPUT: write_sample(run, sample, size, delivery.wkt, self._mosaic),
             SAMPLE_SIZE: len(sample),
             ACCEPTANCE_NUMBER: None if plan is None else plan.rejection_number - 1,
             LOT_SIZE: size,
@@ -211,94 +201,3 @@ class PlanInspection(SeamInspectorAlgorithm):
         correlation = run.real(CORRELATION)
         stated.check_limit(CORRELATION, correlation, 1.0)
         return correlation
-
-    def _delivery(self, run: Run) -> Delivery:
-        """The pieces of the scans, and those that plain seamlines are cut into."""
-        from .planned_sample import with_cut_seamlines
-
-        step = self._mosaic.grid.ground_sample_distance if self._mosaic is not None else None
-        delivery, told = with_cut_seamlines(
-            self._seams, run.context.transformContext(), run.text(SHEET_FIELD), run.real(PIECE), step
-        )
-        run.tell(*told)
-        return with_sheets(delivery, run)
-
-    def _on_mosaic(self, run: Run, delivery: Delivery) -> Sequence[DeliveredPiece]:
-        """The pieces that windows can be placed on; all where none are."""
-        from .planned_sample import middle_on
-
-        if self._mosaic is None:
-            return delivery.pieces
-        found = [piece for piece in delivery.pieces if middle_on(self._mosaic, piece, delivery.wkt) is not None]
-        if not found:
-            raise SettingsError(messages.ALL_OFF_MOSAIC())
-        if len(found) < len(delivery.pieces):
-            run.tell(messages.PIECES_OFF_MOSAIC(count=len(delivery.pieces) - len(found)))
-        return found
-
-    def _plan(
-        self, run: Run, lot: Sequence[DeliveredPiece], size: int
-    ) -> tuple[SamplingPlan | None, RiskPlan | None]:
-        """The plan, none where as many are drawn as were asked for, and how it came about where risks were stated."""
-        from .measure.inspection_plan import plan_of_risk
-        from .measure.sampling_plans import single_sampling_plan
-
-        plan = run.word(stated.PLAN)
-        if plan == BY_COUNT:
-            return None, None
-        if plan == RISK:
-            least_kept = run.real(stated.MIN_KEPT)
-            by_risk = plan_of_risk(lot, size, self._risk(run), self._correlation(run), least_kept)
-            return by_risk.plan, by_risk
-        level, severity = run.word(stated.INSPECTION_LEVEL), run.word(stated.SEVERITY)
-        return single_sampling_plan(size, stated.standard_aql(run), level, severity), None
-
-    def _tell_plan(self, run: Run, plan: SamplingPlan | None, by_risk: RiskPlan | None, drawn: int, size: int) -> None:
-        from .measure.inspection_plan import risk_sentences
-        from .measure.sampling_risks import allowed_at_aql, operating_characteristic
-
-        if plan is None:
-            run.tell(messages.PLANNED_BY_COUNT(size=drawn, lot=size))
-            return
-        if by_risk is not None:
-            run.tell(*risk_sentences(by_risk, self._risk(run)))
-        else:
-            risks = operating_characteristic(plan)
-            run.tell(messages.PLANNED_BY_STANDARD(
-                size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1, level=plan.inspection_level,
-                aql=plan.aql, letter=plan.code_letter, allowed=allowed_at_aql(plan),
-                producers=risks.producers_risk, bad=round(risks.limiting_quality * plan.lot_size),
-                limiting=risks.limiting_quality, consumers=risks.consumers_risk,
-            ))  # fmt: skip
-        if drawn < plan.sample_size:
-            run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=drawn))
-
-    def _write(
-        self, run: Run, sample: Sequence[DeliveredPiece], lot_size: int, crs: QgsCoordinateReferenceSystem
-    ) -> str | None:
-        from ..toolkit import layers
-        from ..toolkit.table_fields import column_fields, column_values, feature
-        from .planned_sample import PIECE_COLUMNS, WINDOW_COLUMNS, SampledItem, sampled_window
-
-        items = [SampledItem(order, piece, lot_size) for order, piece in enumerate(sample, 1)]
-        mosaic, columns, kind = self._mosaic, PIECE_COLUMNS, QgsWkbTypes.Type.LineString
-        if mosaic is not None and run.word(UNIT) == WINDOWS:
-            wkt = layers.system_wkt(crs)
-            columns, kind, crs = WINDOW_COLUMNS, QgsWkbTypes.Type.Polygon, layers.mosaic_crs(mosaic)
-            items = [replace(one, window=sampled_window(mosaic, one.piece, wkt, run.real(SIDE))) for one in items]
-        fields = column_fields(columns)
-        sink, destination = run.sink(OUTPUT, fields, kind, crs)
-        run.write(sink, (feature(fields, column_values(columns, one), _outline(one, mosaic)) for one in items))
-        is_windows = columns is WINDOW_COLUMNS
-        run.title(destination, tr("Sample (windows)") if is_windows else tr("Sample (pieces)"))
-        if is_windows:
-            run.style(destination, "placed_windows")
-        return destination
-
-
-def _outline(item: SampledItem, mosaic: Raster | None) -> QgsGeometry:
-    from ..toolkit import layers
-
-    if item.window is not None and mosaic is not None:
-        return layers.rectangle(mosaic.grid.window_extent(item.window))
-    return QgsGeometry(QgsLineString(*item.piece.vertices.T.tolist()))

@@ -10,6 +10,9 @@ from qgis.core import (
     QgsCoordinateTransform,
     QgsCoordinateTransformContext,
     QgsFeatureRequest,
+    QgsGeometry,
+    QgsLineString,
+    QgsWkbTypes,
 )
 
 from ..imagery import limits
@@ -20,11 +23,18 @@ from ..imagery.rasters import Raster
 from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
 from ..toolkit import layers
-from ..toolkit.table_fields import whole_number
+from ..toolkit.algorithms.run import Run
+from ..toolkit.table_fields import column_fields, column_values, feature, whole_number
+from ..toolkit.translation import tr
+from . import stated_rules as stated
 from .delivery_layers import SeamLayer, common_system, metres_in_unit, read_delivery
 from .measure import messages
 from .measure.delivery import DeliveredPiece, Delivery, in_order
-from .measure.inspection_plan import cut_pieces
+from .measure.inspection_plan import cut_pieces, plan_of_risk, risk_sentences
+from .measure.sampling_plans import SamplingPlan, single_sampling_plan
+from .measure.sampling_risks import RiskPlan, StatedRisk, allowed_at_aql, operating_characteristic
+from .planinspection import BY_COUNT, OUTPUT, PIECE, SHEET_FIELD, SIDE, UNIT, WINDOWS
+from .sheet_index import with_sheets
 
 _STEP = 0.01  # of a piece: raster steps up to that are straightened where no mosaic says how large they are
 _OF_SCAN = "kept_1"
@@ -82,8 +92,62 @@ def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, f
     return (x, y) if xmin <= x <= xmax and ymin <= y <= ymax else None
 
 
-def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: float) -> PixelWindow | None:
-    """A standard window around the middle of a piece, moved inside the mosaic; None where that does not show it.
+def delivered_lot(
+    run: Run, seams: Sequence[SeamLayer], mosaic: Raster | None
+) -> tuple[Delivery, Sequence[DeliveredPiece]]:
+    """The pieces of the scans, and those that plain seamlines are cut into; of these the lot: all, or those that
+    windows can be placed on."""
+    step = None if mosaic is None else mosaic.grid.ground_sample_distance
+    transforms = run.context.transformContext()
+    delivery, told = with_cut_seamlines(seams, transforms, run.text(SHEET_FIELD), run.real(PIECE), step)
+    run.tell(*told)
+    delivery = with_sheets(delivery, run)
+    if mosaic is None:
+        return delivery, delivery.pieces
+    found = [piece for piece in delivery.pieces if middle_on(mosaic, piece, delivery.wkt) is not None]
+    if not found:
+        raise SettingsError(messages.ALL_OFF_MOSAIC())
+    if len(found) < len(delivery.pieces):
+        run.tell(messages.PIECES_OFF_MOSAIC(count=len(delivery.pieces) - len(found)))
+    return delivery, found
+
+
+def planned(
+    run: Run, lot: Sequence[DeliveredPiece], size: int, risk: StatedRisk | None, correlation: float | None
+) -> tuple[SamplingPlan | None, RiskPlan | None]:
+    """The plan, none where as many are drawn as were asked for, and how it came about where risks were stated."""
+    if risk is not None:
+        by_risk = plan_of_risk(lot, size, risk, correlation, run.real(stated.MIN_KEPT))
+        return by_risk.plan, by_risk
+    if run.word(stated.PLAN) == BY_COUNT:
+        return None, None
+    level, severity = run.word(stated.INSPECTION_LEVEL), run.word(stated.SEVERITY)
+    return single_sampling_plan(size, stated.standard_aql(run), level, severity), None
+
+
+def tell_plan(
+    run: Run, plan: SamplingPlan | None, by_risk: tuple[RiskPlan, StatedRisk] | None, drawn: int, size: int
+) -> None:
+    """What is inspected of how many, and what that risks."""
+    if plan is None:
+        run.tell(messages.PLANNED_BY_COUNT(size=drawn, lot=size))
+        return
+    if by_risk is not None:
+        run.tell(*risk_sentences(*by_risk))
+    else:
+        risks = operating_characteristic(plan)
+        run.tell(messages.PLANNED_BY_STANDARD(
+            size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1, level=plan.inspection_level,
+            aql=plan.aql, letter=plan.code_letter, allowed=allowed_at_aql(plan),
+            producers=risks.producers_risk, bad=round(risks.limiting_quality * plan.lot_size),
+            limiting=risks.limiting_quality, consumers=risks.consumers_risk,
+        ))  # fmt: skip
+    if drawn < plan.sample_size:
+        run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=drawn))
+
+
+def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: float) -> PixelWindow:
+    """A standard window around the middle of a piece, moved inside the mosaic, which shows it.
 
     Raises SettingsError for a side that can't be, or is longer than the mosaic.
     """
@@ -94,8 +158,7 @@ def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: floa
     if side < limits.MIN_SIDE_PX:
         raise SettingsError(messages.WINDOW_SIDE_TOO_SHORT(side=side_m, pixels=side, least=limits.MIN_SIDE_PX))
     place = middle_on(mosaic, piece, wkt)
-    if place is None:
-        return None
+    assert place is not None
     return standard_window(grid, *place, side).moved_into(grid.columns, grid.rows)
 
 
@@ -107,8 +170,6 @@ class SampledItem:
     """As the how-manieth, from 1."""
     piece: DeliveredPiece
     lot_size: int
-    window: PixelWindow | None = None
-    """Around its middle, on the mosaic's grid."""
 
 
 _DRAWN: tuple[Column[SampledItem], ...] = (
@@ -146,3 +207,27 @@ WINDOW_COLUMNS: tuple[Column[SampledItem], ...] = (
     *_DRAWN,
 )
 """As ``placewindows`` writes them, with the sheet."""
+
+
+def write_sample(
+    run: Run, sample: Sequence[DeliveredPiece], lot_size: int, wkt: str, mosaic: Raster | None
+) -> str | None:
+    """The layer, as pieces or as windows."""
+    items = [SampledItem(order, piece, lot_size) for order, piece in enumerate(sample, 1)]
+    is_windows = mosaic is not None and run.word(UNIT) == WINDOWS
+    if mosaic is not None and is_windows:
+        crs, columns, kind = layers.mosaic_crs(mosaic), WINDOW_COLUMNS, QgsWkbTypes.Type.Polygon
+        windows = [sampled_window(mosaic, piece, wkt, run.real(SIDE)) for piece in sample]
+        outlines = [layers.rectangle(mosaic.grid.window_extent(window)) for window in windows]
+    else:
+        crs, columns = QgsCoordinateReferenceSystem.fromWkt(wkt), PIECE_COLUMNS
+        kind = QgsWkbTypes.Type.LineString
+        outlines = [QgsGeometry(QgsLineString(*piece.vertices.T.tolist())) for piece in sample]
+    fields = column_fields(columns)
+    sink, destination = run.sink(OUTPUT, fields, kind, crs)
+    run.write(sink, (
+        feature(fields, column_values(columns, item), outline) for item, outline in zip(items, outlines)
+    ))  # fmt: skip
+    run.title(destination, tr("Sample (windows)") if is_windows else tr("Sample (pieces)"))
+    run.style(destination, "placed_windows" if is_windows else "")
+    return destination

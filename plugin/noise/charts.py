@@ -59,7 +59,7 @@ def draw_rule(axes: Axes, detail: Sequence[float], style: ChartStyle = PAPER) ->
 
 
 def draw_noise_clip(
-    axes: Axes, measured: Mapping[str, BandNoise], style: ChartStyle = PAPER, logarithmic: bool = True,
+    axes: Axes, measured: Mapping[str, BandNoise], style: ChartStyle = PAPER,
     group: tuple[str, Sequence[Sequence[float]]] = ("", ()),
 ) -> None:
     """A whole chart of one clip: frame, rule and curves. For the desk and reports.
@@ -69,7 +69,7 @@ def draw_noise_clip(
     label, alike = group
     levels = max((len(noise.curve.detail) for noise in measured.values()), default=0)
     known = [noise.curve.detail for noise in measured.values() if noise.curve.variance > 0]
-    noise_frame(axes, levels, [*known, *alike], style, logarithmic)
+    noise_frame(axes, levels, [*known, *alike], style)
     if alike:
         draw_group(axes, alike, 1, shown_title(label), style, BEHIND)
     bold = measured[noisiest_band(measured)] if measured else None
@@ -96,22 +96,16 @@ def draw_group(
     return [band, *mean]
 
 
-def noise_frame(
-    axes: Axes, levels: int, curves: Sequence[Sequence[float]], style: ChartStyle = PAPER, logarithmic: bool = True
-) -> None:
+def noise_frame(axes: Axes, levels: int, curves: Sequence[Sequence[float]], style: ChartStyle = PAPER) -> None:
     """Scales, ticks, grid and words of a chart of levels without background, for curves that will be drawn."""
-    draw_frame(axes, levels, style, logarithmic)
+    draw_frame(axes, levels, style, logarithmic=True)
     axes.set_xticks(range(1, levels + 1), [str(level) for level in range(1, levels + 1)])
     axes.set_xlim(0.6, max(levels, 1) + 0.4)
     shares = [share for curve in curves for share in curve if share > 0]
-    if not shares:
-        return
-    if logarithmic:
+    if shares:
         decade = 10 ** math.floor(math.log10(min(shares)))
-        axes.set_ylim(max(digit for digit in (1, 2, 5) if digit * decade <= min(shares)) * decade * 0.8,
-                      max(shares) * _HEADROOM)
-    else:
-        axes.set_ylim(0, max(shares) * _HEADROOM)
+        least = max(digit for digit in (1, 2, 5) if digit * decade <= min(shares)) * decade * 0.8
+        axes.set_ylim(least, max(shares) * _HEADROOM)
 
 
 def noise_figure(results: Sequence[ClipNoise], field: str = "") -> Figure | None:

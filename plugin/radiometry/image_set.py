@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Callable
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsCsException,
     QgsFeatureRequest,
@@ -26,7 +25,7 @@ from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from .measure.assessment import Assessment, judge
 from .measure.image_statistics import known_range, range_of_set
-from .measure.measured_image import Drawn, MeasuredImage, measure
+from .measure.measured_image import MeasuredImage, measure
 from .measure.rules import RuleSet
 
 if TYPE_CHECKING:
@@ -49,7 +48,7 @@ def seams_on(seamlines: QgsProcessingFeatureSource, image: Raster, run: Run) -> 
 
     if not has_map(image):
         return []
-    transform = run.transform(seamlines, _crs(image))
+    transform = run.transform(seamlines, layers.mosaic_crs(image))
     lines = (layers.line_wkb(feature, transform) for feature in layers.features(seamlines))
     return find_seams(lines, image.grid.pixel_width)
 
@@ -60,7 +59,7 @@ def grey_areas_on(areas: QgsProcessingFeatureSource, image: Raster, run: Run) ->
 
     if not has_map(image):
         return []
-    transform = run.transform(areas, _crs(image))
+    transform = run.transform(areas, layers.mosaic_crs(image))
     found = []
     for feature in layers.features(areas):
         geometry = feature.geometry()
@@ -76,7 +75,7 @@ def with_features(
     steps: Iterable[SeamStep], seamlines: QgsProcessingFeatureSource, image: Raster, run: Run
 ) -> tuple[SeamStep, ...]:
     """Each seam with the numbers of the features that run along it where its tone steps."""
-    back = QgsCoordinateTransform(_crs(image), seamlines.sourceCrs(), run.context.transformContext())
+    back = QgsCoordinateTransform(layers.mosaic_crs(image), seamlines.sourceCrs(), run.context.transformContext())
     reach = _REACH_PX * max(image.grid.pixel_width, image.grid.pixel_height)
     name = seamlines.sourceName()
     return tuple(
@@ -101,10 +100,6 @@ def _features_at(
         if geometry.intersects(around):
             found.append(str(feature.id()))
     return tuple(sorted(found, key=int))
-
-
-def _crs(image: Raster) -> QgsCoordinateReferenceSystem:
-    return QgsCoordinateReferenceSystem.fromWkt(image.wkt)
 
 
 def assessed(
@@ -149,11 +144,9 @@ def _measured(
     goes_on: Callable[[float], bool],
 ) -> MeasuredImage | None:
     seamlines, greys = layers_drawn
-    drawn = Drawn(
-        None if seamlines is None else seams_on(seamlines, image, run),
-        None if greys is None else grey_areas_on(greys, image, run),
-    )
-    measured = measure(OpenRaster(image.ref), window, rules, drawn, number, goes_on)
+    seams = None if seamlines is None else seams_on(seamlines, image, run)
+    grey_areas = None if greys is None else grey_areas_on(greys, image, run)
+    measured = measure(OpenRaster(image.ref), window, rules, seams, grey_areas, number, goes_on)
     if measured is not None and measured.seams and seamlines is not None and has_map(image):
         return replace(measured, seams=with_features(measured.seams, seamlines, image, run))
     return measured

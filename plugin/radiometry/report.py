@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..imagery.errors import Message
-from ..imagery.rasters import ValueRange
 from ..toolkit.charts.figure_files import svg_text
 from ..toolkit.pages.templates import HowMeasured, each_raster, save_page, sentences_once
 from ..toolkit.translation import filled, sentence, shown_number, tr
@@ -36,20 +35,6 @@ _STATES = {
     RadiometricOutcome.REJECTED: "bad",
     RadiometricOutcome.UNDECIDED: "open",
 }
-
-
-@dataclass(frozen=True)
-class ImageSection:
-    """What the page shows of one image."""
-
-    title: str
-    outcome: str
-    reasons: Sequence[str]
-    """Of the outcome, and what else has to be known of it."""
-    available: ValueRange | None
-    histogram: str | None
-    """SVG."""
-    checks: Sequence[CheckRow]
 
 
 @dataclass(frozen=True)
@@ -124,21 +109,22 @@ def _overview(image: ImageDecision) -> list[object]:
     ]  # fmt: skip
 
 
-def _section(image: ImageDecision, sources: Sequence[str]) -> ImageSection:
+def _section(image: ImageDecision, sources: Sequence[str]) -> dict[str, object]:
+    """What the page shows of one image."""
     result = image.result
     by_check: dict[str, dict[str, CheckedFigure]] = {}
     for checked in result.checked_figures:
         by_check.setdefault(checked.rule.check, {})[checked.band] = checked
     figure = histogram_figure(result)
     said: set[str] = set()
-    return ImageSection(
-        title(result),
-        tr(OUTCOME_WORDS[image.outcome]),
-        [*outcome_reasons(image), *found_words(result)],
-        result.available,
-        None if figure is None else svg_text(figure),
-        [_check_row(check, own, sources, said) for check, own in by_check.items()],
-    )
+    return {
+        "title": title(result),
+        "outcome": tr(OUTCOME_WORDS[image.outcome]),
+        "reasons": [*outcome_reasons(image), *found_words(result)],
+        "available": result.available,
+        "histogram": None if figure is None else svg_text(figure),
+        "checks": [_check_row(check, own, sources, said) for check, own in by_check.items()],
+    }
 
 
 def _check_row(check: str, own: Mapping[str, CheckedFigure], sources: Sequence[str], said: set[str]) -> CheckRow:

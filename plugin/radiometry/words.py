@@ -1,7 +1,7 @@
 """Figures, limits and the decision in words."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
 
@@ -93,43 +93,31 @@ def spot_words(checked: CheckedFigure) -> str | None:
     return None if checked.spot is None else sentence(checked.spot.what)
 
 
-def worst_seam_words(result: Assessment) -> str | None:
-    """The band and the seam at which tone steps most, with its place; None without seams."""
-    found = [one for one in result.checked_figures if one.rule.check == checks.SEAM_STEP and one.value is not None]
-    if not found:
-        return None
-    worst = max(found, key=lambda one: one.value or 0.0)
-    assert worst.value is not None
-    assert worst.spot is not None
-    x, y = worst.spot.place
-    return filled(
-        tr("The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}."),
-        step=figure_words(worst.rule, worst.value), band=band_words(worst.band),
-        seam=spot_words(worst), x=x, y=y,
-    )  # fmt: skip
-
-
-def balance_words(result: Assessment) -> str | None:
-    """Which grey areas the colour balance comes from; None without any."""
-    balance = result.balance
-    if balance is None:
-        return None
-    x, y = balance.worst.place
-    red, green, blue = balance.means
-    return filled(
-        tr(
-            "Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are "
-            "{red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}."
-        ),
-        count=len(balance.tones), pixels=sum(tone.pixels for tone in balance.tones),
-        share=sum(tone.pixels for tone in balance.tones) / max(result.pixels, 1), red=red, green=green, blue=blue,
-        area=balance.worst.number, worst=balance.worst_value, x=x, y=y,
-    )  # fmt: skip
-
-
-def found_words(result: Assessment) -> list[str]:
-    """What an operator has to know of an image besides its figures."""
-    return [words for words in (worst_seam_words(result), balance_words(result)) if words is not None]
+def found_words(result: Assessment) -> Iterator[str]:
+    """What an operator has to know of an image besides its figures: the band and the seam at which tone steps most,
+    and which grey areas the colour balance comes from."""
+    steps = [one for one in result.checked_figures if one.rule.check == checks.SEAM_STEP and one.value is not None]
+    if steps:
+        worst = max(steps, key=lambda one: one.value or 0.0)
+        assert worst.value is not None
+        assert worst.spot is not None
+        x, y = worst.spot.place
+        yield filled(
+            tr("The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}."),
+            step=figure_words(worst.rule, worst.value), band=band_words(worst.band), seam=spot_words(worst), x=x, y=y,
+        )  # fmt: skip
+    if (balance := result.balance) is not None:
+        x, y = balance.worst.place
+        red, green, blue = balance.means
+        pixels = sum(tone.pixels for tone in balance.tones)
+        yield filled(
+            tr(
+                "Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are "
+                "{red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}."
+            ),
+            count=len(balance.tones), pixels=pixels, share=pixels / max(result.pixels, 1), red=red, green=green,
+            blue=blue, area=balance.worst.number, worst=balance.worst_value, x=x, y=y,
+        )  # fmt: skip
 
 
 def outcome_reasons(image: ImageDecision) -> list[str]:

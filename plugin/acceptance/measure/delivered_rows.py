@@ -105,16 +105,6 @@ _NEIGHBOURS = 12
 _MOST_POINTS = 2000  # of one piece
 
 
-@dataclass(frozen=True)
-class Overlap:
-    """What counts more than once."""
-
-    metres: float
-    """That are too many."""
-    sheets: tuple[str, ...]
-    """Whose pieces lie on others."""
-
-
 def without_copies(pieces: Sequence[DeliveredPiece]) -> tuple[list[DeliveredPiece], int]:
     """Pieces each once, and how many are left out: the same line, drawn either way, that kept the same.
 
@@ -130,8 +120,11 @@ def without_copies(pieces: Sequence[DeliveredPiece]) -> tuple[list[DeliveredPiec
     return list(kept.values()), len(pieces) - len(kept)
 
 
-def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> Overlap | None:
-    """Of pieces that are not the same and yet lie on each other; None where it is less than a typical piece's half."""
+def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> tuple[float, tuple[str, ...]] | None:
+    """Metres that pieces which are not the same and yet lie on each other count too much, and the sheets of these.
+
+    None where it is less than a typical piece's half.
+    """
     typical = float(np.median([piece.length_m for piece in pieces]))
     step = TOUCHING * typical
     points, owners, asked, askers = [], [], [], []
@@ -153,7 +146,7 @@ def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> Overlap | 
     if too_many.sum() < typical / 2:
         return None
     sheets = dict.fromkeys(pieces[number].sheet for number in asker[others > 0].tolist())
-    return Overlap(float(too_many.sum()), tuple(sheets))
+    return float(too_many.sum()), tuple(sheets)
 
 
 def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery:
@@ -201,7 +194,7 @@ def united_delivery(
     once, copies = without_copies(in_order(pieces))
     told = [messages.PIECES_TWICE(count=copies)] if copies else []
     if doubled := overlap(once, unit_m):
-        told.append(messages.SEAMS_OVERLAP(metres=doubled.metres, sheets=", ".join(doubled.sheets)))
+        told.append(messages.SEAMS_OVERLAP(metres=doubled[0], sheets=", ".join(doubled[1])))
     return Delivery(in_order(once), wkt, unit_m, lot_size=lot_size), told
 
 

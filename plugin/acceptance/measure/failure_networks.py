@@ -106,13 +106,8 @@ Step = tuple[int, bool]
 """A piece, and whether it is walked from its first place to its second."""
 
 
-@dataclass(frozen=True)
-class Walk:
-    """A line through a network."""
-
-    steps: tuple[Step, ...]
-    is_longest: bool
-    """Whether no longer one can be; with too many loops that is not known."""
+Walk = tuple[tuple[Step, ...], bool]
+"""A line through a network, and whether no longer one can be; with too many loops that is not known."""
 
 
 @dataclass(frozen=True)
@@ -138,11 +133,11 @@ def longest_walks(ends: Mapping[int, tuple[Hashable, Hashable]], lengths: Mappin
         own = {piece: ends[piece] for piece in waiting.pop()}
         looked_at += len(own)
         if looked_at > _MOST_LOOKED_AT:
-            found += (Walk(way.steps, False) for way in _ways(own, lengths))
+            found += ((way.steps, False) for way in _ways(own, lengths))
             continue
         walk = _longest(_ways(own, lengths))
         found.append(walk)
-        for piece, _ in walk.steps:
+        for piece, _ in walk[0]:
             del own[piece]
         waiting += _networks(own)
     return found
@@ -260,4 +255,4 @@ def _length(path: Iterable[_Way]) -> float:
 
 
 def _walk(path: Iterable[_Way], is_longest: bool) -> Walk:
-    return Walk(tuple(step for way in path for step in way.steps), is_longest)
+    return tuple(step for way in path for step in way.steps), is_longest

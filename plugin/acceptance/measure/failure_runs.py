@@ -260,8 +260,8 @@ def failure_runs(
     run_ends = None
     if least_kept is not None:
         run_ends = RunEnds(pieces, states, places, _usual(pieces, states, places), least_kept)
-        run_ends.count_neighbours(walk.steps for walk in walks)
-    runs = [_run(walk.steps, walk.is_longest, pieces, run_ends) for walk in walks]
+        run_ends.count_neighbours(steps for steps, _ in walks)
+    runs = [_run(steps, is_longest, pieces, run_ends) for steps, is_longest in walks]
     runs.sort(key=lambda run: -run.length_m)
     return tuple(replace(run, number=number) for number, run in enumerate(runs, 1))
 

@@ -175,15 +175,6 @@ def _draw_dashes(pixels: np.ndarray, path: np.ndarray) -> None:
         pixels[rows[seen], columns[seen]] = colour
 
 
-@dataclass(frozen=True)
-class DefectRow:
-    """A failure and the file that shows it."""
-
-    defect: Defect
-    picture: str
-    """Its path from the layer's folder; empty for none."""
-
-
 def _rounded(value: float | None) -> float | None:
     """People read this layer: no digits that mean nothing."""
     return None if value is None else round(value, 3)
@@ -194,23 +185,23 @@ def _coordinate(value: float) -> float:
     return float(f"{value:.10g}")
 
 
-DEFECT_COLUMNS: tuple[Column[DefectRow], ...] = (
-    Column("defect", "integer", lambda one: one.defect.number),
-    Column("sheet", "text", lambda one: ", ".join(one.defect.sheets)),
-    Column("length", "real", lambda one: _rounded(one.defect.length_m)),
-    Column("kept_1", "real", lambda one: _rounded(one.defect.worst.piece.kept_1)),
-    Column("kept_low", "real", lambda one: _rounded(one.defect.worst.piece.kept_low)),
-    Column("kept_high", "real", lambda one: _rounded(one.defect.worst.piece.kept_high)),
-    Column("band_width", "real", lambda one: _rounded(one.defect.band_width_m)),
-    Column("cause", "text", lambda one: one.defect.cause or None),
-    Column("left_source", "text", lambda one: one.defect.worst.piece.left_source or None),
-    Column("right_source", "text", lambda one: one.defect.worst.piece.right_source or None),
-    Column("left_date", "text", lambda one: one.defect.worst.piece.left_date or None),
-    Column("right_date", "text", lambda one: one.defect.worst.piece.right_date or None),
-    Column("x", "real", lambda one: _coordinate(one.defect.place[0])),
-    Column("y", "real", lambda one: _coordinate(one.defect.place[1])),
-    Column("remark", "text", lambda one: "; ".join(one.defect.remarks) or None),
-    Column("picture", "text", lambda one: one.picture or None),
+DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
+    Column("defect", "integer", lambda one: one.number),
+    Column("sheet", "text", lambda one: ", ".join(one.sheets)),
+    Column("length", "real", lambda one: _rounded(one.length_m)),
+    Column("kept_1", "real", lambda one: _rounded(one.worst.piece.kept_1)),
+    Column("kept_low", "real", lambda one: _rounded(one.worst.piece.kept_low)),
+    Column("kept_high", "real", lambda one: _rounded(one.worst.piece.kept_high)),
+    Column("band_width", "real", lambda one: _rounded(one.band_width_m)),
+    Column("cause", "text", lambda one: one.cause or None),
+    Column("left_source", "text", lambda one: one.worst.piece.left_source or None),
+    Column("right_source", "text", lambda one: one.worst.piece.right_source or None),
+    Column("left_date", "text", lambda one: one.worst.piece.left_date or None),
+    Column("right_date", "text", lambda one: one.worst.piece.right_date or None),
+    Column("x", "real", lambda one: _coordinate(one.place[0])),
+    Column("y", "real", lambda one: _coordinate(one.place[1])),
+    Column("remark", "text", lambda one: "; ".join(one.remarks) or None),
+    Column("picture", "text", lambda _: None),  # its path from the layer's folder, once there is one
 )
 
 
@@ -220,10 +211,10 @@ def defect_fields() -> QgsFields:
 
 def defect_features(defects: Sequence[Defect], pictures: Mapping[int, str]) -> Iterator[QgsFeature]:
     """``pictures``: paths from the layer's folder, by the failures' numbers."""
-    rows = [DefectRow(one, pictures.get(one.number, "")) for one in defects]
-    for row, feature in zip(rows, column_features(DEFECT_COLUMNS, rows)):
-        lines = (QgsGeometry(QgsLineString(*line.T.tolist())) for line in row.defect.lines)
+    for defect, feature in zip(defects, column_features(DEFECT_COLUMNS, defects)):
+        lines = (QgsGeometry(QgsLineString(*line.T.tolist())) for line in defect.lines)
         whole = QgsGeometry.collectGeometry(list(lines)).mergeLines()
         whole.convertToMultiType()
         feature.setGeometry(whole)
+        feature.setAttribute("picture", pictures.get(defect.number))
         yield feature

@@ -2,126 +2,64 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
-    QgsProcessing,
     QgsProcessingException,
-    QgsProcessingParameterFeatureSink,
-    QgsProcessingParameterFileDestination,
-    QgsProcessingParameterMultipleLayers,
-    QgsProcessingParameterRasterLayer,
     QgsProcessingUtils,
     QgsProviderRegistry,
     QgsWkbTypes,
 )
 
 from ...imagery.errors import CancelledError, RasterError, SettingsError
-from ...toolkit.algorithms import parameters as common
-from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...imagery.open_raster import describe_mosaic, describe_placed
+from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms.run import Run
-from ...toolkit.translation import filled, tr
+from ...toolkit.pages.templates import whole_path
+from ..acceptmosaic import DEFECTS, MOST_PICTURES, QUALITY, REPORT
+from ..measure.decision import Decision, Defect
 from . import messages
+from .defect_files import DefectPicture, DefectPictures, defect_features, defect_fields, save_pictures
+from .inspection_record import InspectionRecord, described_bands, scan_settings
 
-if TYPE_CHECKING:
-    from ...imagery.rasters import Raster, RasterRef
-    from ..measure.decision import Decision, Defect
-    from .defect_files import DefectPicture, DefectPictures
-
-MOST_PICTURES = 100  # of a delivery, of the longest failures: some 12 MB of report
 TOLD_UNEXPLAINED = 0.03  # of a mosaic without an orthoimage behind it: where the scan tells it, too
 
 
-MOSAIC, LOSS = common.MOSAIC, "LOSS"
-DEFECTS, REPORT, QUALITY = "DEFECTS", common.REPORT, "QUALITY"
-
-
-@dataclass(frozen=True)
-class PaperInputs:
-    """What is shown beside the decision."""
-
-    mosaics: tuple[RasterRef, ...] = ()
-    loss: RasterRef | None = None
-
-
-def add_inputs(algorithm: SeamInspectorAlgorithm) -> None:
-    """Parameters for what is shown; its ``RASTER_LISTS`` has to name MOSAIC."""
-    algorithm.addDescribed(
-        QgsProcessingParameterMultipleLayers(
-            MOSAIC, tr("Mosaic"), QgsProcessing.SourceType.TypeRaster, optional=True
-        ),
-        tr("The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report."),
-    )
-    algorithm.addDescribed(
-        QgsProcessingParameterRasterLayer(LOSS, tr("Picture of losses"), optional=True),
-        tr("As the scan wrote it: the XML refers to it, and it says how the seams were measured."),
-        advanced=True,
-    )
-
-
-def add_outputs(algorithm: SeamInspectorAlgorithm) -> None:
-    """What is written; its ``PAGES`` has to name REPORT and QUALITY."""
-    algorithm.addDescribed(
-        QgsProcessingParameterFeatureSink(
-            DEFECTS, tr("Failures"), QgsProcessing.SourceType.TypeVectorLine, optional=True, createByDefault=True
-        ),
-        tr(
-            "One feature for each failure without a break, for the producer: place, length, what is kept, the two "
-            "orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV."
-        ),
-    )
-    algorithm.addDescribed(*common.report(filled(tr(
-        "The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, "
-        "the plan's risk. Opens in a browser and prints on A4."
-    ), most=MOST_PICTURES), by_default=True))
-    algorithm.addDescribed(
-        QgsProcessingParameterFileDestination(
-            QUALITY, tr("Quality record (ISO 19157)"), "XML (*.xml)", optional=True, createByDefault=False
-        ),
-        tr("The figures and the decision as a catalogue reads them: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016."),
-    )
-
-
-def prepare(run: Run) -> PaperInputs:
-    """What the parameters name, to be asked in their layers' thread; says which mosaics can't be shown."""
-    mosaics, left_out = run.raster_refs(MOSAIC)
-    run.tell(*left_out)
-    return PaperInputs(tuple(mosaics), run.raster(LOSS))
-
-
 def write(
-    run: Run, decision: Decision, inputs: PaperInputs, seams: Sequence[tuple[str, str]], windows: str, rules: str
+    run: Run, decision: Decision, refs: Sequence[RasterRef], loss_ref: RasterRef | None,
+    seams: Sequence[tuple[str, str]], windows: str, rules: str,
 ) -> dict[str, Any]:
     """Write what is wanted; what can't be written is told, and does not cost the decision.
 
-    ``seams``, ``windows`` and ``rules``: where sheets, windows and rules were read from, in words for people.
+    ``refs``: of the mosaics; ``loss_ref``: of the picture of losses. ``seams``, ``windows`` and ``rules``: where
+    sheets, windows and rules were read from, in words for people.
     """
-    from ...toolkit.pages.templates import whole_path
-    from .acceptance_report import save_acceptance_report
-    from .inspection_record import InspectionRecord
-    from .quality_document import save_quality_document
-
-    loss, settings, bands = _loss(run, inputs.loss)
+    loss, settings, bands = _loss(run, loss_ref)
     report = run.file_path(REPORT)
-    maker, mosaics = _maker(run, inputs, decision) if run.parameters.get(DEFECTS) or report else (None, ())
+    maker, mosaics = _maker(run, refs, decision) if run.parameters.get(DEFECTS) or report else (None, ())
     record = InspectionRecord(
         decision, tuple((sheet, whole_path(address)) for sheet, address in seams), whole_path(windows),
         whole_path(rules), mosaics, loss, settings, bands, str(report or ""),
     )
     pictures: dict[int, DefectPicture] = {}
     results = _write_defects(run, decision, record.defects, maker, pictures)
-    results.update(run.save(QUALITY, lambda path: save_quality_document(path, record)))
-    results.update(run.save(REPORT, lambda path: save_acceptance_report(path, record, pictures)))
-    return results
+
+    def save_quality(path: Path) -> None:
+        from .quality_document import save_quality_document
+
+        save_quality_document(path, record)
+
+    def save_report(path: Path) -> None:
+        from .acceptance_report import save_acceptance_report
+
+        save_acceptance_report(path, record, pictures)
+
+    return {**results, **run.save(QUALITY, save_quality), **run.save(REPORT, save_report)}
 
 
 def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, str], tuple[str, ...]]:
-    from ...imagery.open_raster import describe_placed
-    from .inspection_record import described_bands, scan_settings
-
     if ref is None:
         return None, {}, ()
     try:
@@ -137,14 +75,10 @@ def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, 
     return None, {}, ()
 
 
-def _maker(run: Run, inputs: PaperInputs, decision: Decision) -> tuple[DefectPictures | None, tuple[Raster, ...]]:
+def _maker(run: Run, refs: Sequence[RasterRef], decision: Decision) -> tuple[DefectPictures | None, tuple[Raster, ...]]:
     """What cuts the pictures, and the mosaics that it can cut them from."""
-    from ...imagery.open_raster import describe_mosaic
-    from .defect_files import DefectPictures
-    from .inspection_record import scan_settings
-
     mosaics = []
-    for ref in inputs.mosaics:
+    for ref in refs:
         try:
             if scan_settings(ref):
                 run.tell(messages.MOSAIC_IS_LOSS(name=ref.name))
@@ -160,8 +94,6 @@ def _write_defects(
     pictures: dict[int, DefectPicture],
 ) -> dict[str, Any]:
     """The layer; fills in the pictures by the failures' numbers, for the report too."""
-    from .defect_files import defect_features, defect_fields, save_pictures
-
     try:
         crs = QgsCoordinateReferenceSystem.fromWkt(decision.delivery.wkt)
         layout = defect_fields(), QgsWkbTypes.Type.MultiLineString, crs

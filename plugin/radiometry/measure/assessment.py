@@ -125,11 +125,6 @@ def peak_deviation(histogram: Histogram, available: ValueRange) -> float:
     return abs(float(middles[int(counts.argmax())]) - (low + high) / 2) / (high - low)
 
 
-def contrast(histogram: Histogram, available: ValueRange) -> float:
-    """Standard deviation as a share of the range."""
-    return histogram.deviation / (available[1] - available[0])
-
-
 def seam_contrast(steps: Sequence[SeamStep], band: int, available: ValueRange) -> float:
     """Standard deviation beside the seams as a share of the range, root mean square over all stations."""
     squares = math.fsum(step.stations * step.contrasts[band] ** 2 for step in steps)
@@ -180,7 +175,7 @@ class _Judged:
         if rule.check == checks.PEAK:
             return _Found(peak_deviation(histogram, self._range))
         if rule.check == checks.CONTRAST:
-            return _Found(contrast(histogram, self._range))
+            return _Found(histogram.deviation / (self._range[1] - self._range[0]))
         return _Found(clipped_share(histogram, rule, self._range))
 
     @property

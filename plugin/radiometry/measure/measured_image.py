@@ -18,14 +18,6 @@ from .seam_steps import SeamStep, seam_steps
 MIN_STATISTICS_PIXELS = 4096  # 64 x 64: a histogram of fewer is no picture of an image
 
 
-@dataclass(frozen=True)
-class Drawn:
-    """What users drew on an image, in its reference system; None for what they gave no layer of."""
-
-    seams: Sequence[Seam] | None = None
-    grey_areas: Sequence[GreyArea] | None = None
-
-
 @dataclass(frozen=True, eq=False)
 class MeasuredImage:
     """What was read of an image."""
@@ -66,26 +58,28 @@ class MeasuredImage:
 
 
 def measure(
-    source: OpenRaster, window: PixelWindow, rules: RuleSet, drawn: Drawn | None = None, window_id: int | None = None,
+    source: OpenRaster, window: PixelWindow, rules: RuleSet, seams: Sequence[Seam] | None = None,
+    grey_areas: Sequence[GreyArea] | None = None, window_id: int | None = None,
     progress: Callable[[float], bool] = lambda share: True,
 ) -> MeasuredImage | None:
     """Stream a window of an image (all of it: ``image.whole``) for what rules ask of it.
 
-    ``progress`` is told the share that is done and ends the work by returning False: then there is no result.
+    ``seams`` and ``grey_areas`` in its reference system; None for what users gave no layer of. ``progress`` is told the
+    share that is done and ends the work by returning False: then there is no result.
 
     Raises RasterError when the pixels can't be read.
     """
-    image, drawn = source.raster, drawn or Drawn()
+    image = source.raster
     if not can_count(image, rules.value_range):
         return MeasuredImage(image, window_id)
-    counted, looked_at = _wanted(image, rules, drawn.seams is not None)
+    counted, looked_at = _wanted(image, rules, seams is not None)
     statistics = stream_statistics(source, window, counted, looked_at, rules.value_range, progress)
     if statistics is None:
         return None
-    steps = None if drawn.seams is None else tuple(seam_steps(source, window, drawn.seams, looked_at))
+    steps = None if seams is None else tuple(seam_steps(source, window, seams, looked_at))
     grey = None
-    if drawn.grey_areas is not None and image.has_luminance:
-        grey = grey_tones(source, window, drawn.grey_areas) if image.is_north_up else ()
+    if grey_areas is not None and image.has_luminance:
+        grey = grey_tones(source, window, grey_areas) if image.is_north_up else ()
     return MeasuredImage(image, window_id, steps, grey, looked_at, *statistics)
 
 

@@ -11,7 +11,7 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.radiometry.measure.areas import GreyArea
 from seam_inspector.plugin.radiometry.measure.assessment import Assessment, CheckedFigure, judge
 from seam_inspector.plugin.radiometry.measure.image_statistics import known_range, range_of_set
-from seam_inspector.plugin.radiometry.measure.measured_image import Drawn, MeasuredImage, measure
+from seam_inspector.plugin.radiometry.measure.measured_image import MeasuredImage, measure
 from seam_inspector.plugin.radiometry.measure.rules import FROM_HISTOGRAM, LUMINOSITY, RuleSet
 
 from tests.numbers.radiometry.jrc import default_rules
@@ -40,7 +40,7 @@ def checked(
 ) -> Assessment:
     """One image alone."""
     rules = rules or default_rules()
-    found = measured(path, rules, window, drawn=Drawn(seams, grey_areas))
+    found = measured(path, rules, window, seams=seams, grey_areas=grey_areas)
     of_image = known_range(found.image, found.largest_value, rules.value_range)
     if of_image is None:
         assert found.largest_value is not None
