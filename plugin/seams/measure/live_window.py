@@ -6,6 +6,7 @@ from functools import partial
 
 import numpy as np
 
+from ...imagery.blas_threads import one_blas_thread
 from ...imagery.clips import Clip
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
@@ -71,6 +72,7 @@ def read_live(request: WindowRequest, read_each: ReadEach) -> LivePixels | None:
     return LivePixels(request, band, images, against, first)
 
 
+@one_blas_thread()
 def live_profile(pixels: LivePixels) -> SeamProfile | None:
     """What is kept along the seam, as a whole inspection has it; None without a seam or where it can't be told."""
     window = pixels.request.window

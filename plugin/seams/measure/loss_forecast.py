@@ -14,6 +14,7 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
+from ...imagery.blas_threads import one_blas_thread
 from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import Message, NotCoveredError, RasterError, SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
@@ -132,6 +133,7 @@ def forecast_request(
     return ForecastRequest(window_id, sources_over(sources, extent), extent, wkt, settings, over)
 
 
+@one_blas_thread()
 def forecast_window(request: ForecastRequest) -> Forecast:
     """Clip the sources of one window and foretell each pair of them.
 

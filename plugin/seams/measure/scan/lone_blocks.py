@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from ....imagery.blas_threads import one_blas_thread
 from ....imagery.clips import read_clip
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
@@ -194,6 +195,7 @@ class LoneScan:
         return cls(request.key, LoneTable.empty(), notices)
 
 
+@one_blas_thread()
 def scan_lone_block(request: BlockRequest) -> LoneScan:
     """The cells along the seams of a block, which are its ``sides``. What can't be read is told in its notices."""
     assert request.wanted is not None

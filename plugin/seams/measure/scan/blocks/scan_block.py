@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from .....imagery.blas_threads import one_blas_thread
 from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
 from .....imagery.rasters import Raster
@@ -81,6 +82,7 @@ class BlockScan:
         return _Block(request).result(notices)
 
 
+@one_blas_thread()
 def scan_block(request: BlockRequest) -> BlockScan:
     """Look at the patches of a block, then measure what they call for. A block that can't be read tells why in its
     notices; it never raises for that."""

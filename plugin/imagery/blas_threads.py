@@ -1,0 +1,80 @@
+"""One thread of BLAS while our own measure: several wait for each other by spinning, which costs more than they help
+with the small products of a window, and takes the cores from other windows.
+
+By the libraries' own calls: threadpoolctl, which does the same, lets one thread of a process do so.
+"""
+from __future__ import annotations
+
+import ctypes
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+
+_Calls = tuple[Callable[[], int], Callable[[int], object]]
+"""How many threads a library has, and the call that sets that."""
+
+_NAMES = tuple(
+    (f"{prefix}openblas_get_num_threads{suffix}", f"{prefix}openblas_set_num_threads{suffix}")
+    for prefix in ("", "scipy_") for suffix in ("", "64_", "_64")
+) + (("MKL_Get_Max_Threads", "MKL_Set_Num_Threads"), ("bli_thread_get_num_threads", "bli_thread_set_num_threads"))
+_LIBRARIES = ("openblas", "mkl_rt", "blis")
+
+_lock = threading.Lock()
+_under_way = 0
+_before: list[int] = []
+
+
+@contextmanager
+def one_blas_thread() -> Iterator[None]:
+    """While anything runs in such a block, in whatever thread, each BLAS of the process has one thread; then as many as
+    before the first. Where none of them is known, nothing changes."""
+    global _under_way
+    with _lock:
+        if not _under_way:
+            _before[:] = [count() for count, _ in _libraries()]
+            _set([1] * len(_before))
+        _under_way += 1
+    try:
+        yield
+    finally:
+        with _lock:
+            _under_way -= 1
+            if not _under_way:
+                _set(_before)
+
+
+def _set(counts: list[int]) -> None:
+    for (_, set_count), count in zip(_libraries(), counts):
+        set_count(count)
+
+
+@cache
+def _libraries() -> list[_Calls]:
+    """Of every BLAS that is loaded: numpy and scipy may each have brought one."""
+    return [calls for path in _loaded() if (calls := _calls_of(path)) is not None]
+
+
+def _loaded() -> list[str]:
+    """Files of libraries that this process has loaded, as far as the system tells."""
+    maps = Path("/proc/self/maps")
+    if maps.exists():
+        paths = {line.split(maxsplit=5)[-1].strip() for line in maps.read_text("utf-8", "replace").splitlines()}
+    else:  # Windows and macOS: what comes with the wheels
+        wheels = [Path(str(sys.modules[name].__file__)).parent for name in ("numpy", "scipy") if name in sys.modules]
+        beside = [folder for one in wheels for folder in (one.with_name(f"{one.name}.libs"), one / ".dylibs")]
+        paths = {str(path) for folder in beside for path in folder.glob("*")}
+    return sorted(path for path in paths if any(name in Path(path).name for name in _LIBRARIES))
+
+
+def _calls_of(path: str) -> _Calls | None:
+    try:
+        library = ctypes.CDLL(path)
+    except OSError:  # it was replaced on the disk meanwhile
+        return None
+    for get_count, set_count in _NAMES:
+        if hasattr(library, get_count) and hasattr(library, set_count):
+            return getattr(library, get_count), getattr(library, set_count)
+    return None
