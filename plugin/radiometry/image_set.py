@@ -30,7 +30,6 @@ from .measure.rules import RuleSet
 
 if TYPE_CHECKING:
     from ..imagery.lines import Seam
-    from ..imagery.rasters import Raster
     from .measure.areas import GreyArea
     from .measure.seam_steps import SeamStep
 

@@ -38,6 +38,7 @@ MIN_KEPT = "MIN_KEPT"
 OUTPUT, CURVES, PAIRS, PROFILES = "OUTPUT", "CURVES", "PAIRS", "PROFILES"
 WINDOW_COUNT, SIGNIFICANT_COUNT, NOT_COMPARABLE_COUNT = "WINDOW_COUNT", "SIGNIFICANT_COUNT", "NOT_COMPARABLE_COUNT"
 
+
 class InspectWindows(SeamInspectorAlgorithm):
     """How much detail a mosaic kept in each window, against each of its sources."""
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Callable
+from typing import Callable
 
 from qgis.core import Qgis, QgsApplication, QgsProject, QgsRectangle
 from qgis.gui import QgisInterface, QgsMapCanvas, QgsMessageBar
@@ -48,9 +48,6 @@ from .session import Session
 from .swipe.swipe_action import SwipeAction
 from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
-
-if TYPE_CHECKING:
-    from .session import Session
 
 _SCREEN_PIXELS = 2  # per image pixel: the paper's best viewing scale
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Callable
+from typing import Callable
 
 from qgis.core import QgsApplication, QgsSettings
 from qgis.PyQt.QtCore import QEvent, QSize, Qt, pyqtSignal
@@ -31,9 +31,6 @@ from ..session import Session
 from .picture_strip import PictureStrip
 from .picture_view import LossImage, PictureView
 from .viewport import BEST_ZOOM, Viewport
-
-if TYPE_CHECKING:
-    from ..session import Session
 
 GAP = 4
 """Between views, px."""

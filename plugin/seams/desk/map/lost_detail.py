@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from ..charts.profile_panel import ProfilePanel
     from ..session import Session
 
+
 class LostDetail(QObject):
     """Owns all of it until ``close``."""
 

@@ -26,7 +26,6 @@ from .window_coverage import Coverage
 from .window_outline import OutlineTone, WindowOutline
 
 if TYPE_CHECKING:
-    from ...measure.window_records import WindowRecord
     from ..inputs.project_inputs import Inputs
     from ..session import Session
 

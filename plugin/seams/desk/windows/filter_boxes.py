@@ -5,7 +5,7 @@ import math
 from collections.abc import Callable
 from functools import partial
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, Qt
 from qgis.PyQt.QtWidgets import QComboBox, QSizePolicy, QWidget
@@ -16,9 +16,6 @@ from ...measure.window_records import WindowRecord
 from ...window_summary import judged_value
 from ...words import VERDICTS, verdict_word
 from .window_columns import verdict_chip
-
-if TYPE_CHECKING:
-    from ...measure.window_records import WindowRecord
 
 _CLAIMS = ("significant", "reduced", "preserved")
 _WORST = (*_CLAIMS, "not_comparable")
