@@ -22,7 +22,6 @@ from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import SettingsError
 from ...imagery.records import Column
-from ...toolkit import layers as layers
 from ...toolkit.layers import mosaic_crs, rectangle
 from ...toolkit.table_fields import column_fields, column_values, feature
 from ..measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS
