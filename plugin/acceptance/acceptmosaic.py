@@ -15,7 +15,7 @@ from qgis.core import (
     QgsProcessingParameterMultipleLayers,
     QgsProcessingParameterRasterLayer,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
@@ -44,9 +44,8 @@ class AcceptMosaic(SeamInspectorAlgorithm):
     """Whether a delivery is accepted, and what goes back."""
 
     ID = "acceptmosaic"
-    NAME = QT_TRANSLATE_NOOP("@default", "Accept or reject a delivery")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Accept or reject a delivery")
+    HELP = QT_TR_NOOP(
         "Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without "
         "a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of it. A piece "
         "of seam fails when it kept less than is asked for. What could not be measured never counts as passed."

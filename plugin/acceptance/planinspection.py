@@ -11,7 +11,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsProcessingParameterString,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import limits as imagery_limits
 from ..imagery.errors import SettingsError
@@ -41,9 +41,8 @@ class PlanInspection(SeamInspectorAlgorithm):
     """Which pieces of seam to look at when not all are."""
 
     ID = "planinspection"
-    NAME = QT_TRANSLATE_NOOP("@default", "Plan an inspection")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Plan an inspection")
+    HELP = QT_TR_NOOP(
         "Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks "
         "for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for 'Accept or "
         "reject a delivery', or as windows that open in the dock to be judged. The same seed draws the same sample."

@@ -11,7 +11,7 @@ from qgis.core import (
     QgsProcessingParameterField,
     QgsProcessingParameterString,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import SettingsError
@@ -37,10 +37,9 @@ class CheckNoise(RasterListAlgorithm):
     """Whether the details of an image rise from level to level, or noise lifts the finest."""
 
     ID = "checknoise"
-    NAME = QT_TRANSLATE_NOOP("@default", "Check random noise")
+    NAME = QT_TR_NOOP("Check random noise")
     GROUP = IMAGE_QUALITY
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    HELP = QT_TR_NOOP(
         "Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the "
         "relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) "
         "and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the "

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from qgis.core import QgsFeature, QgsFields
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.limits import judged_band
 from ..imagery.records import Column
@@ -19,11 +19,11 @@ from .measure.band_noise import SEVERITY, BandNoise, NoiseVerdict, noisiest_band
 from .measure.group_noise import ClipNoise
 
 VERDICT_WORDS = {
-    NoiseVerdict.LOW: QT_TRANSLATE_NOOP("@default", "low"),
-    NoiseVerdict.UNCERTAIN: QT_TRANSLATE_NOOP("@default", "uncertain"),
-    NoiseVerdict.MODERATE: QT_TRANSLATE_NOOP("@default", "moderate"),
-    NoiseVerdict.STRONG: QT_TRANSLATE_NOOP("@default", "strong"),
-    NoiseVerdict.NOT_MEASURABLE: QT_TRANSLATE_NOOP("@default", "not measurable"),
+    NoiseVerdict.LOW: QT_TR_NOOP("low"),
+    NoiseVerdict.UNCERTAIN: QT_TR_NOOP("uncertain"),
+    NoiseVerdict.MODERATE: QT_TR_NOOP("moderate"),
+    NoiseVerdict.STRONG: QT_TR_NOOP("strong"),
+    NoiseVerdict.NOT_MEASURABLE: QT_TR_NOOP("not measurable"),
 }
 
 

@@ -12,7 +12,7 @@ from qgis.core import (
     QgsProcessingParameterFile,
     QgsProcessingParameterNumber,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import PhotoError
 from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
@@ -45,10 +45,9 @@ class CompareMarks(SeamInspectorAlgorithm):
     """The distances between two operators' or programs' marks."""
 
     ID = "comparemarks"
-    NAME = QT_TRANSLATE_NOOP("@default", "Compare marks")
+    NAME = QT_TR_NOOP("Compare marks")
     GROUP = INTERIOR_ORIENTATION
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    HELP = QT_TR_NOOP(
         "Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the "
         "distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do, and whether the mean "
         "is within a limit. Two operators differed there by 0.25 px, so a program has to stay within that. Many photos "

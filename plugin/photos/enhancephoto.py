@@ -8,7 +8,7 @@ from qgis.core import (
     QgsProcessingParameterRasterDestination,
     QgsProcessingParameterRasterLayer,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
@@ -25,10 +25,9 @@ class EnhancePhoto(SeamInspectorAlgorithm):
     """One operation on every pixel of a photo, whose place on the map is kept."""
 
     ID = "enhancephoto"
-    NAME = QT_TRANSLATE_NOOP("@default", "Enhance photo")
+    NAME = QT_TR_NOOP("Enhance photo")
     GROUP = INTERIOR_ORIENTATION
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    HELP = QT_TR_NOOP(
         "Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian "
         "against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the "
         "map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy."

@@ -17,7 +17,7 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
     QgsWkbTypes,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import PhotoError
@@ -54,10 +54,9 @@ class InteriorOrientation(SeamInspectorAlgorithm):
     """Fiducial marks by correlation and a surface, the transformation by least squares."""
 
     ID = "interiororientation"
-    NAME = QT_TRANSLATE_NOOP("@default", "Interior orientation")
+    NAME = QT_TR_NOOP("Interior orientation")
     GROUP = INTERIOR_ORIENTATION
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    HELP = QT_TR_NOOP(
         "Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to "
         "millimetres. A mark is found by normalised cross correlation and measured to a fraction of a pixel by the "
         "extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can't be trusted fails with the "

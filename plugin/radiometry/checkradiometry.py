@@ -17,7 +17,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsProcessingParameterRange,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import RasterError, SettingsError
@@ -46,10 +46,9 @@ class CheckRadiometry(RasterListAlgorithm):
     """Whether images keep the limits of a specification."""
 
     ID = "checkradiometry"
-    NAME = QT_TRANSLATE_NOOP("@default", "Check radiometry")
+    NAME = QT_TR_NOOP("Check radiometry")
     GROUP = IMAGE_QUALITY
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    HELP = QT_TR_NOOP(
         "Holds images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped "
         "tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, "
         "colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters "

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import in_sentence
 from ..toolkit.translation import band_title, decimals_beside, filled, formatted, sentence, shown_number, tr
@@ -14,24 +14,24 @@ from .measure.rules import ALL_BANDS, EACH_BAND, LUMINOSITY, Rule
 _MOST_NAMED = 5  # images in one sentence; the others are counted
 
 CHECK_WORDS = {
-    checks.CLIPPED_LOW: QT_TRANSLATE_NOOP("@default", "clipped at the dark end"),
-    checks.CLIPPED_HIGH: QT_TRANSLATE_NOOP("@default", "clipped at the bright end"),
-    checks.PEAK: QT_TRANSLATE_NOOP("@default", "histogram peak from mid-scale"),
-    checks.CONTRAST: QT_TRANSLATE_NOOP("@default", "contrast"),
-    checks.SIGNAL_TO_NOISE: QT_TRANSLATE_NOOP("@default", "signal to noise"),
-    checks.COLOUR_BALANCE: QT_TRANSLATE_NOOP("@default", "colour balance"),
-    checks.SEAM_STEP: QT_TRANSLATE_NOOP("@default", "step at the seams"),
-    checks.SEAM_CONTRAST: QT_TRANSLATE_NOOP("@default", "contrast beside the seams"),
+    checks.CLIPPED_LOW: QT_TR_NOOP("clipped at the dark end"),
+    checks.CLIPPED_HIGH: QT_TR_NOOP("clipped at the bright end"),
+    checks.PEAK: QT_TR_NOOP("histogram peak from mid-scale"),
+    checks.CONTRAST: QT_TR_NOOP("contrast"),
+    checks.SIGNAL_TO_NOISE: QT_TR_NOOP("signal to noise"),
+    checks.COLOUR_BALANCE: QT_TR_NOOP("colour balance"),
+    checks.SEAM_STEP: QT_TR_NOOP("step at the seams"),
+    checks.SEAM_CONTRAST: QT_TR_NOOP("contrast beside the seams"),
 }
 OUTCOME_WORDS = {
-    RadiometricOutcome.ACCEPTED: QT_TRANSLATE_NOOP("@default", "accepted"),
-    RadiometricOutcome.REJECTED: QT_TRANSLATE_NOOP("@default", "rejected"),
-    RadiometricOutcome.UNDECIDED: QT_TRANSLATE_NOOP("@default", "undecided"),
+    RadiometricOutcome.ACCEPTED: QT_TR_NOOP("accepted"),
+    RadiometricOutcome.REJECTED: QT_TR_NOOP("rejected"),
+    RadiometricOutcome.UNDECIDED: QT_TR_NOOP("undecided"),
 }
 _BAND_WORDS = {
-    ALL_BANDS: QT_TRANSLATE_NOOP("@default", "between bands"),
-    EACH_BAND: QT_TRANSLATE_NOOP("@default", "each band"),
-    LUMINOSITY: QT_TRANSLATE_NOOP("@default", "luminosity"),
+    ALL_BANDS: QT_TR_NOOP("between bands"),
+    EACH_BAND: QT_TR_NOOP("each band"),
+    LUMINOSITY: QT_TR_NOOP("luminosity"),
 }
 
 

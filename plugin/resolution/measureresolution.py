@@ -13,7 +13,7 @@ from qgis.core import (
     QgsProcessingParameterRasterLayer,
     QgsWkbTypes,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import RasterError, SettingsError
@@ -43,10 +43,9 @@ class MeasureResolution(SeamInspectorAlgorithm):
     """The finest group of bars that an image still resolves."""
 
     ID = "measureresolution"
-    NAME = QT_TRANSLATE_NOOP("@default", "Measure ground resolved distance")
+    NAME = QT_TR_NOOP("Measure ground resolved distance")
     GROUP = GROUND_RESOLUTION
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    HELP = QT_TR_NOOP(
         "Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line "
         "across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars "
         "against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the "

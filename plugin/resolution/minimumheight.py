@@ -12,7 +12,7 @@ from qgis.core import (
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import Message, SettingsError
@@ -114,10 +114,9 @@ class MinimumHeight(SeamInspectorAlgorithm):
     """Heights at which each pass over a target would just have kept to the required distance, and their mean."""
 
     ID = "minimumheight"
-    NAME = QT_TRANSLATE_NOOP("@default", "Minimum flying height")
+    NAME = QT_TR_NOOP("Minimum flying height")
     GROUP = GROUND_RESOLUTION
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    HELP = QT_TR_NOOP(
         "Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each "
         "pass its height times the required distance over the one that was read, then the mean of each group of "
         "passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2)."

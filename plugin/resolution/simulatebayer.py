@@ -4,7 +4,7 @@ from __future__ import annotations
 from typing import Any
 
 from qgis.core import QgsProcessingParameterRasterDestination, QgsProcessingParameterRasterLayer
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import GROUND_RESOLUTION, SeamInspectorAlgorithm
@@ -19,10 +19,9 @@ class SimulateBayer(SeamInspectorAlgorithm):
     """An image through a Bayer filter and back."""
 
     ID = "simulatebayer"
-    NAME = QT_TRANSLATE_NOOP("@default", "Simulate a Bayer filter")
+    NAME = QT_TR_NOOP("Simulate a Bayer filter")
     GROUP = GROUND_RESOLUTION
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    HELP = QT_TR_NOOP(
         "Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its "
         "filter is kept, and the other two are interpolated from the neighbours. Fine lines get wider and coloured "
         "(Walczykowski and others 2009, section 5). An image of one band is taken as a grey scene."

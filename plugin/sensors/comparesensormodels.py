@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsProcessing, QgsProcessingOutputString, QgsProcessingParameterFeatureSink
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
@@ -24,9 +24,8 @@ class CompareSensorModels(SensorAlgorithm):
     """Every model that the points allow, in one table, with a recommendation."""
 
     ID = "comparesensormodels"
-    NAME = QT_TRANSLATE_NOOP("@default", "Compare sensor models")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Compare sensor models")
+    HELP = QT_TR_NOOP(
         "Fits every sensor model that the points allow and judges each on points that its fit has not seen: check "
         "points, or, where they are fewer than five, every point predicted from the others. The table is that of "
         "Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the "

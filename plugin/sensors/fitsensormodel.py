@@ -15,7 +15,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsWkbTypes,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SensorModelError
 from ..toolkit.algorithms import parameters as common
@@ -39,15 +39,15 @@ BIAS_COLUMN, BIAS_ROW = "BIAS_COLUMN", "BIAS_ROW"
 _BIASES = tuple(one.name for one in registry.RPC_BIAS.variants)
 _ERRORS = ("RMSE_X", "RMSE_Y", "MAX_X", "MAX_Y")
 MODEL_TITLES = {
-    "polynomial_2d": QT_TRANSLATE_NOOP("@default", "polynomials of the plane, as in a georeferencer, without heights"),
-    "polynomial_3d": QT_TRANSLATE_NOOP("@default", "polynomials of space, without physics"),
-    "rational": QT_TRANSLATE_NOOP("@default", "quotients of polynomials as in an RPC, without physics"),
-    "rational_terms": QT_TRANSLATE_NOOP(
-        "@default", "quotients of order 2 at most, with the terms left out that the points do not speak for"
+    "polynomial_2d": QT_TR_NOOP("polynomials of the plane, as in a georeferencer, without heights"),
+    "polynomial_3d": QT_TR_NOOP("polynomials of space, without physics"),
+    "rational": QT_TR_NOOP("quotients of polynomials as in an RPC, without physics"),
+    "rational_terms": QT_TR_NOOP(
+        "quotients of order 2 at most, with the terms left out that the points do not speak for"
     ),
-    "dlt": QT_TRANSLATE_NOOP("@default", "the direct linear transformation, without physics"),
-    "pushbroom": QT_TRANSLATE_NOOP("@default", "the parametric model of a line scanner"),
-    "rpc_bias": QT_TRANSLATE_NOOP("@default", "the RPC that came with the image, corrected"),
+    "dlt": QT_TR_NOOP("the direct linear transformation, without physics"),
+    "pushbroom": QT_TR_NOOP("the parametric model of a line scanner"),
+    "rpc_bias": QT_TR_NOOP("the RPC that came with the image, corrected"),
 }
 """By the model's name in the registry; a test looks that every model has its entry."""
 
@@ -56,9 +56,8 @@ class FitSensorModel(SensorAlgorithm):
     """A model between ground and image, fitted to control points and judged on check points."""
 
     ID = "fitsensormodel"
-    NAME = QT_TRANSLATE_NOOP("@default", "Fit sensor model")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Fit sensor model")
+    HELP = QT_TR_NOOP(
         "Fits the geometry of a satellite image to ground control points and judges it on check points that took no "
         "part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification."
     )

@@ -11,7 +11,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsProcessingParameterRasterDestination,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SensorModelError, SettingsError
 from ..toolkit.algorithms import parameters as common
@@ -37,9 +37,8 @@ class Orthorectify(SensorAlgorithm):
 
     ID = "orthorectify"
     RASTER_LISTS = (DEM,)
-    NAME = QT_TRANSLATE_NOOP("@default", "Orthorectify")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Orthorectify")
+    HELP = QT_TR_NOOP(
         "Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC "
         "file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL's warper does it with all "
         "cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are "

@@ -11,7 +11,7 @@ from qgis.core import (
     QgsProcessingParameterNumber,
     QgsProcessingParameterString,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
@@ -37,9 +37,8 @@ class PlanPoints(SensorAlgorithm):
 
     RASTER_LISTS = (IMAGE,)
     ID = "planpoints"
-    NAME = QT_TRANSLATE_NOOP("@default", "Plan control points")
-    HELP = QT_TRANSLATE_NOOP(
-        "@default",
+    NAME = QT_TR_NOOP("Plan control points")
+    HELP = QT_TR_NOOP(
         "Tells what accuracy to expect from number, quality and spread of control points before they are measured. "
         "For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC "
         "or that of a nominal line scanner; the model is fitted to each and judged all over the image. A planning "

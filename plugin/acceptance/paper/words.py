@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import re
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import Message
 from ...toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
@@ -11,16 +11,16 @@ from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, RuleOutcome
 
 _CHECKS = {
-    rules.KEPT: QT_TRANSLATE_NOOP("@default", "least detail kept"),
-    rules.FAILED_SHARE: QT_TRANSLATE_NOOP("@default", "share of the seams that failed"),
-    rules.LONGEST_FAILURE: QT_TRANSLATE_NOOP("@default", "longest failure without a break"),
-    rules.MEASURED_SHARE: QT_TRANSLATE_NOOP("@default", "share of the seams that was measured"),
-    rules.SAMPLING: QT_TRANSLATE_NOOP("@default", "failed pieces in the sample"),
+    rules.KEPT: QT_TR_NOOP("least detail kept"),
+    rules.FAILED_SHARE: QT_TR_NOOP("share of the seams that failed"),
+    rules.LONGEST_FAILURE: QT_TR_NOOP("longest failure without a break"),
+    rules.MEASURED_SHARE: QT_TR_NOOP("share of the seams that was measured"),
+    rules.SAMPLING: QT_TR_NOOP("failed pieces in the sample"),
 }
 _SEVERITIES = {
-    "normal": QT_TRANSLATE_NOOP("@default", "normal inspection"),
-    "tightened": QT_TRANSLATE_NOOP("@default", "tightened inspection"),
-    "reduced": QT_TRANSLATE_NOOP("@default", "reduced inspection"),
+    "normal": QT_TR_NOOP("normal inspection"),
+    "tightened": QT_TR_NOOP("tightened inspection"),
+    "reduced": QT_TR_NOOP("reduced inspection"),
 }
 _SHARES = (rules.KEPT, rules.FAILED_SHARE, rules.MEASURED_SHARE)
 NOTHING = "\u2013"

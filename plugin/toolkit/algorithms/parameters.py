@@ -23,7 +23,7 @@ from qgis.core import (
     QgsProcessingParameterString,
     QgsRasterLayer,
 )
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
@@ -220,7 +220,7 @@ def without_rasters(
 
 
 Rules = TypeVar("Rules")
-_OWN = QT_TRANSLATE_NOOP("@default", "Seam Inspector's own")
+_OWN = QT_TR_NOOP("Seam Inspector's own")
 """The source of limits that no contract states."""
 _WORDS = ("name", "source", "kept_source")
 """The fields that people read: what rules are called, and where their limits come from."""

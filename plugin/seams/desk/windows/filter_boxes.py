@@ -7,7 +7,7 @@ from functools import partial
 from operator import attrgetter
 from typing import Any, NamedTuple
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, Qt
+from qgis.PyQt.QtCore import QT_TR_NOOP, Qt
 from qgis.PyQt.QtWidgets import QComboBox, QSizePolicy, QWidget
 
 from ....imagery.statistics import FIRST, SECOND, UNSURE, VISIBLE
@@ -63,27 +63,27 @@ def operators_disagree(row: WindowRecord) -> bool:
 
 
 TABLE = WindowOrder(
-    "table", QT_TRANSLATE_NOOP("@default", "as sorted"),
-    QT_TRANSLATE_NOOP("@default", "As the table is sorted by one of its columns."), None,
+    "table", QT_TR_NOOP("as sorted"),
+    QT_TR_NOOP("As the table is sorted by one of its columns."), None,
 )  # fmt: skip
 ORDERS = (
     WindowOrder(
-        "seam", QT_TRANSLATE_NOOP("@default", "along the seam"),
-        QT_TRANSLATE_NOOP("@default", "Seam by seam and along each, as the windows were placed."), along_the_seam,
+        "seam", QT_TR_NOOP("along the seam"),
+        QT_TR_NOOP("Seam by seam and along each, as the windows were placed."), along_the_seam,
     ),
     WindowOrder(
-        "worst", QT_TRANSLATE_NOOP("@default", "worst first"),
-        QT_TRANSLATE_NOOP("@default", "Significant losses first; within a verdict the greatest loss."),
+        "worst", QT_TR_NOOP("worst first"),
+        QT_TR_NOOP("Significant losses first; within a verdict the greatest loss."),
         worst_first, tells_verdict=True,
     ),
     WindowOrder(
-        "tool", QT_TRANSLATE_NOOP("@default", "tool differs"),
-        QT_TRANSLATE_NOOP("@default", "First the windows where the tool's verdict and an observer's word disagree."),
+        "tool", QT_TR_NOOP("tool differs"),
+        QT_TR_NOOP("First the windows where the tool's verdict and an observer's word disagree."),
         lambda row: along_the_seam(row) if tool_and_observer_disagree(row) else None, tells_verdict=True,
     ),
     WindowOrder(
-        "operators", QT_TRANSLATE_NOOP("@default", "operators differ"),
-        QT_TRANSLATE_NOOP("@default", "First the windows where the two operators disagree."),
+        "operators", QT_TR_NOOP("operators differ"),
+        QT_TR_NOOP("First the windows where the two operators disagree."),
         lambda row: along_the_seam(row) if operators_disagree(row) else None, tells_verdict=True,
     ),
     TABLE,

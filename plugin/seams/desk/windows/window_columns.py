@@ -7,7 +7,7 @@ from functools import cache, partial
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from qgis.PyQt.QtCore import QT_TRANSLATE_NOOP, QPointF, QRectF, Qt
+from qgis.PyQt.QtCore import QT_TR_NOOP, QPointF, QRectF, Qt
 from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 
 from ....toolkit.desk.theme import plain_icon
@@ -85,9 +85,7 @@ ALIGNED_LEFT = int(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
 _SEVERITY = {verdict: place for place, verdict in enumerate(VERDICTS) if verdict}
 OBSERVERS = {"visible": 0, "invisible": 1, "unsure": 2}
 """What an operator saw, in the order of the table."""
-_RATIO_TIP = QT_TRANSLATE_NOOP(
-    "@default", "Detail at level {level} in the mosaic as a multiple of the least sharp source's."
-)
+_RATIO_TIP = QT_TR_NOOP("Detail at level {level} in the mosaic as a multiple of the least sharp source's.")
 
 
 class TableColumn(NamedTuple):
@@ -148,58 +146,53 @@ def _ratio_column(level: int) -> TableColumn:
     def text(row: WindowRecord) -> str:
         return "" if (found := ratio(row)) is None else shown_number(found)
 
-    heading = QT_TRANSLATE_NOOP("@default", "ratio 1") if level == 1 else str(level)
+    heading = QT_TR_NOOP("ratio 1") if level == 1 else str(level)
     return TableColumn("ratio", heading, _RATIO_TIP, text, ratio, _ALIGNED_RIGHT, level=level)
 
 
 WINDOW_ID = TableColumn(
-    "window_id", QT_TRANSLATE_NOOP("@default", "id"), QT_TRANSLATE_NOOP("@default", "Number of the window."),
+    "window_id", QT_TR_NOOP("id"), QT_TR_NOOP("Number of the window."),
     lambda row: str(row.window_id), lambda row: row.window_id, _ALIGNED_RIGHT,
 )  # fmt: skip
 _VERDICT = TableColumn(
-    "verdict", QT_TRANSLATE_NOOP("@default", "verdict"),
-    QT_TRANSLATE_NOOP(
-        "@default", "What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first."
-    ),
+    "verdict", QT_TR_NOOP("verdict"),
+    QT_TR_NOOP("What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first."),
     _verdict_text, lambda row: _SEVERITY.get(row.verdict),
 )  # fmt: skip
 _KEPT = TableColumn(
-    "kept", QT_TRANSLATE_NOOP("@default", "kept"),
-    QT_TRANSLATE_NOOP(
-        "@default",
+    "kept", QT_TR_NOOP("kept"),
+    QT_TR_NOOP(
         "Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the "
         "verdict was not taken by it."
     ),
     lambda row: "" if (kept := judged_kept(row)) is None else f"{percent(kept)} %", judged_kept, _ALIGNED_RIGHT,
 )  # fmt: skip
 PAPER = TableColumn(
-    "paper_verdict", QT_TRANSLATE_NOOP("@default", "paper"),
-    QT_TRANSLATE_NOOP(
-        "@default", "The paper's own flag, by ratio 1 against whole sources, whatever the verdict was taken by."
-    ),
+    "paper_verdict", QT_TR_NOOP("paper"),
+    QT_TR_NOOP("The paper's own flag, by ratio 1 against whole sources, whatever the verdict was taken by."),
     lambda row: verdict_word(row.paper_verdict) if row.paper_verdict else "",
     lambda row: _SEVERITY.get(row.paper_verdict),
 )  # fmt: skip
 CAUSE = TableColumn(
-    "cause", QT_TRANSLATE_NOOP("@default", "cause"),
-    QT_TRANSLATE_NOOP("@default", "The step of production that explains what happened to the contrast."),
+    "cause", QT_TR_NOOP("cause"),
+    QT_TR_NOOP("The step of production that explains what happened to the contrast."),
     lambda row: cause_word(row.cause), lambda row: cause_word(row.cause).casefold() or None,
 )  # fmt: skip
 _LAST = (
     TableColumn(
-        "sources", QT_TRANSLATE_NOOP("@default", "sources"),
-        QT_TRANSLATE_NOOP("@default", "How many sources the mosaic was compared with."),
+        "sources", QT_TR_NOOP("sources"),
+        QT_TR_NOOP("How many sources the mosaic was compared with."),
         lambda row: "" if row.sources is None else str(row.sources), lambda row: row.sources, _CENTRED,
-        QT_TRANSLATE_NOOP("@default", "src."),
+        QT_TR_NOOP("src."),
     ),
     TableColumn(
-        "observer", QT_TRANSLATE_NOOP("@default", "observer"),
-        QT_TRANSLATE_NOOP("@default", "Whether the operator saw the loss of detail at 2x magnification."),
+        "observer", QT_TR_NOOP("observer"),
+        QT_TR_NOOP("Whether the operator saw the loss of detail at 2x magnification."),
         lambda row: observer_word(row.observer), lambda row: OBSERVERS.get(row.observer),
     ),
     TableColumn(
-        "reason", QT_TRANSLATE_NOOP("@default", "reason"),
-        QT_TRANSLATE_NOOP("@default", "Why the mosaic could not be compared with a source."),
+        "reason", QT_TR_NOOP("reason"),
+        QT_TR_NOOP("Why the mosaic could not be compared with a source."),
         lambda row: row.reason, lambda row: row.reason.casefold() or None,
     ),
 )  # fmt: skip
