@@ -9382,11 +9382,6 @@
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
-        <source>So many seams failed and meet that not every way through them was tried; a longer failure may be there.</source>
-        <translation>Tyle linii jest niezgodnych i styka się ze sobą, że nie sprawdzono każdej drogi przez nie; może istnieć dłuższa usterka.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
         <source>Where failures begin and end inside the pieces is estimated from what these kept: the longest is known to some {longest:.0f} m, all failed metres to some {all:.0f} m.</source>
         <translation>Początki i końce usterek wewnątrz odcinków oszacowano z tego, co te zachowały: najdłuższą zna się z dokładnością do około {longest:.0f} m, wszystkie niezgodne metry do około {all:.0f} m.</translation>

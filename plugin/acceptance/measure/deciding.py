@@ -157,8 +157,6 @@ def _lengths(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
     """Where the longest failure is, and how sure lengths are."""
     longest, (x, y) = runs[0], runs[0].place
     yield messages.LONGEST_WHERE(metres=longest.length_m, x=x, y=y, sheets=", ".join(longest.sheets))
-    if not longest.is_longest:
-        yield messages.LONGEST_AT_LEAST()
     within = sum(run.within_m**2 for run in runs) ** 0.5
     if not within:
         return

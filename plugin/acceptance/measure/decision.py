@@ -92,8 +92,6 @@ class FailureRun:
     """What it takes of its pieces, and of those that passed at its ends, in its order."""
     within_m: float
     """Half the 95 % interval of its length; 0 where nothing tells."""
-    is_longest: bool
-    """Whether no longer way through these pieces can be; in networks with very many loops that is not known."""
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,10 @@
 """Failures without a break: failed pieces that follow each other, along a seam and on across seams and sheets.
 
-Two pieces follow each other where one begins at the station at which the other ends, or where their ends touch. A run
-is the longest line that one can walk through failed pieces that hang together; what it leaves over at nodes are runs
-of their own. A piece that could not be measured says nothing of whether the failure ends there: it does not break a run
-unless what was not measured is longer than a typical piece, and its own metres don't count. What passed always breaks
-it, and so does a gap between two sheets. Where a run begins and ends inside its pieces is estimated (``failure_ends``).
+Two pieces follow each other where one begins at the station at which the other ends, or where their ends touch. Where
+more than two failed pieces meet in a node, a run goes on along its own seam alone. A piece that could not be measured
+says nothing of whether the failure ends there: it does not break a run unless what was not measured is longer than a
+typical piece, and its own metres don't count. What passed always breaks it, and so does a gap between two sheets. Where
+a run begins and ends inside its pieces is estimated (``failure_ends``).
 """
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ import numpy as np
 
 from .decision import FailedPart, FailureRun, PieceState
 from .delivery import DeliveredPiece
-from .failure_networks import PiecePlaces, Step, longest_walks
+from .failure_networks import PiecePlaces, Step, unbroken_lines
 
 _KEPT_STEPS, _PLACES = 12, 12  # of k; in a piece
 _VARIES = 0.05  # what is kept inside a failure, from piece to piece
@@ -160,9 +160,9 @@ class RunEnds:
         self._usual, self._least_kept = usual, least_kept
         self._claims: Counter[int] = Counter()
 
-    def count_neighbours(self, walks: Iterable[Sequence[Step]]) -> None:
+    def count_neighbours(self, lines: Iterable[Sequence[Step]]) -> None:
         """A piece between two runs may be spoilt by either: each is given half of it."""
-        for steps in walks:
+        for steps in lines:
             self._claims.update(step[0] for step in self._beyond(steps) if step is not None)
 
     def parts(self, steps: Sequence[Step]) -> tuple[_Parts, float]:
@@ -256,12 +256,12 @@ def failure_runs(
     typical = float(np.median([piece.length_m for piece in pieces]))
     places = PiecePlaces(pieces, typical, unit_m)
     ends = places.joined(failed, [number for number, state in enumerate(states) if state is PieceState.NOT_MEASURED])
-    walks = longest_walks(ends, {number: pieces[number].length_m for number in failed})
+    lines = unbroken_lines(ends, {number: pieces[number].seam if pieces[number].seam_id else None for number in failed})
     run_ends = None
     if least_kept is not None:
         run_ends = RunEnds(pieces, states, places, _usual(pieces, states, places), least_kept)
-        run_ends.count_neighbours(steps for steps, _ in walks)
-    runs = [_run(steps, is_longest, pieces, run_ends) for steps, is_longest in walks]
+        run_ends.count_neighbours(lines)
+    runs = [_run(steps, pieces, run_ends) for steps in lines]
     runs.sort(key=lambda run: -run.length_m)
     return tuple(replace(run, number=number) for number, run in enumerate(runs, 1))
 
@@ -278,9 +278,7 @@ def _usual(pieces: Sequence[DeliveredPiece], states: Sequence[PieceState], place
     ])
 
 
-def _run(
-    steps: Sequence[Step], is_longest: bool, pieces: Sequence[DeliveredPiece], run_ends: RunEnds | None
-) -> FailureRun:
+def _run(steps: Sequence[Step], pieces: Sequence[DeliveredPiece], run_ends: RunEnds | None) -> FailureRun:
     if steps[0][0] > steps[-1][0]:
         steps = tuple((number, not forward) for number, forward in reversed(steps))  # in the order of the layer
     if run_ends is None:
@@ -292,5 +290,5 @@ def _run(
     sheets = tuple(dict.fromkeys(pieces[part.piece].sheet for part in parts))
     numbers = tuple(pieces[number].number for number, _ in steps)
     return FailureRun(
-        0, float(lengths[-1]), numbers, sheets, parts[half].middle(pieces[parts[half].piece]), parts, within, is_longest
+        0, float(lengths[-1]), numbers, sheets, parts[half].middle(pieces[parts[half].piece]), parts, within
     )

@@ -116,9 +116,6 @@ UNCLEAR = Message(
     "{metres:.1f} m can't be told apart from the limit of {limit:g}: their 95 % intervals hold it.", INFO
 )
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
-LONGEST_AT_LEAST = Message(
-    "So many seams failed and meet that not every way through them was tried; a longer failure may be there.", WARNING
-)
 ENDS_ESTIMATED = Message(
     "Where failures begin and end inside the pieces is estimated from what these kept: the longest is known to some "
     "{longest:.0f} m, all failed metres to some {all:.0f} m.", INFO

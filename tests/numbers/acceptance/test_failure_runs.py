@@ -139,15 +139,21 @@ def star(ways: list[tuple[float, int]], sound: int = 0) -> list[list[DeliveredPi
 
 
 @pytest.mark.parametrize("degrees", [(90, 200, 340), (90, 210, 330), (0, 180, 90)])
-def test_at_a_node_the_longest_way_counts_whatever_the_angles(degrees: tuple[float, float, float]) -> None:
-    assert lengths(*star(list(zip(degrees, (10, 7, 5))))) == [170, 50]
-    assert lengths(*star(list(zip(degrees, (4, 2, 2))), sound=5)) == [60, 20]
+def test_at_a_node_of_three_seams_each_failure_ends_whatever_the_angles(degrees: tuple[float, float, float]) -> None:
+    assert lengths(*star(list(zip(degrees, (10, 7, 5))))) == [100, 70, 50]
+    assert lengths(*star(list(zip(degrees, (4, 2, 2))), sound=5)) == [40, 20, 20]
+    assert lengths(*star(list(zip(degrees, (4, 2, 0))), sound=5)) == [60]
 
 
-def test_a_ring_with_a_tail_is_walked_once_round() -> None:
+def test_two_seams_that_cross_are_two_failures() -> None:
+    along, across = seam([F] * 4), seam([F] * 4, seam_id="2", start=(20, -20), way=(0, 1), number=4)
+    assert lengths(along, across) == [40, 40]
+
+
+def test_a_ring_with_a_tail_is_a_ring_of_seams_that_end_there() -> None:
     corners = [((0, 0), (1, 0)), ((10, 0), (0, 1)), ((10, 10), (-1, 0)), ((0, 10), (0, -1))]
     sides = [
         seam([F], start=start, way=way, seam_id=str(number), number=number)
         for number, (start, way) in enumerate(corners)
     ]
-    assert lengths(*sides, seam([F, F], start=(-20, 0), seam_id="tail", number=4)) == [60]
+    assert lengths(*sides, seam([F, F], start=(-20, 0), seam_id="tail", number=4)) == [40, 20]
