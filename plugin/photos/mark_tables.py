@@ -4,11 +4,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
+from osgeo import gdal
 from qgis.core import QgsDataProvider, QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsVectorLayer, QgsWkbTypes
 
 from ..imagery.errors import PhotoError
 from ..imagery.gdal_calls import is_endless
-from ..imagery.rasters import GeoTransform
 from ..toolkit.table_fields import attributes, feature, is_known, is_true, number, table_fields, text
 from ..toolkit.translation import sentence
 from .measure import messages
@@ -35,24 +35,13 @@ def mark_feature(mark: MarkResult, photo: Photo) -> QgsFeature:
     """The row of a mark; one that failed has no place."""
     column, row = mark.place or (None, None)
     residual_x, residual_y = mark.residual or (None, None)
-    geometry = None if mark.place is None else QgsGeometry.fromPointXY(map_point(photo.raster.placement, *mark.place))
+    geometry = None
+    if mark.place is not None:
+        place = gdal.ApplyGeoTransform(photo.raster.placement, *mark.place)
+        geometry = QgsGeometry.fromPointXY(QgsPointXY(*place))
     reason = sentence(mark.reason) if mark.reason is not None else None
     values = [mark.name, column, row, *mark.calibrated, residual_x, residual_y, mark.correlation, mark.status.value]
     return feature(mark_fields(), [*values, reason, photo.ref.name], geometry)
-
-
-def map_point(transform: GeoTransform, column: float, row: float) -> QgsPointXY:
-    """Where QGIS shows a place of a photo."""
-    a, b, c, d, e, f = transform
-    return QgsPointXY(a + b * column + c * row, d + e * column + f * row)
-
-
-def photo_place(transform: GeoTransform, point: QgsPointXY) -> tuple[float, float]:
-    """Column and row of a point on the map, pixel centres at .5."""
-    a, b, c, d, e, f = transform
-    x, y = point.x() - a, point.y() - d
-    below = b * f - c * e
-    return (f * x - c * y) / below, (b * y - e * x) / below
 
 
 def given_positions(
@@ -66,6 +55,7 @@ def given_positions(
     if MARK not in names:
         raise PhotoError(messages.POSITIONS_WITHOUT_MARK())
     made: dict[str, GivenPosition] = {}
+    to_photo = gdal.InvGeoTransform(photo.raster.placement)
     for row in attributes(rows, names):
         name, asked, point = text(row[MARK]), row[MEASURE], _point(row.feature)
         if not name or point is None:
@@ -73,7 +63,8 @@ def given_positions(
         if name in made:
             raise PhotoError(messages.POSITION_TWICE(mark=name))
         measured = is_true(asked) if is_known(asked) else measure
-        made[name] = GivenPosition(photo_place(photo.raster.placement, point), measured)
+        column, row_of_point = gdal.ApplyGeoTransform(to_photo, point.x(), point.y())
+        made[name] = GivenPosition((column, row_of_point), measured)
     if not made:
         raise PhotoError(messages.POSITIONS_EMPTY())
     return made

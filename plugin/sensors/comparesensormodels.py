@@ -13,8 +13,7 @@ from ..toolkit.translation import sentence, tr
 from .sensor_parameters import IMAGE_RPC, ROBUST, SensorAlgorithm, image_box
 
 if TYPE_CHECKING:
-    from ..imagery.errors import Message
-    from .measure.adjustment import Comparison
+    pass
 
 OUTPUT = "OUTPUT"
 RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
@@ -69,16 +68,16 @@ class CompareSensorModels(SensorAlgorithm):
         sink, output = run.sink(OUTPUT, point_tables.comparison_fields())
         run.write(sink, point_tables.comparison_features(result))
         run.tell(result.reason)
+
+        def write_report(path: Path) -> None:
+            from .report import save_comparison_report
+
+            save_comparison_report(path, result, notices)
+
         return {
             OUTPUT: output,
             RECOMMENDED: result.recommended.request.name if result.recommended is not None else "",
             RECOMMENDATION: sentence(result.reason),
             MODEL_COUNT: sum(row.errors is not None for row in result.rows),
-            **run.save(common.REPORT, lambda path: _save_report(path, result, notices)),
+            **run.save(common.REPORT, write_report),
         }
-
-
-def _save_report(path: Path, result: Comparison, notices: list[Message]) -> None:
-    from .report import save_comparison_report
-
-    save_comparison_report(path, result, notices)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from pathlib import Path
 
@@ -72,7 +72,11 @@ def layer_points(
     """
     names = [name.lower() for name in source.fields().names()]
     of_orthority = "ji" in names and not {"column", "row"} <= set(names)
-    _check_layer(source, () if of_orthority else ("column", "row"), names)
+    missing = [] if of_orthority else [name for name in ("column", "row") if name not in names]
+    if missing:
+        raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=missing[0]))
+    if not source.sourceCrs().isValid():
+        raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=source.sourceName()))
     rows: list[tuple[str, list[float], str]] = []
     notices: list[Message] = []
     images: set[str] = set()
@@ -106,14 +110,6 @@ def layer_points(
         heights,
     )
     return points, any(roles), notices
-
-
-def _check_layer(source: QgsProcessingFeatureSource, needed: Sequence[str], names: Sequence[str]) -> None:
-    missing = next((name for name in needed if name not in names), None)
-    if missing is not None:
-        raise SensorModelError(messages.POINTS_WITHOUT_FIELD(field=missing))
-    if not source.sourceCrs().isValid():
-        raise SensorModelError(messages.POINTS_WITHOUT_SYSTEM(name=source.sourceName()))
 
 
 def _is_of(named: str, image_name: str) -> bool:

@@ -176,7 +176,9 @@ def orient_photo(
     fitted, marks, left_out = fit_marks(marks, settings.model)
     if fitted is None and not any(mark.place for mark in marks):
         why = next(mark.reason for mark in marks if mark.reason is not None)
-        raise PhotoError((messages.NO_MARK_TRUSTED if given else messages.NO_MARK_FOUND)(name=photo.ref.name, why=why))
+        if given:
+            raise PhotoError(messages.NO_MARK_TRUSTED(name=photo.ref.name, why=why))
+        raise PhotoError(messages.NO_MARK_FOUND(name=photo.ref.name, why=why))
     way, evidence = found.scan_orientation, found.evidence
     if fitted is not None and way is None:
         way, evidence = _nearest_scan_orientation(fitted), OrientationEvidence.POSITIONS

@@ -21,12 +21,12 @@ from ...imagery.errors import Message, SensorModelError
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
-from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit, transform_points
+from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit
 from . import messages
 from .heights import ELLIPSOID, HIGHEST_M, LOWEST_M, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
 from .limits import EXTERIOR_DATUMS
 from .rpc import Domain
-from .sensor_model import WGS84, SensorModel, file_content
+from .sensor_model import WGS84, SensorModel, file_content, reprojected
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ def camera_axes(omega: float, phi: float, kappa: float) -> np.ndarray:
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
 _RADIAL, _TANGENTIAL = ("k1", "k2", "k3"), ("p1", "p2")
-_PLAIN = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
+_KNOWN = {"type", "im_size", "focal_len", "sensor_size", "cx", "cy", *_RADIAL, *_TANGENTIAL}
 
 
 def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInterior:
@@ -153,7 +153,10 @@ def _orthority_interior(content: bytes, path: Path, camera: str) -> tuple[FrameI
     if name is None:
         raise SensorModelError(messages.CAMERA_UNKNOWN(name=path.name, names=", ".join(map(str, cameras))))
     values: Mapping[str, Any] = cameras[name]
-    _refuse_others(values, path)
+    others = [str(key) for key, value in values.items() if key not in _KNOWN and value]
+    kind = str(values.get("type", "pinhole"))
+    if kind not in ("pinhole", "brown", "opencv") or others:  # a distortion that is not computed here
+        raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=", ".join([kind, *others])))
     size = np.array(values["im_size"], float)
     sensor = values.get("sensor_size")
     # Without a sensor's size the focal length is one of sensor widths.
@@ -163,15 +166,6 @@ def _orthority_interior(content: bytes, path: Path, camera: str) -> tuple[FrameI
     principal = size / 2 + offset * size.max()
     radial, tangential = (np.array([values.get(key) or 0.0 for key in keys], float) for keys in (_RADIAL, _TANGENTIAL))
     return FrameInterior(np.broadcast_to(focal, 2).copy(), principal, radial, tangential, principal), size
-
-
-def _refuse_others(values: Mapping[str, Any], path: Path) -> None:
-    """Raise SensorModelError where a distortion plays a part that is not computed here."""
-    known = {*_PLAIN, *_RADIAL, *_TANGENTIAL}
-    others = [str(key) for key, value in values.items() if key not in known and value]
-    kind = str(values.get("type", "pinhole"))
-    if kind not in ("pinhole", "brown", "opencv") or others:
-        raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=", ".join([kind, *others])))
 
 
 def _micmac_interior(content: bytes, path: Path) -> tuple[FrameInterior, np.ndarray]:
@@ -348,7 +342,8 @@ def oriented_frame(
     camera = FrameCamera(interior, exterior.position, exterior.axes)
     vertical = files.datum if isinstance(files.datum, Geoid) else VERTICAL.get(files.datum)
     if vertical is not None:
-        camera = replace(camera, position=_above_ellipsoid(camera.position, wkt, vertical))
+        place = reprojected(camera.position[None], wkt, WGS84)
+        camera = replace(camera, position=np.append(camera.position[:2], above_ellipsoid(place, vertical)))
     low, high = (height, height) if dem is None else _range_of_heights(dem)
     _check_view(camera, image, low, high)
     middle = camera.place_at((low + high) / 2)
@@ -365,12 +360,6 @@ def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tupl
     if is_geographic(wkt) or metres_per_unit(wkt, 0.0) != (1.0, 1.0):
         raise SensorModelError(messages.EXTERIOR_NOT_METRIC())
     return horizontal_wkt(wkt), () if files.wkt or named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
-
-
-def _above_ellipsoid(position: np.ndarray, wkt: str, vertical: Datum) -> np.ndarray:
-    place = transform_points(position[None, :2], wkt, WGS84)
-    height = above_ellipsoid(np.column_stack([place, position[None, 2:]]), vertical)
-    return np.append(position[:2], height)
 
 
 def _range_of_heights(dem: RasterRef) -> tuple[float, float]:

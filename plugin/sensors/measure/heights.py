@@ -42,11 +42,6 @@ class Geoid:
 
     ref: RasterRef
 
-    @property
-    def name(self) -> str:
-        """File name without its folder."""
-        return self.ref.name
-
     def undulation(self, geographic: np.ndarray) -> np.ndarray:
         """(n,) m, bilinear, at longitudes and latitudes (n, 2 or more).
 
@@ -55,7 +50,7 @@ class Geoid:
         source = OpenRaster(self.ref)
         wkt, transform = source.raster.wkt or WGS84, source.raster.geotransform
         if transform is None or not source.raster.is_north_up:
-            raise RasterError(messages.NO_GEOID(name=self.name))
+            raise RasterError(messages.NO_GEOID(name=self.ref.name))
         places = transform_points(geographic, WGS84, wkt)
         round_earth = False
         if is_geographic(wkt):  # from 0 to 360 degrees, or from -180 to 180
@@ -69,7 +64,7 @@ class Geoid:
         if not round_earth:
             outside |= (column < -edge) | (column > source.columns - 1 + edge)
         if outside.any():
-            raise RasterError(messages.GEOID_NOT_COVERING(name=self.name))
+            raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
         row = np.clip(row, 0, source.rows - 1)
         top, bottom = int(row.min()), min(int(row.max()) + 2, source.rows)
         if round_earth:
@@ -83,9 +78,9 @@ class Geoid:
             column -= left
         found = bilinear(grid, column, row - top)
         if not np.isfinite(found).all():
-            raise RasterError(messages.GEOID_NOT_COVERING(name=self.name))
+            raise RasterError(messages.GEOID_NOT_COVERING(name=self.ref.name))
         if np.abs(found).max(initial=0) > MAX_UNDULATION_M:
-            raise RasterError(messages.NO_GEOID(name=self.name))
+            raise RasterError(messages.NO_GEOID(name=self.ref.name))
         return found
 
 
@@ -162,7 +157,7 @@ def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
 
 def heights_converted(added: np.ndarray, wkt: str, datum: Datum, name: str) -> Message:
     """What to say of heights that were brought to the ellipsoid by adding so much."""
-    named = datum.name if isinstance(datum, Geoid) else datum if datum in VERTICAL else vertical_part(wkt)
+    named = datum.ref.name if isinstance(datum, Geoid) else datum if datum in VERTICAL else vertical_part(wkt)
     return messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=float(added.min()), most=float(added.max()))
 
 

@@ -21,7 +21,7 @@ from ...imagery.raster_writer import whole_raster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import metres_per_unit, same_system, transform_points
 from . import messages
-from .polynomials import Rational, fit_rational
+from .polynomials import EXPONENTS_3D, Rational, fit_rational
 from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares, locate, reprojected
 
 
@@ -210,14 +210,11 @@ DIMAP_FIRST_PIXEL = 1
 
 def to_metadata(rpc: Rational) -> dict[str, str]:
     """The items of GDAL's metadata domain ``RPC``."""
-    full = rpc.padded()
-    column, row = full.image.offset - PIXEL_CENTRE
-    longitude, latitude, height = full.ground.offset
-    scales = dict(zip(("LONG", "LAT", "HEIGHT"), full.ground.scale))
-    scales.update(zip(("SAMP", "LINE"), full.image.scale))
-    offsets = {"LINE": row, "SAMP": column, "LAT": latitude, "LONG": longitude, "HEIGHT": height}
-    items = {f"{name}_OFF": repr(float(offsets[name])) for name in _OFFSETS}
-    items.update({f"{name}_SCALE": repr(float(scales[name])) for name in _OFFSETS})
+    full, order = rpc.padded(), [1, 0, 2]
+    offsets = [*(full.image.offset - PIXEL_CENTRE)[::-1], *full.ground.offset[order]]
+    scales = [*full.image.scale[::-1], *full.ground.scale[order]]
+    items = {f"{name}_OFF": repr(float(value)) for name, value in zip(_OFFSETS, offsets)}
+    items.update({f"{name}_SCALE": repr(float(value)) for name, value in zip(_OFFSETS, scales)})
     arrays = (full.numerators[:, 1], full.denominators[:, 1], full.numerators[:, 0], full.denominators[:, 0])
     for name, values in zip(_COEFFICIENTS, arrays):
         items[f"{name}_COEFF"] = " ".join(repr(float(value)) for value in values)
@@ -226,23 +223,22 @@ def to_metadata(rpc: Rational) -> dict[str, str]:
 
 def from_metadata(items: Mapping[str, str], name: str, first_pixel: int = 0) -> Rational:
     """An RPC from the items of GDAL's metadata domain. Raises SensorModelError where some are missing or no numbers."""
-    numbers = [f"{name}_{kind}" for name in _OFFSETS for kind in ("OFF", "SCALE")]
     try:
-        value = {part: float(str(items[part]).split()[0]) for part in numbers}
+        offsets, scales = (
+            np.array([float(str(items[f"{part}_{kind}"]).split()[0]) for part in _OFFSETS]) for kind in ("OFF", "SCALE")
+        )
         arrays = {part: np.array(str(items[f"{part}_COEFF"]).split(), float) for part in _COEFFICIENTS}
     except (KeyError, ValueError, IndexError):
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
-    offsets, scales = ([value[f"{part}_{kind}"] for part in ("LONG", "LAT", "HEIGHT")] for kind in ("OFF", "SCALE"))
-    image = [value[name] - first_pixel + PIXEL_CENTRE for name in ("SAMP_OFF", "LINE_OFF")]
-    finite = np.isfinite(np.concatenate([list(value.values()), *arrays.values()])).all()
-    full = all(len(array) == 20 for array in arrays.values())
-    sound = full and finite and 0 not in (*scales, value["SAMP_SCALE"], value["LINE_SCALE"])
+    finite = np.isfinite(np.concatenate([offsets, scales, *arrays.values()])).all()
+    sound = finite and scales.all() and all(len(array) == len(EXPONENTS_3D) for array in arrays.values())
     if not sound or arrays["LINE_DEN"][0] == 0 or arrays["SAMP_DEN"][0] == 0:
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name))
+    image, ground = [1, 0], [3, 2, 4]  # of those five
     return Rational(
         3,
-        Scaling(np.array(offsets), np.array(scales)),
-        Scaling(np.array(image), np.array([value["SAMP_SCALE"], value["LINE_SCALE"]])),
+        Scaling(offsets[ground], scales[ground]),
+        Scaling(offsets[image] - first_pixel + PIXEL_CENTRE, scales[image]),
         np.column_stack([arrays["SAMP_NUM"], arrays["LINE_NUM"]]),
         np.column_stack([arrays["SAMP_DEN"], arrays["LINE_DEN"]]),
     )
