@@ -230,8 +230,9 @@ class CurvesPicture:
         axes = self._chart.axes
         painter.setPen(QColor(PAPER.text))
         painter.setFont(self._title_font)
-        title = QRectF(axes.left(), 0, axes.width(), 2 * _TITLE_PX)
-        painter.drawText(title, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextDontClip, self._title)
+        title = axes.adjusted(-axes.width(), 0, axes.width(), 0)  # whatever its length, above their middle
+        title.setCoords(title.left(), 0, title.right(), 2 * _TITLE_PX)
+        painter.drawText(title, Qt.AlignmentFlag.AlignCenter, self._title)
         painter.setFont(self._font)
         row = QRectF(self._legend)
         row.moveTop(axes.center().y() - len(self.entries) * row.height() / 2)
@@ -241,7 +242,7 @@ class CurvesPicture:
             painter.setPen(QColor(PAPER.text))
             words = row.adjusted(_PIECE_PX[0] + _GAP_PX, 0, 0, 0)
             fitting = painter.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, math.ceil(words.width()))
-            painter.drawText(words, Qt.AlignmentFlag.AlignVCenter | Qt.TextFlag.TextDontClip, fitting)
+            painter.drawText(words, Qt.AlignmentFlag.AlignVCenter, fitting)
             row.translate(0, row.height())
 
 
