@@ -1,4 +1,4 @@
-"""The clips of windows for a report: the part of each that lost most detail, as JPEG. Reads pixels, knows no Qt."""
+"""The clips of windows for a report as JPEG: the part of each that lost most detail, and lost detail over all of it."""
 from __future__ import annotations
 
 import math
@@ -20,8 +20,14 @@ from ..measure.profile.loss_picture import LossPicture
 from ..measure.source_images import Source
 from ..words import LOSS_OPACITY, loss_rgba
 
-_SIDE_PX = 300  # of the picture at most
-_QUALITY = 75
+REPORT_CLIP_PX = 160  # a side of the part that is shown at 2x: two of them fit beside each other on A4
+MIN_REPORT_CLIP_PX = 64  # smaller ones show too little
+MAX_REPORT_SOURCES = 2  # shown of a window, the least sharp ones; with chart and mosaic they fill a page
+MAX_SEARCHED_SIDE_PX = 512  # of a window, around its centre (on the seam), where the part that lost most is looked for
+_AHEAD = 4  # windows that are read or wait to be taken
+_WORKERS = 2
+_OVERVIEW_PX = 300  # a side of the picture of lost detail at most
+_OVERVIEW_QUALITY = 75
 _FRAME = (255, 255, 255), (17, 17, 17), (255, 255, 255)  # colours of the outline of a part, the outer one first
 
 
@@ -54,22 +60,17 @@ def most_lost(shown: PixelWindow, placed: PlacedLoss, side: int) -> tuple[int, i
 def loss_overview(pixels: np.ndarray, shown: PixelWindow, placed: PlacedLoss, part: PixelWindow) -> tuple[bytes, int]:
     """A JPEG file of the pixels shown, (rows, columns, 3) uint8, under lost detail and a frame around a part of them,
     and its columns."""
-    step = -(-max(shown.width, shown.height) // _SIDE_PX)
+    step = -(-max(shown.width, shown.height) // _OVERVIEW_PX)
     picture = _reduced(pixels, step)
-    colours = _reduced(_colours(shown, placed), step)
+    colours, inside = _by_pixel(loss_rgba(placed.loss.kept), shown, placed)
+    colours = _reduced(colours * inside[..., np.newaxis], step)  # transparent beyond what was measured
     opacity = LOSS_OPACITY * colours[..., 3:] / 255
     painted = np.rint(picture * (1 - opacity) + colours[..., :3] * opacity).astype(np.uint8)
     row, column = (part.row - shown.row) // step, (part.column - shown.column) // step
     for inset, colour in enumerate(_FRAME):
         _draw_frame(painted, row + inset, column + inset, part.height // step - 2 * inset,
                     part.width // step - 2 * inset, colour)  # fmt: skip
-    return encoded(painted, "JPEG", _QUALITY), painted.shape[1]
-
-
-def _colours(shown: PixelWindow, placed: PlacedLoss) -> np.ndarray:
-    """(rows, columns, 4) of each pixel shown; transparent beyond what was measured."""
-    found, inside = _by_pixel(loss_rgba(placed.loss.kept), shown, placed)
-    return np.asarray(found * inside[..., np.newaxis])
+    return encoded(painted, "JPEG", _OVERVIEW_QUALITY), painted.shape[1]
 
 
 def _by_pixel(cells: np.ndarray, shown: PixelWindow, placed: PlacedLoss) -> tuple[np.ndarray, np.ndarray]:
@@ -93,15 +94,6 @@ def _draw_frame(picture: np.ndarray, row: int, column: int, rows: int, columns: 
     bottom, right = min(row + rows, len(picture)) - 1, min(column + columns, picture.shape[1]) - 1
     picture[row, column : right + 1] = picture[bottom, column : right + 1] = colour
     picture[row : bottom + 1, column] = picture[row : bottom + 1, right] = colour
-
-
-REPORT_CLIP_PX = 160  # a side of the part that is shown at 2x: two of them fit beside each other on A4
-MIN_REPORT_CLIP_PX = 64  # smaller ones show too little
-MAX_REPORT_SOURCES = 2  # shown of a window, the least sharp ones; with chart and mosaic they fill a page
-MAX_SEARCHED_SIDE_PX = 512  # of a window, around its centre (on the seam), where the part that lost most is looked for
-
-_AHEAD = 4  # windows that are read or wait to be taken
-_WORKERS = 2
 
 
 @dataclass(frozen=True)

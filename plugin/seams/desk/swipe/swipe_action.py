@@ -25,7 +25,7 @@ from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
 from ...measure.inspection import Block
 from ...measure.window.window_request import WindowRequest
-from .swipe_item import MapPicture, SwipeHandle, SwipeItem, end_drawing
+from .swipe_item import Divider, MapPicture, SwipeHandle, SwipeItem, end_drawing
 from .swiped_layer import SwipeChoice, composite_job, exchanged, is_on_top, looks_alike, opening_job, source_layers
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Swipe(QObject):
         self._handle: SwipeHandle | None = None
         self._keys: list[QShortcut] = []
         self._connections: list[tuple[Any, Callable[..., None]]] = []
-        self._share, self._is_upright, self._is_flipped = 0.5, True, False
+        self.divider = Divider()
         self._origin = QPointF()  # of what is seen of the scene
 
     @property
@@ -71,11 +71,6 @@ class Swipe(QObject):
     def is_drawing(self) -> bool:
         """Whether what is swiped is being opened or drawn."""
         return self.is_on and (self._layer is None or self._own.is_drawing or self._other.is_drawing)
-
-    @property
-    def is_upright(self) -> bool:
-        """Whether the handle is."""
-        return self._is_upright
 
     def start(self, mosaic: QgsRasterLayer, choice: SwipeChoice, sources: set[str]) -> None:
         """Compare a mosaic; ``sources``: ids of the project's layers of its sources."""
@@ -130,25 +125,25 @@ class Swipe(QObject):
 
     def flip(self) -> None:
         """Exchange the sides."""
-        self._is_flipped = not self._is_flipped
+        self.divider.is_flipped = not self.divider.is_flipped
         self._place()
 
     def turn(self, is_upright: bool) -> None:
         """The handle upright, or lying."""
-        self._is_upright = is_upright
+        self.divider.is_upright = is_upright
         self._place()
 
     def move(self, share: float) -> None:
         """The handle to a share of the map, from the left or from the top."""
-        self._share = share
+        self.divider.share = share
         self._place()
 
     # The canvas
 
     def _lay_on_canvas(self) -> None:
         canvas, window = self._canvas, self._canvas.window()
-        self._item = SwipeItem(canvas, self._own, self._other)
-        self._handle = SwipeHandle(canvas)
+        self._item = SwipeItem(canvas, self.divider, self._own, self._other)
+        self._handle = SwipeHandle(canvas, self.divider)
         self._handle.moved.connect(self.move)
         for key, slot in ((_FLIP_KEY, self.flip), (_END_KEY, self.stop)):
             shortcut = QShortcut(QKeySequence(key), window)
@@ -160,7 +155,7 @@ class Swipe(QObject):
             (canvas.rotationChanged, self._repaint),
             (canvas.destinationCrsChanged, self._repaint),
             (canvas.xyCoordinates, self._follow_drag),
-            (QgsProject.instance().layersWillBeRemoved, self._end_drawing),
+            (QgsProject.instance().layersWillBeRemoved, end_drawing),
             (self._own.drawn, self._repaint),
             (self._other.drawn, self._repaint),
         ]
@@ -176,14 +171,10 @@ class Swipe(QObject):
             self._place()
         return False
 
-    def _end_drawing(self, *_: object) -> None:
-        end_drawing()
-
     def _place(self) -> None:
         if self._item is None or self._handle is None:
             return
-        self._item.share, self._item.is_upright, self._item.is_flipped = self._share, self._is_upright, self._is_flipped
-        self._handle.place(self._share, self._is_upright)
+        self._handle.place()
         self._repaint()
 
     def _repaint(self, *_: object) -> None:
@@ -372,7 +363,7 @@ class SwipeAction(QObject):
         lying = self.menu.addAction(tr("Lying handle"))
         lying.setToolTip(tr("Compare above and below instead of left and right"))
         lying.setCheckable(True)
-        lying.setChecked(not self.swipe.is_upright)
+        lying.setChecked(not self.swipe.divider.is_upright)
         lying.triggered.connect(lambda is_lying: self.swipe.turn(not is_lying))
 
     def _show_state(self) -> None:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from qgis.core import QgsMapLayer, QgsMapRendererParallelJob, QgsMapSettings
 from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
@@ -25,7 +26,7 @@ def _let_go_of_ended() -> None:
     _under_way.difference_update([job for job in _under_way if not job.isActive()])
 
 
-def end_drawing() -> None:
+def end_drawing(*_: object) -> None:
     """Cancel all jobs, and wait until they have ended, as QGIS does with its maps before it closes a project: their
     threads share the styles of layers, and crash when these go meanwhile."""
     for job in list(_under_way):
@@ -40,13 +41,9 @@ class MapPicture(QObject):
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
         self._job: QgsMapRendererParallelJob | None = None
-        self._image: QImage | None = None
-        self._settings = QgsMapSettings()  # that the image was drawn by
-
-    @property
-    def image(self) -> QImage | None:
+        self.image: QImage | None = None
         """None before the first one is drawn."""
-        return self._image
+        self._settings = QgsMapSettings()  # that the image was drawn by
 
     @property
     def is_drawing(self) -> bool:
@@ -68,12 +65,12 @@ class MapPicture(QObject):
     def close(self) -> None:
         """Draw no more, and forget what was drawn."""
         self._cancel()
-        self._image = None
+        self.image = None
 
     def onto(self, now: QgsMapSettings) -> QTransform | None:
         """Where the picture lies on a map that was moved, zoomed or turned since; None where it lies nowhere."""
         before = self._settings
-        if self._image is None or before.destinationCrs() != now.destinationCrs():
+        if self.image is None or before.destinationCrs() != now.destinationCrs():
             return None
         width, height = before.outputSize().width(), before.outputSize().height()
         from_pixel, to_pixel = before.mapToPixel(), now.mapToPixel()
@@ -95,7 +92,7 @@ class MapPicture(QObject):
     def _finished(self) -> None:
         job, self._job = self._job, None
         if job is not None:
-            self._image, self._settings = job.renderedImage(), QgsMapSettings(job.mapSettings())
+            self.image, self._settings = job.renderedImage(), QgsMapSettings(job.mapSettings())
             self.drawn.emit()
 
 
@@ -104,21 +101,29 @@ _LABEL_BOX, _LABEL_TEXT = QColor(20, 20, 20, 220), QColor(255, 255, 255)
 _SAME = 1e-4  # of a pixel per pixel: drawn where it was
 
 
+@dataclass
+class Divider:
+    """What parts the two sides."""
+
+    share: float = 0.5
+    """Where it stands on the map, from the left or from the top."""
+    is_upright: bool = True
+    """So that the sides are left and right."""
+    is_flipped: bool = False
+    """Whether the second picture comes first."""
+
+
 class SwipeItem(QgsMapCanvasItem):
     """Paints one picture on either side of the handle. A side without a picture shows the map as it is."""
 
-    def __init__(self, canvas: QgsMapCanvas, first: MapPicture, second: MapPicture) -> None:
+    def __init__(
+        self, canvas: QgsMapCanvas, divider: Divider, first: MapPicture, second: MapPicture
+    ) -> None:
         super().__init__(canvas)
         self._canvas = canvas
-        self._pictures = first, second
+        self._divider, self._pictures = divider, (first, second)
         self.names = "", ""
         """What is said of the two pictures."""
-        self.share = 0.5
-        """Where the handle stands, from the left or from the top."""
-        self.is_upright = True
-        """Whether the handle is, so that the sides are left and right."""
-        self.is_flipped = False
-        """Whether the second picture comes first."""
         self.setZValue(_ABOVE_THE_MAP)
 
     def seen(self) -> QRectF:
@@ -135,17 +140,17 @@ class SwipeItem(QgsMapCanvasItem):
 
     def sides(self) -> tuple[QRectF, QRectF]:
         """Left and right of the handle, or above and below it."""
-        seen = self.seen()
-        if self.is_upright:
-            at = round(seen.left() + self.share * seen.width())
+        seen, share = self.seen(), self._divider.share
+        if self._divider.is_upright:
+            at = round(seen.left() + share * seen.width())
             before, after = QPointF(at, seen.bottom()), QPointF(at, seen.top())
-            return QRectF(seen.topLeft(), before), QRectF(after, seen.bottomRight())
-        at = round(seen.top() + self.share * seen.height())
-        before, after = QPointF(seen.right(), at), QPointF(seen.left(), at)
+        else:
+            at = round(seen.top() + share * seen.height())
+            before, after = QPointF(seen.right(), at), QPointF(seen.left(), at)
         return QRectF(seen.topLeft(), before), QRectF(after, seen.bottomRight())
 
     def paint(self, painter: QPainter, *_: object) -> None:
-        order = (1, 0) if self.is_flipped else (0, 1)
+        order = (1, 0) if self._divider.is_flipped else (0, 1)
         sides = self.sides()
         for side, number in zip(sides, order):
             self._paint_picture(painter, side, self._pictures[number])
@@ -174,7 +179,7 @@ class SwipeItem(QgsMapCanvasItem):
         box = QRectF(0, 0, metrics.horizontalAdvance(text) + 2 * gap, metrics.height() + gap)
         if not text or side.width() < box.width() + 4 * gap or side.height() < box.height() + 2 * gap:
             return
-        if self.is_upright and is_before:
+        if self._divider.is_upright and is_before:
             box.moveBottomRight(side.bottomRight() - QPointF(2 * gap, gap))
         else:
             box.moveBottomLeft(side.bottomLeft() + QPointF(2 * gap, -gap))
@@ -195,16 +200,15 @@ class SwipeHandle(QWidget):
     moved = pyqtSignal(float)
     """To which share of the map, from the left or from the top."""
 
-    def __init__(self, canvas: QgsMapCanvas) -> None:
+    def __init__(self, canvas: QgsMapCanvas, divider: Divider) -> None:
         super().__init__(canvas)  # not of its viewport, which scrolls its children
-        self._canvas = canvas
-        self._is_upright = True
+        self._canvas, self._divider = canvas, divider
         self._is_dragged = False
         self.setToolTip(rich_tip(tr("Drag to compare the mosaic with the other image. X exchanges them, Esc ends.")))
 
-    def place(self, share: float, is_upright: bool) -> None:
-        """Lie at a share of the map."""
-        self._is_upright = is_upright
+    def place(self) -> None:
+        """Lie where the divider is."""
+        share, is_upright = self._divider.share, self._divider.is_upright
         ways = Qt.CursorShape.SplitHCursor, Qt.CursorShape.SplitVCursor
         self.setCursor(ways[0] if is_upright else ways[1])
         view, width = self._canvas.viewport().geometry(), self._thickness()
@@ -229,7 +233,7 @@ class SwipeHandle(QWidget):
         if self._is_dragged:
             view = self._canvas.viewport()
             at = view.mapFromGlobal(self.mapToGlobal(event.pos()))
-            share = at.x() / view.width() if self._is_upright else at.y() / view.height()
+            share = at.x() / view.width() if self._divider.is_upright else at.y() / view.height()
             self.moved.emit(min(max(share, 0.0), 1.0))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -246,7 +250,7 @@ class SwipeHandle(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         middle = QRectF(self.rect()).center()
-        if not self._is_upright:
+        if not self._divider.is_upright:
             painter.translate(middle)
             painter.rotate(90)
             painter.translate(-middle)

@@ -96,7 +96,7 @@ class Map:
         return pixels(job.renderedImage())
 
     def sides(self, image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        at = round(self.swipe._share * SIZE.width())
+        at = round(self.swipe.divider.share * SIZE.width())
         return image[:-MARGIN, : at - MARGIN], image[:-MARGIN, at + MARGIN :]
 
 
