@@ -5,7 +5,6 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -28,9 +27,8 @@ MAX_TITLE = 40  # characters of a name
 
 def draw_noise(
     axes: Axes, measured: Mapping[str, BandNoise], style: ChartStyle = PAPER, line: str = "-", label: str = ""
-) -> list[Artist]:
+) -> None:
     """The curves of one clip by band, the judged one (the noisiest) bold; see ``draw_rule``."""
-    drawn: list[Artist] = []
     bold = noisiest_band(measured) if measured else ""
     spare = iter(style.sources * 9)
     for band, noise in measured.items():
@@ -40,22 +38,19 @@ def draw_noise(
         colour = BAND_COLOURS.get(band) or (style.text if is_alone else next(spare))
         detail = noise.curve.detail
         width, size, order = (2.4, 5, 4) if band == bold else (1.3, 3, 3)
-        drawn += axes.plot(
+        axes.plot(
             range(1, len(detail) + 1), detail, color=colour, linestyle=line, linewidth=width * style.scale,
             marker="o", markersize=size * style.scale, zorder=order, label=f"{label} {band_title(band)}".strip(),
         )
-    return drawn
 
 
-def draw_rule(axes: Axes, detail: Sequence[float], style: ChartStyle = PAPER) -> list[Artist]:
+def draw_rule(axes: Axes, detail: Sequence[float], style: ChartStyle = PAPER) -> None:
     """The rising rule of a curve: where each level has to stay out of for the noise to be low."""
-    drawn: list[Artist] = []
     for level, finer in enumerate(detail[:-1], 2):
         reach = [level - 0.22, level + 0.22]
-        drawn.append(axes.fill_between(reach, finer, finer * 1e-9, color=style.limit, alpha=0.13, linewidth=0))
+        axes.fill_between(reach, finer, finer * 1e-9, color=style.limit, alpha=0.13, linewidth=0)
         label = tr("bold curve in the red: noise") if level == 2 else None
-        drawn += axes.plot(reach, [finer, finer], color=style.limit, linewidth=1.6 * style.scale, label=label)
-    return drawn
+        axes.plot(reach, [finer, finer], color=style.limit, linewidth=1.6 * style.scale, label=label)
 
 
 def draw_noise_clip(
@@ -80,7 +75,7 @@ def draw_noise_clip(
 
 def draw_group(
     axes: Axes, curves: Sequence[Sequence[float]], group: int, label: str, style: ChartStyle = PAPER, colour: str = ""
-) -> list[Artist]:
+) -> None:
     """The range of a group's curves as a band, with its mean line; in the group's own colour unless one is given."""
     values = np.array(curves)
     levels = range(1, values.shape[1] + 1)
@@ -89,11 +84,10 @@ def draw_group(
     band = axes.fill_between(levels, low, high, facecolor=colour, alpha=0.25, linewidth=0, zorder=2)
     if group == 2:
         band.set(hatch="////", edgecolor=colour)
-    mean = axes.plot(
+    axes.plot(
         levels, values.mean(axis=0), color=colour, linewidth=2.6 * style.scale, linestyle=_LINES.get(group, "-"),
         marker="o", zorder=4, label=label,
     )
-    return [band, *mean]
 
 
 def noise_frame(axes: Axes, levels: int, curves: Sequence[Sequence[float]], style: ChartStyle = PAPER) -> None:

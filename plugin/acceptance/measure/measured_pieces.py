@@ -10,6 +10,7 @@ from scipy import stats
 from ...imagery.statistics import DECIDED, INVISIBLE, VISIBLE, Interval, agreement
 from .decision import DecidedPiece, FailureRun, MetreFigures, Observers, PieceState
 from .delivery import DeliveredPiece, Delivery, SeenWindow
+from .sampling_risks import cluster_members
 
 NO_VERDICT = "not_comparable"  # the scan's word
 
@@ -149,9 +150,8 @@ def failed_share_interval(
     if total <= 0:
         return None
     share = min(float((weights * values).sum() / total), 1.0)  # rounding
-    numbers = {name: number for number, name in enumerate(dict.fromkeys(clusters))}
-    members = np.array([numbers[name] for name in clusters], np.int64)
-    count = len(numbers)
+    members = cluster_members(clusters)
+    count = int(members.max()) + 1
     if count < 2:
         return Interval(share, 0.0, 1.0)
     effective = _effective_count(weights, values, share, members, count)

@@ -8,7 +8,7 @@ Items are drawn at random, and where a lot has parts, from each in proportion to
 from __future__ import annotations
 
 import math
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -53,14 +53,19 @@ def producers_risk(plan: SamplingPlan) -> float:
 
 def limiting_quality(plan: SamplingPlan) -> float:
     """The smallest share of nonconforming items at which a lot is accepted with a probability of 10 % at most."""
-    few, many = 0, plan.lot_size  # of the nonconforming items: with none the lot is accepted, with all it is not
-    while many - few > 1:
-        middle = (few + many) // 2
-        if acceptance_probability(plan, np.array([middle / plan.lot_size]))[0] <= CONSUMERS_RISK:
-            many = middle
-        else:
-            few = middle
-    return many / plan.lot_size
+    def is_rare(items: int) -> bool:
+        return bool(acceptance_probability(plan, np.array([items / plan.lot_size]))[0] <= CONSUMERS_RISK)
+
+    return _first(is_rare, 0, plan.lot_size) / plan.lot_size  # with none the lot is accepted, with all it is not
+
+
+def _first(holds: Callable[[int], bool], below: int, known: int) -> int:
+    """The smallest number for which something holds, as it does for all larger ones: above ``below``, where it does not
+    hold, and at most the one for which that is ``known``; by bisection."""
+    while known - below > 1:
+        middle = (below + known) // 2
+        below, known = (below, middle) if holds(middle) else (middle, known)
+    return known
 
 
 MOST_NUMBER = 300  # of the acceptance number: beyond it the two qualities are as good as one
@@ -184,23 +189,16 @@ def _fewest(lots: _Lots, number: int, too_few: int, risk: StatedRisk) -> int | N
         if many == lots.size:
             return None
         few, many = many, min(2 * many, lots.size)
-    while many - few > 1:
-        middle = (few + many) // 2
-        few, many = (few, middle) if is_rare(middle) else (middle, many)
-    return many
+    return _first(is_rare, few, many)
 
 
 def _fairest(lots: _Lots, risk: StatedRisk) -> int:
     """The acceptance number with which all of a lot comes nearest to both risks."""
-    few, many = -1, lots.size  # the producer's risk falls with the number, the consumer's grows
-    while many - few > 1:
-        middle = (few + many) // 2
-        producers, consumers = lots.risks(middle, lots.size, risk)
-        if producers / risk.producers_risk > consumers / risk.consumers_risk:
-            few = middle
-        else:
-            many = middle
-    return many
+    def is_fair(number: int) -> bool:
+        producers, consumers = lots.risks(number, lots.size, risk)
+        return producers / risk.producers_risk <= consumers / risk.consumers_risk
+
+    return _first(is_fair, -1, lots.size)  # the producer's risk falls with the number, the consumer's grows
 
 
 MIN_CLUSTERS = 2
@@ -212,7 +210,8 @@ def intraclass_correlation(failed: Sequence[bool], clusters: Sequence[Hashable])
     The analysis of variance estimator for shares (Ridout, Demetrio and Firth 1999, Biometrics 55, 137-148), not below
     0. None where there are fewer than two clusters, no cluster has two pieces, or all pieces are the same.
     """
-    values, members, sizes = _grouped(failed, clusters)
+    values, members = np.asarray(failed, float), cluster_members(clusters)
+    sizes = np.bincount(members).astype(float)
     total, count = len(values), len(sizes)
     if count < MIN_CLUSTERS or total == count or values.min() == values.max():
         return None
@@ -226,15 +225,14 @@ def intraclass_correlation(failed: Sequence[bool], clusters: Sequence[Hashable])
 
 def typical_cluster_size(clusters: Sequence[Hashable]) -> float:
     """The size of the cluster that a piece lies in, on average over pieces: sum m^2 / sum m (Kish 1965, 8.2)."""
-    _, _, sizes = _grouped([False] * len(clusters), clusters)
+    sizes = np.bincount(cluster_members(clusters)).astype(float)
     return float((sizes**2).sum() / sizes.sum())
 
 
-def _grouped(failed: Sequence[bool], clusters: Sequence[Hashable]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Values, the cluster of each, and the sizes of the clusters."""
+def cluster_members(clusters: Sequence[Hashable]) -> np.ndarray:
+    """The number of each item's cluster, from 0."""
     numbers = {name: number for number, name in enumerate(dict.fromkeys(clusters))}
-    members = np.array([numbers[name] for name in clusters], np.int64)
-    return np.asarray(failed, float), members, np.bincount(members).astype(float)
+    return np.array([numbers[name] for name in clusters], np.int64)
 
 
 def stratified_sample(strata: Sequence[Hashable], count: int, seed: int) -> list[int]:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from ...imagery.errors import printable
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import metres_per_unit
-from ...toolkit.charts.chart_style import PAPER, ChartStyle
+from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure
 from ...toolkit.translation import filled, formatted, shown_number, tr
 from ..measure.decision import Decision, Defect, PieceState, PlanOutcome
@@ -25,34 +25,26 @@ _MOST_KEPT = 1.3  # beyond it nothing is of interest
 def kept_figure(decision: Decision) -> Figure:
     """The share of the metres that kept less than each value, with the limit."""
     figure = new_figure(*_SIZE)
-    _draw_kept(figure.add_subplot(), decision, PAPER)
-    return figure
-
-
-def _draw_kept(axes: Axes, decision: Decision, style: ChartStyle) -> None:
+    axes = figure.add_subplot()
     known = [(one.piece.kept_1, one.piece.length_m) for one in decision.pieces if one.piece.kept_1 is not None]
     if known:
-        kept, metres = np.array(sorted(known)).T
-        shares = 100 * np.cumsum(metres) / metres.sum()
-        axes.step(np.minimum(kept, _MOST_KEPT), shares, where="post", color=style.sources[0], linewidth=2)
+        kept, lengths = np.array(sorted(known)).T
+        shares = 100 * np.cumsum(lengths) / lengths.sum()
+        axes.step(np.minimum(kept, _MOST_KEPT), shares, where="post", color=PAPER.sources[0], linewidth=2)
     least = decision.rules.least_kept
-    axes.axvline(least, color=style.limit, linewidth=1.5, label=filled(tr("least: {least:g}"), least=least))
+    axes.axvline(least, color=PAPER.limit, linewidth=1.5, label=filled(tr("least: {least:g}"), least=least))
     share = decision.whole.failed_share
     if share is not None:
         words = filled(tr("failed: {share:.2f} %"), share=100 * share)
-        axes.axhline(100 * share, color=style.text, linewidth=1, linestyle=":", label=words)
+        axes.axhline(100 * share, color=PAPER.text, linewidth=1, linestyle=":", label=words)
     axes.set_xlabel(tr("share of detail kept (kept_1)"))
     axes.set_ylabel(tr("metres that kept less (%)"))
     axes.set_xlim(0, _MOST_KEPT)
     axes.set_ylim(0, 102)
-    _frame(axes, style)
-
-
-def _frame(axes: Axes, style: ChartStyle) -> None:
-    axes.grid(True, color=style.grid, linewidth=0.8)
-    for side in ("top", "right"):
-        axes.spines[side].set_visible(False)
+    axes.grid(True, color=PAPER.grid, linewidth=0.8)
+    axes.spines[["top", "right"]].set_visible(False)
     axes.legend(frameon=False, fontsize=8)
+    return figure
 
 
 STATE_COLOURS = {PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9", PieceState.FAILED: "#d55e00"}
