@@ -25,8 +25,8 @@ from ...imagery.reference_systems import transform_points
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
 from ...toolkit.table_fields import column_features, column_fields
+from ..measure import messages
 from ..measure.decision import Defect
-from . import messages
 
 _NAME = "defect_{}.jpg"
 

@@ -19,8 +19,8 @@ from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms.run import Run
 from ...toolkit.pages.templates import whole_path
 from ..acceptmosaic import DEFECTS, MOST_PICTURES, QUALITY, REPORT
+from ..measure import messages
 from ..measure.decision import Decision, Defect
-from . import messages
 from .defect_files import DefectPicture, DefectPictures, defect_features, defect_fields, save_pictures
 from .inspection_record import InspectionRecord, described_bands, scan_settings
 
