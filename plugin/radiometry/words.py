@@ -59,16 +59,15 @@ def figure_words(rule: Rule, value: float) -> str:
 
 def limit_words(rule: Rule) -> str:
     """What a rule allows."""
-    least, most = (None if limit is None else _short(rule.check, limit) for limit in (rule.least, rule.most))
+    scale, unit = (1, "") if rule.check == checks.SIGNAL_TO_NOISE else (100, "\u00a0%")
+    least, most = (
+        None if limit is None else formatted(scale * limit, "g") + unit for limit in (rule.least, rule.most)
+    )
     if least and most:
         return filled(tr("{least} to {most}"), least=least, most=most)
     if most:
         return filled(tr("at most {most}"), most=most)
     return filled(tr("at least {least}"), least=least) if least else tr("none")
-
-
-def _short(check: str, limit: float) -> str:
-    return formatted(limit, "g") if check == checks.SIGNAL_TO_NOISE else formatted(100 * limit, "g") + "\u00a0%"
 
 
 def check_words(checked: CheckedFigure) -> str:

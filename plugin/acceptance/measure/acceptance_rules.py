@@ -83,11 +83,6 @@ class AcceptanceRules:
         return next((rule.limit for rule in self.rules if rule.check == check), None)
 
 
-def standard_measured() -> AcceptanceRule:
-    """What holds where nothing is said of how much has to be measured."""
-    return AcceptanceRule(MEASURED_SHARE, STANDARD_MEASURED_SHARE, OWN_LIMIT)
-
-
 def limit_rules(
     min_kept: float = STANDARD_KEPT,
     max_share: float = STANDARD_FAILED_SHARE,
@@ -152,7 +147,7 @@ def _acceptance_rules(whole: RuleObject, objects: Sequence[RuleObject]) -> Accep
     limits = {check: _limit(one, check) for check, one in by_check.items() if check != SAMPLING}
     rules = [AcceptanceRule(check, limits[check], by_check[check].source()) for check in limits if check != KEPT]
     if MEASURED_SHARE not in limits:
-        rules.append(standard_measured())
+        rules.append(AcceptanceRule(MEASURED_SHARE, STANDARD_MEASURED_SHARE, OWN_LIMIT))
     sampling = _sampling(by_check[SAMPLING]) if SAMPLING in by_check else None
     name = str(whole.content.get("name") or whole.file)
     return AcceptanceRules(name, limits[KEPT], by_check[KEPT].source(), tuple(rules), sampling)

@@ -22,7 +22,12 @@ _SEVERITIES = {
     "tightened": QT_TR_NOOP("tightened inspection"),
     "reduced": QT_TR_NOOP("reduced inspection"),
 }
-_SHARES = (rules.KEPT, rules.FAILED_SHARE, rules.MEASURED_SHARE)
+_SHARE = 100, 2, "\u00a0%"
+_UNITS = {
+    rules.KEPT: _SHARE, rules.FAILED_SHARE: _SHARE, rules.MEASURED_SHARE: _SHARE,
+    rules.LONGEST_FAILURE: (1, 1, "\u00a0m"), rules.SAMPLING: (1, 0, ""),
+}  # fmt: skip
+"""By what a figure is multiplied, with how many decimals it is shown at least, and its unit."""
 NOTHING = "\u2013"
 """Where there is no value."""
 
@@ -67,28 +72,20 @@ def failing_sentence(decision: Decision) -> str:
 
 def outcome_value(outcome: RuleOutcome) -> str:
     """So precisely that it lies on the same side of its limit as the figure does."""
-    return NOTHING if outcome.value is None else _figure(outcome.check, outcome.value, outcome.limit)
+    if outcome.value is None or outcome.check == rules.SAMPLING:
+        return NOTHING if outcome.value is None else f"{outcome.value:.0f}"
+    scale, decimals, unit = _UNITS[outcome.check]
+    value = scale * outcome.value
+    return shown_number(value, decimals_beside(value, [scale * outcome.limit], decimals)) + unit
 
 
 def outcome_limit(outcome: RuleOutcome) -> str:
     """The limit in words."""
-    limit = _limit(outcome.check, outcome.limit)
+    scale, _, unit = _UNITS[outcome.check]
+    limit = formatted(scale * outcome.limit, ".6g") + unit
     return filled(tr("at least {least}"), least=limit) if outcome.is_least else filled(tr("at most {most}"), most=limit)
 
 
 def outcome_word(passed: bool | None) -> str:
     """What came of a rule."""
     return {True: tr("passed"), False: tr("failed"), None: tr("can't be told")}[passed]
-
-
-def _figure(check: str, value: float, limit: float) -> str:
-    if check == rules.SAMPLING:
-        return f"{value:.0f}"
-    if check in _SHARES:
-        return f"{shown_number(100 * value, decimals_beside(100 * value, [100 * limit], 2))}\u00a0%"
-    return f"{shown_number(value, decimals_beside(value, [limit], 1))}\u00a0m"
-
-
-def _limit(check: str, limit: float) -> str:
-    scale, unit = (100, "\u00a0%") if check in _SHARES else (1, "" if check == rules.SAMPLING else "\u00a0m")
-    return formatted(scale * limit, ".6g") + unit
