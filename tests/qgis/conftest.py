@@ -4,17 +4,19 @@ from __future__ import annotations
 import importlib
 import sys
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from qgis.core import QgsApplication, QgsProcessingProvider, QgsProject
+from osgeo import gdal, osr
+from qgis.core import QgsApplication, QgsCoordinateReferenceSystem, QgsProcessingProvider, QgsProject
 from qgis.gui import QgisInterface, QgsMapCanvas
 
 importlib.invalidate_caches()  # QGIS looked for plugins before the package's link was there
 
-from tests.numbers.synthetic import UTM33, write_plain  # noqa: E402
+from tests.numbers.synthetic import UTM33, write_plain, write_raster  # noqa: E402
 from tests.qgis.photos.photo_scenes import make_photo  # noqa: E402
 from tests.qgis.plugin_lives import started  # noqa: E402
 from tests.qgis.resolution.bar_scenes import make_bar_scene  # noqa: E402
@@ -34,6 +36,18 @@ def slot_errors() -> Iterator[list[BaseException]]:
     yield _raised
     if _raised:
         raise _raised[0]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _reference_systems(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """A module leaves GDAL and QGIS with reference systems that they know, in every thread: those that come after it in
+    the same process fail else, at places that tell nothing of it."""
+    yield
+    path = write_raster(tmp_path_factory.mktemp("systems") / "known.tif", np.zeros((8, 8), np.uint8))
+    with ThreadPoolExecutor(1) as other:
+        texts = [gdal.Open(path).GetProjection(), other.submit(lambda: gdal.Open(path).GetProjection()).result()]
+    systems = [QgsCoordinateReferenceSystem.fromWkt(text).authid() for text in texts]
+    assert systems == [f"EPSG:{UTM33}"] * 2, (texts, osr.GetPROJSearchPaths(), gdal.GetLastErrorMsg())
 
 
 @pytest.fixture(scope="session", autouse=True)
