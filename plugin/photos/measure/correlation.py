@@ -10,6 +10,8 @@ from ...imagery.errors import SeamInspectorError
 from . import messages
 
 MIN_LOCAL_CONTRAST = 0.002  # of the grey values' range: half a grey value of 8 bits is rounding
+MIN_CURVATURE = 1e-4  # of a correlation: per px squared; true peaks have 0.005 and more
+SURFACE_REACH_PX = 1  # 3 x 3 correlations for six coefficients; wider ones follow grain and scratches more
 
 
 @dataclass(frozen=True)
@@ -101,10 +103,6 @@ def peaks(field: np.ndarray, distance: int, least: float, most: int) -> list[Pea
             apart = np.maximum(np.abs(y - y[0]), np.abs(x - x[0])) > distance
             y, x, height = y[apart], x[apart], height[apart]
     return sorted(found, key=lambda peak: -abs(peak.value))
-
-
-MIN_CURVATURE = 1e-4  # of a correlation: per px squared; true peaks have 0.005 and more
-SURFACE_REACH_PX = 1  # 3 x 3 correlations for six coefficients; wider ones follow grain and scratches more
 
 
 class SurfaceError(SeamInspectorError):

@@ -23,6 +23,7 @@ ARM_WIDTH = 0.6  # the arms of a ring with cross against its ring: UNBC's photo,
 WEDGE_HALF_ANGLE_DEG = 30.0  # equilateral
 MIN_SYMMETRY = 0.7  # a cut-out that correlates so with itself turned by 180 degrees has a centre of its own
 SYMMETRY_BLUR_PX = 1.0  # against grain, which has no symmetry: without it a mark in strong grain has 0.7
+COARSE_SIZES_PX = (10.0, 12.0, 14.3, 17.0)  # of a mark at each level: an octave in steps of 1.19
 
 
 class MarkKind(Enum):
@@ -198,9 +199,6 @@ def cut_out(pixels: np.ndarray) -> CutOut:
     except SurfaceError:
         return CutOut(pixels, middle)
     return CutOut(pixels, (middle[0] - (x - reach[1]) / 2, middle[1] - (y - reach[0]) / 2))
-
-
-COARSE_SIZES_PX = (10.0, 12.0, 14.3, 17.0)  # of a mark at each level: an octave in steps of 1.19
 
 
 @dataclass(frozen=True, eq=False)

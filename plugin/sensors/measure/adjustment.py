@@ -16,6 +16,17 @@ from .polynomials import Rational
 from .registry import ModelRequest
 from .sensor_model import FittedModel, Scaling, SensorModel, least_squares, locate, reprojected
 
+BLUNDER_PROBABILITY = 0.001  # Baarda: one good point in a thousand is suspected
+SIGMA_OF_MEDIAN = 1.4826  # standard deviation over the median of absolute values, normal coordinates
+RAYLEIGH_MEDIAN = 1.1774  # of the length of a vector of two normal coordinates of standard deviation 1
+MAX_BLUNDER_SIGMAS = 5.0  # of check points, which the fit has not seen
+TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
+ROBUST_STEPS = 15  # of each stage; the weights have settled before
+MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
+MAX_LEFT_OUT = 40  # fits of leave-one-out; with more points they are left out in groups
+MAX_WORSE = 1.25  # a model that the paper prefers may be this much worse than the best, relative
+CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
+
 
 def fit_model(request: ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
     """Fit a model to points with weights (n,), 1 / standard deviation in px; points of weight 0 do not count.
@@ -48,19 +59,6 @@ def _check_spread(request: ModelRequest, points: Points) -> None:
         solid = least_squares(linear, places[:, 0])
         if solid.rank < 4 or solid.condition > limits.MAX_LINEAR_CONDITION:
             raise SensorModelError(messages.POINTS_ON_A_PLANE(model=request.name))
-
-
-BLUNDER_PROBABILITY = 0.001  # Baarda: one good point in a thousand is suspected
-SIGMA_OF_MEDIAN = 1.4826  # standard deviation over the median of absolute values, normal coordinates
-RAYLEIGH_MEDIAN = 1.1774  # of the length of a vector of two normal coordinates of standard deviation 1
-MAX_BLUNDER_SIGMAS = 5.0  # of check points, which the fit has not seen
-TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
-ROBUST_STEPS = 15  # of each stage; the weights have settled before
-MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
-MAX_LEFT_OUT = 40  # fits of leave-one-out; with more points they are left out in groups
-MAX_WORSE = 1.25  # a model that the paper prefers may be this much worse than the best, relative
-
-CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,7 @@ from .sensor_model import WGS84, SensorModel, file_content
 
 FORMAT = "seam_inspector sensor model"
 VERSION = 1
+_RISE_M = 100.0  # between the two heights that a line of sight is taken at
 
 
 @dataclass(frozen=True)
@@ -94,9 +95,6 @@ def _built(kind: Any, plain: Any) -> Any:
         hints = typing.get_type_hints(kind)
         return kind(**{field.name: _built(hints[field.name], plain[field.name]) for field in fields(kind)})
     return kind(plain)
-
-
-_RISE_M = 100.0  # between the two heights that a line of sight is taken at
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,18 @@ from .limits import EXTERIOR_DATUMS
 from .rpc import Domain
 from .sensor_model import WGS84, SensorModel, file_content, reprojected
 
+MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
+MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
+_RADIAL, _TANGENTIAL = ("k1", "k2", "k3"), ("p1", "p2")
+_KNOWN = {"type", "im_size", "focal_len", "sensor_size", "cx", "cy", *_RADIAL, *_TANGENTIAL}
+_FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
+_DIGITS = 1e-4  # how far from orthonormal axes in a text may be
+_SHOWN = 5
+_LEAST_RADIANS = 1.4  # a photo flown to the north or back has 1.57 or 3.14; in degrees nobody flies just so
+AS_TERRAIN = EXTERIOR_DATUMS[0]
+MIN_DIP = 0.02  # sine of the angle below the horizon of the flattest view
+HEIGHTS_PX = 512  # longer side of the overview of the terrain that the range of heights is taken from
+
 
 @dataclass(frozen=True)
 class FrameInterior:
@@ -92,12 +104,6 @@ def camera_axes(omega: float, phi: float, kappa: float) -> np.ndarray:
     """
     turned = Rotation.from_euler("XYZ", [omega, phi, kappa], degrees=True).as_matrix()
     return np.asarray(turned @ np.diag([1.0, -1.0, -1.0]))
-
-
-MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
-MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
-_RADIAL, _TANGENTIAL = ("k1", "k2", "k3"), ("p1", "p2")
-_KNOWN = {"type", "im_size", "focal_len", "sensor_size", "cx", "cy", *_RADIAL, *_TANGENTIAL}
 
 
 def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInterior:
@@ -198,12 +204,6 @@ def _numbers(element: Element, name: str) -> np.ndarray:
     return np.array((element.findtext(name) or "nan").split(), float)
 
 
-_FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
-_DIGITS = 1e-4  # how far from orthonormal axes in a text may be
-_SHOWN = 5
-_LEAST_RADIANS = 1.4  # a photo flown to the north or back has 1.57 or 3.14; in degrees nobody flies just so
-
-
 @dataclass(frozen=True)
 class FrameExterior:
     """Where a camera was and how it looked."""
@@ -295,11 +295,6 @@ def _index(names: list[str], path: Path, image: str) -> int:
             messages.IMAGE_NOT_ORIENTED(name=path.name, image=image, names=", ".join(names[:_SHOWN]))
         )
     return found[0]
-
-
-AS_TERRAIN = EXTERIOR_DATUMS[0]
-MIN_DIP = 0.02  # sine of the angle below the horizon of the flattest view
-HEIGHTS_PX = 512  # longer side of the overview of the terrain that the range of heights is taken from
 
 
 @dataclass(frozen=True)

@@ -34,6 +34,10 @@ AUTO, ELLIPSOID, EGM96, EGM2008, GEOID = limits.HEIGHT_DATUMS
 VERTICAL = {EGM96: "EPSG:5773", EGM2008: "EPSG:3855"}
 MAX_UNDULATION_M = 120.0  # the geoid stays within -107 and +86 m of the ellipsoid
 TURN = 360.0  # degrees of longitude
+MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
+LOWEST_M, HIGHEST_M = -12_000.0, 10_000.0  # the deepest sea, the highest mountain
+UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
+FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain
 
 
 @dataclass(frozen=True)
@@ -161,11 +165,6 @@ def heights_converted(added: np.ndarray, wkt: str, datum: Datum, name: str) -> M
     return messages.HEIGHTS_CONVERTED(name=name, vertical=named, least=float(added.min()), most=float(added.max()))
 
 
-MAX_DEM_PIXELS = 100_000_000  # 400 MB; 10 to 30 m meshes suffice (Kurczynski and Wolniewicz, conclusion 7)
-LOWEST_M, HIGHEST_M = -12_000.0, 10_000.0  # the deepest sea, the highest mountain
-UNDULATION_STEP_PX = 16  # of a terrain model: the geoid is smooth
-
-
 @dataclass(frozen=True)
 class Terrain:
     """Heights above the ellipsoid on a north-up grid."""
@@ -264,9 +263,6 @@ def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
         share = (number - knots[0][upper]) / max(knots[0][lower] - knots[0][upper], 1)
         terrain.heights[number] += along[upper] + np.float32(share) * (along[lower] - along[upper])
     return coarse
-
-
-FLAT_SHARE = 0.5  # of a pixel: heights that move the image by less make flat terrain
 
 
 def with_heights(

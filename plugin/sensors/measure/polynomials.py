@@ -20,6 +20,16 @@ EXPONENTS_3D = (
     (1, 1, 1), (3, 0, 0), (1, 2, 0), (1, 0, 2), (2, 1, 0), (0, 3, 0), (0, 1, 2), (2, 0, 1), (0, 2, 1), (0, 0, 3),
 )  # fmt: skip
 """Powers of x (longitude), y (latitude), z (height): 4, 10 and 20 terms make orders 1, 2 and 3."""
+MAX_RATIONAL_ITERATIONS = 100  # real scenes take three to ten, noise in few points more
+MAX_RATIONAL_STEP_PX = 1e-7  # below a tenth of the accuracy that exact points have to be recovered with
+MIN_DENOMINATOR = 1e-6  # a quotient is kept away from its poles while it is iterated
+FALSE_ALARM = 0.01  # that any of all terms offered comes in though it means nothing
+SPARE = 3  # points more than an axis has unknowns, so that what is left over says something
+LINEAR = 4  # the constant, x, y and z of the numerator are never left out
+CHOSEN_ORDER = 2  # of the terms offered: a higher one does not improve satellite images (Kurczynski and Wolniewicz)
+_EXACT = 1e-12  # of the coordinates: nothing is left over that a term could explain
+_TOO_ALIKE = 1e-6  # of a term's length that the chosen ones do not explain
+_Choice = Callable[[np.ndarray, np.ndarray], list[int]]
 
 
 def terms_3d(scaled: np.ndarray, order: int) -> np.ndarray:
@@ -41,18 +51,6 @@ def _terms(scaled: np.ndarray, exponents: Sequence[tuple[int, int, int]]) -> np.
                 column = column * scaled[:, axis]
         columns.append(column)
     return np.column_stack(columns)
-
-
-MAX_RATIONAL_ITERATIONS = 100  # real scenes take three to ten, noise in few points more
-MAX_RATIONAL_STEP_PX = 1e-7  # below a tenth of the accuracy that exact points have to be recovered with
-MIN_DENOMINATOR = 1e-6  # a quotient is kept away from its poles while it is iterated
-FALSE_ALARM = 0.01  # that any of all terms offered comes in though it means nothing
-SPARE = 3  # points more than an axis has unknowns, so that what is left over says something
-LINEAR = 4  # the constant, x, y and z of the numerator are never left out
-CHOSEN_ORDER = 2  # of the terms offered: a higher one does not improve satellite images (Kurczynski and Wolniewicz)
-_EXACT = 1e-12  # of the coordinates: nothing is left over that a term could explain
-_TOO_ALIKE = 1e-6  # of a term's length that the chosen ones do not explain
-_Choice = Callable[[np.ndarray, np.ndarray], list[int]]
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,24 @@ from . import messages
 from .polynomials import EXPONENTS_3D, Rational, fit_rational
 from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares, locate, reprojected
 
+RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
+MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
+_Used = tuple[int, ...]
+_TRIALS: dict[str, tuple[tuple[_Used, _Used], ...]] = {
+    "shift": (((0,), (0,)),),
+    "shift_drift": (((0, 2), (0,)), ((0,), (0, 2))),
+    "affine": (((0, 1, 2), (0, 1, 2)),),
+}
+"""Which of constant, column and row the corrections of column and row use; of several the one that fits best."""
+_OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
+_COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
+_RPB_NAMES = {"line": "LINE", "samp": "SAMP", "lat": "LAT", "long": "LONG", "height": "HEIGHT"}
+RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
+PIXEL_CENTRE = 0.5
+"""An RPC counts from the centre of the first pixel, GDAL and we from its corner."""
+DIMAP_FIRST_PIXEL = 1
+"""DIMAP numbers the first pixel 1, all others 0."""
+
 
 def open_image(ref: RasterRef) -> OpenRaster:
     """An image as a sensor took it, which may have no place on the map yet; radar's complex values are welcome."""
@@ -39,10 +57,6 @@ def satellite_name(image: OpenRaster) -> str:
     """What the metadata call the satellite; may be empty."""
     about = {**(image.dataset.GetMetadata() or {}), **(image.dataset.GetMetadata("IMAGERY") or {})}
     return next((str(about[key]) for key in ("SATELLITEID", "NITF_ISORCE") if key in about), "")
-
-
-RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
-MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
 
 
 @dataclass(frozen=True)
@@ -129,15 +143,6 @@ def located(model: SensorModel, wkt: str, grid: np.ndarray, domain: Domain) -> n
     return reprojected(np.column_stack([found, grid[:, 2]]), system, WGS84)
 
 
-_Used = tuple[int, ...]
-_TRIALS: dict[str, tuple[tuple[_Used, _Used], ...]] = {
-    "shift": (((0,), (0,)),),
-    "shift_drift": (((0, 2), (0,)), ((0,), (0, 2))),
-    "affine": (((0, 1, 2), (0, 1, 2)),),
-}
-"""Which of constant, column and row the corrections of column and row use; of several the one that fits best."""
-
-
 @dataclass(frozen=True)
 class BiasedRpc(SensorModel):
     """An RPC plus a correction in the image, linear in its column and row.
@@ -196,16 +201,6 @@ def fit_bias(
 
 def _linear(scaling: Scaling, image: np.ndarray) -> np.ndarray:
     return np.column_stack([np.ones(len(image)), scaling.to(image)])
-
-
-_OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
-_COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
-_RPB_NAMES = {"line": "LINE", "samp": "SAMP", "lat": "LAT", "long": "LONG", "height": "HEIGHT"}
-RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
-PIXEL_CENTRE = 0.5
-"""An RPC counts from the centre of the first pixel, GDAL and we from its corner."""
-DIMAP_FIRST_PIXEL = 1
-"""DIMAP numbers the first pixel 1, all others 0."""
 
 
 def to_metadata(rpc: Rational) -> dict[str, str]:
