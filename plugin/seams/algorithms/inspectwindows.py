@@ -149,10 +149,11 @@ class InspectWindows(SeamInspectorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from ...toolkit.executors import open_executor
-        from ...toolkit.table_fields import column_fields
+        from ...toolkit.table_fields import column_features, column_fields
         from ..measure.inspection import inspect_windows
         from ..measure.verdicts import Verdict
-        from ..tables import result_tables
+        from ..measure.window import window_tables as tables
+        from ..tables.result_tables import output_fields, window_feature
         from ..words import verdict_word
 
         settings = self._settings(run)
@@ -168,20 +169,20 @@ class InspectWindows(SeamInspectorAlgorithm):
         verdicts: Counter[Verdict] = Counter()
         with open_executor(run.text(common.SCHEDULER)) as (executor, ahead):
             # Only now, with nothing in the way of new results, are old ones overwritten.
-            fields = result_tables.output_fields(settings.levels, drawn.carried)
+            fields = output_fields(settings.levels, drawn.carried)
             output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
-            curves, curves_id = run.optional_sink(CURVES, column_fields(result_tables.CURVE_COLUMNS))
-            pair_fields = column_fields(result_tables.PAIR_COLUMNS, settings.levels)
+            curves, curves_id = run.optional_sink(CURVES, column_fields(tables.CURVE_COLUMNS))
+            pair_fields = column_fields(tables.PAIR_COLUMNS, settings.levels)
             pairs, pairs_id = run.optional_sink(PAIRS, pair_fields)
-            profiles, profiles_id = run.optional_sink(PROFILES, column_fields(result_tables.PROFILE_COLUMNS))
+            profiles, profiles_id = run.optional_sink(PROFILES, column_fields(tables.PROFILE_COLUMNS))
             for result in inspect_windows(self._requests(drawn, block, settings), executor, ahead, run.is_cancelled):
                 geometry, said = drawn.taken(result.window_id)
                 if result.window is not None:
                     geometry = layers.rectangle(grid.window_extent(result.window))
-                run.write(output, [result_tables.window_feature(result, geometry, said)])
-                run.write(curves, result_tables.curve_features(result))
-                run.write(pairs, result_tables.pair_features(result))
-                run.write(profiles, result_tables.profile_features(result))
+                run.write(output, [window_feature(result, geometry, said)])
+                run.write(curves, column_features(tables.CURVE_COLUMNS, tables.curves_of(result)))
+                run.write(pairs, column_features(tables.PAIR_COLUMNS, tables.pairs_of(result), result.levels))
+                run.write(profiles, column_features(tables.PROFILE_COLUMNS, tables.bins_of(result)))
                 run.tell_once(result.notices)
                 if result.judgement.reason is not None:
                     run.tell(imagery_messages.ABOUT(what=result.window_id, why=result.judgement.reason))

@@ -109,10 +109,10 @@ class PredictLoss(SeamInspectorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
         from ...toolkit.executors import open_executor
-        from ...toolkit.table_fields import column_fields, column_values, feature
+        from ...toolkit.table_fields import column_features, column_fields, column_values, feature
         from ..measure.inspection import in_order
         from ..measure.loss_forecast import forecast_window, not_foretold
-        from ..tables.result_tables import FORECAST_COLUMNS, FORECAST_PAIR_COLUMNS, forecast_pair_features
+        from ..tables.result_tables import FORECAST_COLUMNS, FORECAST_PAIR_COLUMNS
 
         self.check(run)
         settings = self._settings(run)
@@ -135,7 +135,8 @@ class PredictLoss(SeamInspectorAlgorithm):
                 if forecast.extent is not None:
                     geometry = layers.rectangle(forecast.extent)
                 run.write(output, [feature(fields, column_values(FORECAST_COLUMNS, forecast, levels), geometry)])
-                run.write(pairs, forecast_pair_features(forecast))
+                of_pairs = ((forecast, pair) for pair in forecast.pairs)
+                run.write(pairs, column_features(FORECAST_PAIR_COLUMNS, of_pairs, levels))
                 run.tell_once(forecast.notices)
                 if forecast.reason is not None:
                     run.tell(imagery_messages.ABOUT(what=forecast.window_id, why=forecast.reason))

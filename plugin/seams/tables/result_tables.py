@@ -21,12 +21,8 @@ from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import (
     CURVE_COLUMNS,
     MEASURED,
-    PAIR_COLUMNS,
-    PROFILE_COLUMNS,
     WINDOW_FIELDS,
-    bins_of,
     curves_of,
-    pairs_of,
 )
 from ..measure.window_placing import PlacedWindow
 
@@ -65,14 +61,9 @@ PLACED_COLUMNS: tuple[Column[PlacedWindow], ...] = (
 """The windows of ``placewindows``."""
 
 
-def window_fields(levels: int) -> QgsFields:
-    """Of OUTPUT, and of every window layer."""
-    return column_fields(MEASURED, levels)
-
-
 def output_fields(levels: int, said: Iterable[str]) -> QgsFields:
     """Of OUTPUT: those of every window, and what operators said as far as the windows given have it."""
-    fields = window_fields(levels)
+    fields = column_fields(MEASURED, levels)
     for name in said:
         if fields.indexOf(name) < 0:
             fields.append(field(name, JUDGING_FIELDS[name]))
@@ -93,22 +84,6 @@ def window_feature(result: WindowResult, geometry: QgsGeometry | None, said: Map
 def curve_features(result: WindowResult) -> Iterator[QgsFeature]:
     """The rows of CURVES for a result."""
     return column_features(CURVE_COLUMNS, curves_of(result))
-
-
-def pair_features(result: WindowResult) -> Iterator[QgsFeature]:
-    """The rows of PAIRS for a result: each source, then their composite."""
-    return column_features(PAIR_COLUMNS, pairs_of(result), result.levels)
-
-
-def profile_features(result: WindowResult) -> Iterator[QgsFeature]:
-    """The rows of PROFILES for a result; none without a seam."""
-    return column_features(PROFILE_COLUMNS, bins_of(result))
-
-
-def forecast_pair_features(forecast: Forecast) -> Iterator[QgsFeature]:
-    """The rows of PAIRS for a forecast."""
-    rows = ((forecast, pair) for pair in forecast.pairs)
-    return column_features(FORECAST_PAIR_COLUMNS, rows, len(forecast.expected))
 
 
 SUMMARY, STANDARD, STEP = "summary", "standard", "step"

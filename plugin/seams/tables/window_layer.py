@@ -41,7 +41,6 @@ from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import MEASURED
 from ..measure.window_records import WindowRecord
 from .record_tables import level_names, read_windows
-from .result_tables import window_fields
 
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
@@ -58,9 +57,8 @@ def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Pa
     path = free_path(folder)
     options = QgsVectorFileWriter.SaveVectorOptions()
     options.driverName, options.layerName, options.fileEncoding = "GPKG", _LAYER_NAME, "UTF-8"
-    writer = QgsVectorFileWriter.create(
-        str(path), window_fields(levels), QgsWkbTypes.Type.Polygon, crs, QgsCoordinateTransformContext(), options
-    )
+    fields, polygon = column_fields(MEASURED, levels), QgsWkbTypes.Type.Polygon
+    writer = QgsVectorFileWriter.create(str(path), fields, polygon, crs, QgsCoordinateTransformContext(), options)
     failed = writer.hasError() != QgsVectorFileWriter.WriterError.NoError
     del writer  # closes the file
     if failed:

@@ -9,12 +9,12 @@ import pytest
 from qgis.core import NULL, QgsVectorLayer
 from seam_inspector.plugin.imagery.wavelets import Curve
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
-from seam_inspector.plugin.seams.measure.window import window_tables as window_fields
+from seam_inspector.plugin.seams.measure.window import window_tables
 from seam_inspector.plugin.seams.measure.window.window_result import ClipResult, PairResult, WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.tables import record_tables, result_tables, window_layer
 from seam_inspector.plugin.seams.words import VERDICTS, verdict_sentence, verdict_word
-from seam_inspector.plugin.toolkit.table_fields import column_fields
+from seam_inspector.plugin.toolkit.table_fields import column_features, column_fields
 
 from tests.qgis.scenes import BLURRED, SHARP, layer, outline, windows
 from tests.qgis.seams.test_window_summary import result
@@ -34,7 +34,7 @@ def record_of(found: WindowResult) -> WindowRecord:
 
 
 def test_a_record_has_what_the_fields_hold(project: object) -> None:
-    known = {one.read_as for one in window_fields.WINDOW_FIELDS}
+    known = {one.read_as for one in window_tables.WINDOW_FIELDS}
     assert known | {"extent", "fid", "stale", "others"} == {field.name for field in fields(WindowRecord)}
 
 
@@ -84,15 +84,16 @@ def test_a_window_that_cant_be_compared_has_nothing_but_its_verdict(project: obj
 
 
 def test_the_profile_has_a_row_for_each_level_and_distance(project: object) -> None:
-    rows = [row.attributes() for row in result_tables.profile_features(result("feathering"))]
+    bins = window_tables.bins_of(result("feathering"))
+    rows = [row.attributes() for row in column_features(window_tables.PROFILE_COLUMNS, bins)]
     assert rows == [
         [1, 1, pytest.approx(0.1), 0.56, 0.5, 0.63, pytest.approx(12.0), 0.48],
         [1, 1, pytest.approx(25.6), 1.0, 0.9, 1.1, pytest.approx(500.0), None],
     ]  # fmt: skip
     names = ["window_id", "level", "distance", "kept", "low", "high", "area", "mixture"]
-    assert column_fields(result_tables.PROFILE_COLUMNS).names() == names
+    assert column_fields(window_tables.PROFILE_COLUMNS).names() == names
     unknown = Judgement(Verdict.NOT_COMPARABLE, Ratios((None,), None))
-    assert not list(result_tables.profile_features(WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE)))
+    assert not list(window_tables.bins_of(WindowResult(5, None, unknown, Verdict.NOT_COMPARABLE)))
 
 
 def test_the_desk_and_the_report_read_the_same(project: object) -> None:
@@ -126,7 +127,7 @@ def test_what_the_seam_kept_is_read_where_it_is_known(project: object) -> None:
 def test_a_pair_that_was_not_explained_has_its_ratios_alone(project: object) -> None:
     pair = PairResult("west.tif", "luminance", RATIOS, 0.9, 0.0, 0.25, True)
     found = WindowResult(5, None, Judgement(Verdict.SIGNIFICANT, RATIOS), Verdict.SIGNIFICANT, pairs=(pair,))
-    (row,) = result_tables.pair_features(found)
+    (row,) = column_features(window_tables.PAIR_COLUMNS, window_tables.pairs_of(found), found.levels)
     values = dict(zip(row.fields().names(), row.attributes()))
     assert [values.pop(name) for name in ("window_id", "source", "band", "ratio_1", "ratio_2", "similarity")] == [
         5, "west.tif", "luminance", 0.4, 0.7, 0.9
