@@ -22,7 +22,7 @@ from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import find_seams
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
-from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, cut_in_pieces
+from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, SidedSeam, cut_in_pieces
 from seam_inspector.plugin.seams.measure.scan.lone_blocks import REACH_PX, ZONES_PX, LoneTable, lone_cells
 from seam_inspector.plugin.seams.measure.scan.lone_kept import LoneSeams
 from seam_inspector.plugin.seams.measure.scan.lone_stretches import STRIP_PX, LoneStretches, lone_stretches
@@ -72,15 +72,6 @@ class Measured:
     stretches: LoneStretches
     energy: np.ndarray
     """(pieces,) of the finest detail in their strips."""
-
-
-@dataclass(frozen=True)
-class Line:
-    """A seam."""
-
-    vertices: np.ndarray
-    left: None = None
-    right: None = None
 
 
 def regions(imagery: Imagery, east: bool, count: int, rng: np.random.Generator) -> Iterator[Region]:
@@ -145,7 +136,7 @@ def pieces_of(labels: np.ndarray, grid: Grid) -> list[SeamPiece]:
     """The border between two labels, straightened as a traced seam is."""
     line = max(measure.find_contours(labels.astype(float), 0.5), key=len) + 0.5
     line = ndimage.gaussian_filter1d(line, 1.5, axis=0, mode="nearest")[::3]
-    return cut_in_pieces([Line(np.column_stack([line[:, 1], grid.rows - line[:, 0]]))], PIECE_PX, grid)
+    return cut_in_pieces([SidedSeam(np.column_stack([line[:, 1], grid.rows - line[:, 0]]), None, None)], PIECE_PX, grid)
 
 
 def measured(bands: np.ndarray, valid: np.ndarray, pieces: Sequence[SeamPiece], grid: Grid) -> Measured:
@@ -231,7 +222,7 @@ def real(folder: Path, piece_m: float) -> None:
     grid = Grid(left, top, width, -height, files["hardseam"].RasterXSize, files["hardseam"].RasterYSize)
     source = ogr.Open(str(folder / "seamlines.gpkg"))
     lines = [bytes(one.GetGeometryRef().ExportToWkb()) for one in source.GetLayerByName("seamlines")]
-    pieces = cut_in_pieces([Line(one.vertices) for one in find_seams(lines, width)], piece_m, grid)
+    pieces = cut_in_pieces([SidedSeam(one.vertices, None, None) for one in find_seams(lines, width)], piece_m, grid)
     seam_ids = [piece.seam_id for piece in pieces]
     rows = []
     for aftermath, change in AFTERMATHS.items():
