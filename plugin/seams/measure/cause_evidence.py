@@ -10,18 +10,19 @@ from ...imagery.rasters import Raster, is_range_known, value_range
 from ...imagery.shifts import Shift, shifted
 from ...imagery.wavelets import placed_components
 from .causes import MIN_COMPRESSED_DN, Misfit, SourceTone, Texture
+from .following.boxes import in_squares
 from .limits import MIN_MISREGISTRATION_PX
 from .seam_cells import UNKNOWN
 from .tone import Tone
 
-_BLOCK_PX = 16
-_FEWEST_BLOCKS = 12
-_FEWEST_OF_SOURCE = 8
+_BLOCK_PX = 16  # side of what detail is compared in: 64 coefficients in each direction
+_FEWEST_BLOCKS = 12  # that follow one source for sure: fewer have no quantiles worth the name
+_FEWEST_OF_SOURCE = 8  # blocks, before what comes over of one source alone is told
 _WEAK, _STRONG, _STRONGEST = 0.3, 0.7, 0.9  # quantiles of the blocks' energies
 _PERIOD_PX = 8  # of the blocks that images are compressed in
-_SAMPLED_BLOCKS = 400
+_SAMPLED_BLOCKS = 400  # of each of the 64 grids: 17,000 coefficients to tell a share of some per cent by
 _HIGH_FREQUENCY = 6  # of 0 to 14, both axes together
-_VANISHED_DN = 1.5
+_VANISHED_DN = 1.5  # of 8 bit: five times what rounding to whole values makes of a coefficient that is 0
 
 
 def measure_texture(
@@ -35,14 +36,14 @@ def measure_texture(
     ``unit_dn``: how many grey values are one of 8 bit. None where too few blocks of 16 px follow one source for sure.
     """
     own, predicted, plain = details[:, 0], details[:, 1], details[:, -1]
-    blocks = _blockwise(np.where(sure, labels, UNKNOWN), _BLOCK_PX)
+    blocks = in_squares(np.where(sure, labels, UNKNOWN), _BLOCK_PX)
     first = blocks.min(axis=(1, 3))
     whole = (first == blocks.max(axis=(1, 3))) & (first != UNKNOWN)
     if np.count_nonzero(whole) < _FEWEST_BLOCKS:
         return None
     side = _BLOCK_PX // 2
     sums = {
-        name: _block_sums(np.einsum("dij,dij->ij", a, b), side)[whole]
+        name: in_squares(np.einsum("dij,dij->ij", a, b), side).sum(axis=(1, 3), dtype=np.float64)[whole]
         for name, a, b in (
             ("mm", own, own), ("cc", predicted, predicted), ("mc", own, predicted), ("uu", plain, plain),
         )
@@ -113,15 +114,6 @@ def _range(raster: Raster) -> float | None:
     return None if found is None else found[1] - found[0]
 
 
-def _block_sums(values: np.ndarray, side: int) -> np.ndarray:
-    return np.asarray(_blockwise(values, side).sum(axis=(1, 3), dtype=np.float64))
-
-
-def _blockwise(labels: np.ndarray, side: int) -> np.ndarray:
-    rows, columns = (length // side for length in labels.shape)
-    return labels[: rows * side, : columns * side].reshape(rows, side, columns, side)
-
-
 def _quantised(mosaic: np.ndarray) -> float:
     """By which share more of the high frequencies of blocks of 8 x 8 px vanish on the best of the 64 grids of blocks
     than on the others: what the quantisation of JPEG and its relatives leaves (Fan and de Queiroz 2003)."""
@@ -144,7 +136,7 @@ def _quantised(mosaic: np.ndarray) -> float:
 
 _LOOK_PX = 256  # side of the part that is looked at, about the seam
 _EDGE_PX = 16  # of it, which wavelets and the shift don't know
-_FEWEST_PX = 1000
+_FEWEST_PX = 1000  # about the seam: of fewer two correlations can't be told apart
 
 
 def placed_misfit(between: Shift, first: Shift, second: Shift) -> tuple[float, float]:

@@ -25,7 +25,7 @@ MIN_BALANCED_GAIN = 1.05  # gains of two sources 5 % apart
 MIN_BALANCED_OFFSET = 0.03  # of the mosaic's range of values: what one source was raised by against another
 MIN_UNEVENNESS = 0.35  # of what a tone leaves over, explained by where on the ground it is
 MAX_BLURRED_TRANSFER = 0.93  # of fine detail that comes over; a hard cut has 0.99 to 1.01, a Gaussian of 0.5 px 0.6
-MIN_SHARPENED_TRANSFER = 1.07
+MIN_SHARPENED_TRANSFER = 1.07  # as far above 1 as the limit of a blur is below
 BENT_TRANSFER = 0.25  # power of a power function's exponent that comes over at most: 1.6 made 1.1, 0.6 left 0.93
 MAX_BLURRED_COMPRESSED = 0.4  # of strong detail: compression at quality 65 left 0.43 or more, a Gaussian of 0.8 px 0.36
 MAX_FEATHERED_KEPT = 0.97  # of the finest detail in the strip along the seam, and certainly less than all of it
@@ -40,7 +40,7 @@ MIN_MISFIT_SHARE = 0.25  # of what images differ by, that lies in their misfit: 
 MIN_RESAMPLED_PX = 0.08  # off the pixels of the source
 WIDE_FEATHER_PX, MIN_MIXED_RESAMPLED_PX = 100.0, 0.22  # within such a feather, whose images' parallax made up to 0.2
 MIN_NOISE_DN = 1.0  # rounding to whole values leaves 0.3 to 0.8
-MIN_COMPRESSED_DN = 0.5
+MIN_COMPRESSED_DN = 0.5  # rounding alone leaves 0.3
 MAX_NOISE_RISE = 1.7  # from weak to strong detail: noise does not ask, a power function or a wrong place do
 MIN_QUANTISED, MIN_LOSSY_QUANTISED = 0.05, 0.025  # of coefficients; the second in files that say it themselves
 

@@ -26,6 +26,7 @@ from ...imagery.lines import burnt
 from ...imagery.rasters import Raster
 from ...imagery.reference_systems import geometry_on
 from ...imagery.wavelets import component_products, placed_components
+from .following.boxes import in_squares
 from .limits import GAUSSIAN, LINEAR
 
 
@@ -119,7 +120,7 @@ def kept_detail(
         for feather in feathers:
             # Of (1 - a) p + a q and a p + (1 - a) q together.
             apart = 2 * feather.weight * (1 - feather.weight)
-            lost, strip = (_square_means(one, 2 ** (level + 1)) for one in (apart, feather.strip))
+            lost, strip = (in_squares(one, 2 ** (level + 1)).mean(axis=(1, 3)) for one in (apart, feather.strip))
             for row, energy in enumerate(((1 - lost) * own + lost * both, own)):
                 energies[row, 0, level] += float(energy.sum(dtype=np.float64))
                 energies[row, 1, level] += float((energy * strip).sum(dtype=np.float64))
@@ -146,14 +147,8 @@ def _smoothed(mask: np.ndarray, sigma_px: np.ndarray) -> np.ndarray:
     """
     fits = (side for side in (8, 4, 2) if 4 * side <= sigma_px.min() and not any(size % side for size in mask.shape))
     side = next(fits, 1)
-    smooth = ndimage.gaussian_filter(_square_means(mask, side), sigma_px / side, mode="nearest")
+    smooth = ndimage.gaussian_filter(in_squares(mask, side).mean(axis=(1, 3)), sigma_px / side, mode="nearest")
     return np.asarray(ndimage.zoom(smooth, side, order=1, grid_mode=True, mode="nearest")) if side > 1 else smooth
-
-
-def _square_means(values: np.ndarray, side: int) -> np.ndarray:
-    """Over each coefficient's square of ``side`` px; of a mask the share that lies in it."""
-    rows, columns = values.shape
-    return values.reshape(rows // side, side, columns // side, side).mean(axis=(1, 3))
 
 
 _DIRECTIONS = np.pi / 4 * (np.arange(4) + 0.5)

@@ -15,13 +15,13 @@ MIN_GAMMA, MAX_GAMMA = 0.2, 5.0  # that are looked for
 MIN_GAMMA_GAIN = 0.1  # a power function has to leave residuals smaller by this share
 
 _ROUNDS = 6  # of reweighting at most; it settles in two to five
-_MOST_POINTS = 1024
-_GAMMA_POINTS = 384
+_MOST_POINTS = 1024  # means that a line is fitted to, picked evenly: all of a large window take their time
+_GAMMA_POINTS = 384  # of them, that exponents are tried on: each takes all of its pixels
 _GAMMA_VALUES = 1024  # that pixels are told apart by: of 8 bit and 10 bit ones all
 _GAMMA_STEPS = (13, 7, 7)  # exponents that are tried, then between the neighbours of the best: to 1 %
-_FEWEST_POINTS = 16
+_FEWEST_POINTS = 16  # means: fewer are no base for a robust line
 _TUKEY = 4.685  # times the scale: weights of 95 % efficiency (Holland and Welsch 1977)
-_LEAST_SCALE = 1e-9
+_LEAST_SCALE = 1e-9  # grey values: what varies less is even, but for rounding
 _SETTLED = 1e-6  # of the spread of grey values
 _FOUR_FIFTHS = 1.2816  # standard deviations within which 80 % of a normal distribution lie
 _LEAST_PILE = 1e-4  # of the pixels: fewer are not worth a second look

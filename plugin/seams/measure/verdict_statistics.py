@@ -20,7 +20,7 @@ from .neighbourhoods import Neighbourhoods
 
 MIN_VERDICTS = 5  # of either kind: below it one verdict moves the sensitivity by more than 20 %
 AREA_RESAMPLES = 2000  # of the verdicts; Efron and Tibshirani 1993, section 12.5: 1000 and more for an interval's ends
-PERCENTILES_95 = (2.5, 97.5)
+PERCENTILES_95 = (2.5, 97.5)  # the ends of a 95 % interval
 WANTED_AREA_ERROR = 0.05  # half of the 95 % interval of an area under the ROC curve that is known well enough
 
 

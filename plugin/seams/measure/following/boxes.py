@@ -84,6 +84,12 @@ def enlarged(samples: np.ndarray, times: int, shape: tuple[int, ...] | None = No
     return np.pad(found, [(0, length - have) for length, have in zip(shape, found.shape)], mode="edge")
 
 
+def in_squares(values: np.ndarray, side: int) -> np.ndarray:
+    """The whole squares of ``side`` samples of (rows, columns): (rows of squares, side, columns of squares, side)."""
+    rows, columns = (length // side for length in values.shape)
+    return values[: rows * side, : columns * side].reshape(rows, side, columns, side)
+
+
 def runs(values: np.ndarray, length: int, axis: int, together: np.ufunc) -> np.ndarray:
     """Of ``length`` samples along an axis, those that are wholly inside, put together."""
     count = values.shape[axis] - length + 1

@@ -22,6 +22,7 @@ from ....imagery.open_raster import describe_mosaic, placed
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import extent_on
+from ..following.boxes import in_squares
 from ..source_images import Source, is_same_file, sources_in
 from . import messages
 from .mosaic_copies import (
@@ -42,7 +43,7 @@ from .raster_facts import SUGGESTED, Suitability, left_out
 
 PLAINLY_MORE = 0.05  # of a correlation with the mosaic: an eighth of it is what noise does to 64 x 64 px
 LEAST_AGREEING = 0.95  # of the places where two others differ: copies 0.97 and more, orthoimages 0.9 and less
-SLIGHTLY_DISTINCT = 0.1
+SLIGHTLY_DISTINCT = 0.1  # the same of one that covers it all where others are parts
 DISTINCT = 0.3  # correlation with one above that with another: it is that one's image, and no neighbour on even ground
 MOST_EVEN = 1.5  # two orthoimages of a pair lack about as much where the mosaic follows the other
 ROUNDING = 0.01  # of a correlation: what sharpening or bits change
@@ -383,12 +384,8 @@ def _is_mixed(patches: Sequence[_Patch]) -> bool:
 
 def _coarse_correlation(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> float:
     """Of means over squares; 1 where there is nothing to tell from."""
-    rows, columns = (length // COARSE_PX for length in both.shape)
-    cut = (rows, COARSE_PX, columns, COARSE_PX)
-    there = both[: rows * COARSE_PX, : columns * COARSE_PX].reshape(cut).all(axis=(1, 3))
-    a, b = (
-        one[: rows * COARSE_PX, : columns * COARSE_PX].reshape(cut).mean(axis=(1, 3))[there] for one in (first, second)
-    )
+    there = in_squares(both, COARSE_PX).all(axis=(1, 3))
+    a, b = (in_squares(one, COARSE_PX).mean(axis=(1, 3))[there] for one in (first, second))
     if len(a) < 8 or min(a.std(), b.std()) == 0:
         return 1.0
     return float(np.corrcoef(a, b)[0, 1])

@@ -19,7 +19,7 @@ from ....imagery.rasters import Raster
 USUAL_RANGE = (32.0, 70_000.0)
 """Between the outermost percentiles: values of less or more are brought to 8 bit, by a factor that is the same for
 all that is delivered from 0 to 1."""
-_SAMPLES, _SIDE_PX = 6, 128
+_SAMPLES, _SIDE_PX = 6, 128  # along each side of a raster, and of a sample: 600,000 pixels that span its values
 _WIDEST = 1.5  # what goes for 0 to 1, as reflectance of snow and of glints is more
 _ALIKE = 10.5  # times: factors that differ no more are of one scale, near to where the next one begins
 

@@ -16,7 +16,7 @@ from .mosaic_copies import SAME_PLACE, covered_share
 
 MOST_LARGER = 1.25  # pixel size over the mosaic's: nobody makes detail that the source does not have
 MOST_SMALLER = 4.0  # the mosaic's pixel size over a source's
-COLOURS = 3
+COLOURS = 3  # bands: rasters of fewer are grey
 RIVAL_AREA = 0.8  # of the likely mosaic's: another one as large may be the mosaic as well
 MOST_MOSAICS = 5  # the largest rasters, one of which may be the mosaic
 

@@ -11,7 +11,7 @@ from scipy import ndimage
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import CancelledError, Message
-from ..following.boxes import enlarged
+from ..following.boxes import enlarged, in_squares
 from ..profile.cell_table import CellTable, MixtureTable
 from ..profile.ground import LevelGround, grounds
 from ..seam_cells import UNKNOWN
@@ -156,7 +156,7 @@ class Gathering:
     def _account(self, scan: BlockScan) -> None:
         """Count units with pixels of the mosaic, and those of them that follow no source anywhere."""
         step = LABELS // UNITS
-        followed = (scan.labels.reshape(UNITS, step, UNITS, step) != UNKNOWN).any(axis=(1, 3))
+        followed = (in_squares(scan.labels, step) != UNKNOWN).any(axis=(1, 3))
         self._units += int(np.count_nonzero(~scan.outside))
         self._unexplained += int(np.count_nonzero(~scan.outside & ~followed))
 

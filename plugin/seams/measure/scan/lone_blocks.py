@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
+from scipy import ndimage
 
 from ....imagery.blas_threads import one_blas_thread
 from ....imagery.clips import read_clip
@@ -15,6 +16,7 @@ from ....imagery.raster_pool import open_raster
 from ....imagery.records import packed, understanding, unpacked
 from ....imagery.remote_files import remote_settings
 from ....imagery.wavelets import judged_plane, placed_components
+from ..following.boxes import in_squares
 from ..profile.cell_table import CELL_PX
 from .block_runs import BlockLook
 from .blocks.block_grid import BlockKey, rectangles
@@ -32,8 +34,7 @@ MARGIN_PX = 64
 
 _GRID_PX = 2  # of the finest coefficients
 _SPLIT_PX = 36.0  # cells nearer than this are split by zone, others lie in that of their middle
-_UNKNOWN_MARGIN_CELLS = 1  # beside pixels that are not valid
-_COLOURS = 3
+_COLOURS = 3  # bands that tell ground from ground; with fewer its brightness does
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +103,8 @@ def lone_cells(
     place = np.s_[top : top + rows, left : left + columns]
     near = np.isfinite(distance)
     if valid is not None:
-        near &= _whole(valid)[place]
+        full = in_squares(valid, CELL_PX).all(axis=(1, 3))
+        near &= ndimage.binary_erosion(full, np.ones((3, 3)), border_value=1)[place]  # whose neighbours are full, too
     if not near.any():
         return LoneTable.empty(_COLOURS if len(bands) >= _COLOURS else 1)
     finest = _finest(plane, valid, around.margins_of(window), wavelet)
@@ -111,7 +113,8 @@ def lone_cells(
         second = _by_cell(bands[1])[place]
         colours += [_by_cell(bands[i])[place] - second for i in (0, 2)]
     row, column = down[near].astype(np.int32), across[near].astype(np.int32)
-    parts = _parts(_blocks(finest)[place][near], row, column, distance[near], pieces)
+    energies = in_squares(finest, CELL_PX // _GRID_PX).swapaxes(1, 2)[place][near]
+    parts = _parts(energies, row, column, distance[near], pieces)
     return LoneTable(row, column, np.stack([one[near] for one in colours], axis=1).astype(np.float32), *parts)
 
 
@@ -156,28 +159,9 @@ def _parts(
     )
 
 
-def _blocks(values: np.ndarray) -> np.ndarray:
-    """Finest coefficients by cell, (rows, columns, 8, 8)."""
-    side = CELL_PX // _GRID_PX
-    rows, columns = (length // side for length in values.shape)
-    return values[: rows * side, : columns * side].reshape(rows, side, columns, side).swapaxes(1, 2)
-
-
 def _by_cell(values: np.ndarray) -> np.ndarray:
     """Means over the cells, (rows, columns)."""
-    side = CELL_PX
-    return np.asarray(values.reshape(values.shape[0] // side, side, values.shape[1] // side, side).mean(axis=(1, 3)))
-
-
-def _whole(valid: np.ndarray) -> np.ndarray:
-    """Cells that have all their pixels and whose neighbours have, (rows, columns) bool."""
-    rows, columns = (length // CELL_PX for length in valid.shape)
-    full = valid.reshape(rows, CELL_PX, columns, CELL_PX).all(axis=(1, 3))
-    padded = np.pad(full, _UNKNOWN_MARGIN_CELLS, constant_values=True)
-    return np.asarray(np.logical_and.reduce([
-        padded[i : i + rows, j : j + columns]
-        for i in range(2 * _UNKNOWN_MARGIN_CELLS + 1) for j in range(2 * _UNKNOWN_MARGIN_CELLS + 1)
-    ]))
+    return np.asarray(in_squares(values, CELL_PX).mean(axis=(1, 3)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -35,7 +35,7 @@ LEAST_ERROR = 0.03
 MOST_TOO_HIGH = 0.12
 """Of kept: sources that are cut hard make edges of their own, which the ground beside them has not."""
 
-_CONFIDENCE = 0.95
+_CONFIDENCE = 0.95  # of all intervals, as of those with orthoimages
 _RUN = 8  # stretches whose scatter is taken together
 _BORROWED = 8.0  # stretches that the scatter of all seams counts as, beside that of a run
 _FEWEST_RUNS = 6  # that tell how much runs differ

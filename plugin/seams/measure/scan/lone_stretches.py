@@ -28,8 +28,8 @@ FEWEST_CELLS = 250
 
 _TILE_CELLS = 64  # what is expected is found anew in each tile of so many cells a side
 _BESIDE_CELLS = 32  # and from cells up to so far beside it
-_LEAST_PART_PX = 32.0
-_STRIP, _UNUSED = 0, -1
+_LEAST_PART_PX = 32.0  # area of a part: smaller ones have fewer than 8 coefficients in each direction
+_STRIP, _UNUSED = 0, -1  # groups of parts; those of the ground follow
 
 
 @dataclass(frozen=True, eq=False)
@@ -210,10 +210,10 @@ def _near(places: np.ndarray, tile: int) -> np.ndarray:
 CAP = 2.0
 """A cell counts at most as so many times what is expected of it: kerbs and roofs are not what is looked for."""
 
-_ROUNDS = 12
-_RIDGE = 1e-4
+_ROUNDS = 12  # of reweighting, in a fit and in a capped mean
+_RIDGE = 1e-4  # of the mean of the normal matrix's diagonal: properties that hardly vary tell nothing
 _OUTERMOST = (0.01, 0.99)  # of each property: beyond these quantiles the model is held where it is
-_MOST_EXPONENT = 15.0
+_MOST_EXPONENT = 15.0  # a factor of 3 million either way, so that no round runs away
 
 
 def expected_energies(

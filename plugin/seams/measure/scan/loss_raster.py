@@ -13,15 +13,16 @@ from ....imagery.errors import Message
 from ....imagery.gdal_calls import gdal_call, gdal_writing
 from ....imagery.raster_writer import GEOTIFF, whole_raster
 from ....imagery.rasters import Raster
+from ..following.boxes import in_squares
 from ..profile.cell_table import CELL_PX, whole_cells
 from ..profile.ground import LevelGround
 from .blocks.block_grid import BLOCK_PX, LABEL_PX
 from .blocks.scan_block import BlockScan
 
 BANDS = ("kept_1", "contrast_1", "added_1", "source", "mixture")
-NODATA = -1.0
+NODATA = -1.0  # all that is shown is 0 or more
 SETTINGS_DOMAIN = "SEAM_INSPECTOR"
-SOURCE_BAND = BANDS.index("source") + 1
+SOURCE_BAND = BANDS.index("source") + 1  # as GDAL counts
 
 
 def loss_cells(
@@ -46,9 +47,9 @@ def loss_cells(
     np.subtract(1, np.minimum(made[2], 1), out=made[2], where=made[2] >= 0)
     per_cell = cell_px // LABEL_PX
     source = labels[per_cell // 2 :: per_cell, per_cell // 2 :: per_cell]
-    anywhere = labels.reshape(side, per_cell, side, per_cell).max(axis=(1, 3))  # the mosaic may end before the middle
+    anywhere = in_squares(labels, per_cell).max(axis=(1, 3))  # the mosaic may end before the middle
     made[3] = np.where(source > 0, source, np.where(anywhere > 0, anywhere, NODATA))
-    parts = scan.mixture.reshape(side, step, side, step)
+    parts = in_squares(scan.mixture, step)
     known = ~np.isnan(parts)
     counts = known.sum(axis=(1, 3))
     made[4] = np.where(counts > 0, np.where(known, parts, 0).sum(axis=(1, 3)) / np.maximum(counts, 1), NODATA)

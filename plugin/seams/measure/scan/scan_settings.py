@@ -12,7 +12,7 @@ from ..limits import DENSITIES, SEAMS
 from ..profile.cell_table import CELL_PX
 from . import messages
 
-LEAST_PIECE_M = 0.01
+LEAST_PIECE_M = 0.01  # what is shorter is no length; scan_request lengthens what can't be measured
 MOST_LEVELS = 4
 """Levels of which the cells of 16 px hold whole coefficients."""
 CELLS_PX = tuple(CELL_PX * 2**power for power in range(5))

@@ -10,7 +10,7 @@ from scipy import ndimage
 from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import placed_components
 from ...compared_image import ComparedImage
-from ...following.boxes import enlarged
+from ...following.boxes import enlarged, in_squares
 from ...following.expected_mosaic import expected_mosaic
 from ...following.followed_source import follow_planes, high_pass
 from ...following.levelling import SQUARE_PX as TONE_PX
@@ -108,8 +108,7 @@ def measure_part(
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
     first = around.row // CELL_PX, around.column // CELL_PX
     mixed, clear, grey = (
-        one[own].reshape(window.height // CELL_PX, CELL_PX, window.width // CELL_PX, CELL_PX)
-        .mean(axis=(1, 3), dtype=np.float32)
+        in_squares(one[own], CELL_PX).mean(axis=(1, 3), dtype=np.float32)
         for one in (following.mixed, following.clear, image.plane)
     )
     return DensePart(

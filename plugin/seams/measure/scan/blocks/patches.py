@@ -11,7 +11,7 @@ from scipy import ndimage
 
 from .....imagery.wavelets import placed_components
 from ...following.best_ground import learn_best_ground
-from ...following.boxes import enlarged, opened
+from ...following.boxes import enlarged, in_squares, opened
 from ...following.expected_mosaic import mosaic_of
 from ...following.followed_source import high_pass
 from ...following.following_rule import (
@@ -39,7 +39,7 @@ MIN_STRANGE = 0.6  # of the way from what true sources leave over to all: surely
 MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR = 0.15, 3.0  # as in windows, of ground that fewer places tell of
 _ALIKE_SQUARES = 2  # a side of the least part of an image that others resemble
 _INNER = slice(4, 36)  # of a patch: what its high-pass knows
-_CELL = slice(12, 12 + CELL_PX)
+_CELL = slice(12, 12 + CELL_PX)  # of a patch: its middle
 _STRANGE_SQUARES = 2  # a side of what lies together, so that one patch alone condemns nothing
 _MIN_VALID = 0.98  # of a patch
 _FARTHEST_FILLED = 1.5  # squares
@@ -201,7 +201,7 @@ def _starts(length: int) -> np.ndarray:
 def _share(valid: np.ndarray | None, shape: tuple[int, int]) -> np.ndarray:
     if valid is None:
         return np.ones(shape)
-    return np.asarray(valid.reshape(shape[0], PATCH_PX, shape[1], PATCH_PX).mean(axis=(1, 3)))
+    return np.asarray(in_squares(valid, PATCH_PX).mean(axis=(1, 3)))
 
 
 def _quadrants(a: np.ndarray, b: np.ndarray, shape: tuple[int, int]) -> np.ndarray:

@@ -12,7 +12,7 @@ from .seam_pieces import SeamPiece
 
 STEP_PX = 0.5
 """Lines are looked up by points at most this far apart; the distance is then taken to the line itself."""
-_SHORTEST_PX = 1e-6
+_SHORTEST_PX = 1e-6  # of a stretch, to divide by: some have no length
 TILE_PX = 2048
 """Side of the tiles by which stretches of line are found, and places are looked up together."""
 
