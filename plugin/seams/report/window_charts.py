@@ -9,11 +9,11 @@ from dataclasses import dataclass
 from markupsafe import Markup
 from qgis.PyQt.QtCore import QRectF
 
-from ...toolkit.charts.chart_style import PAPER, source_look
+from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.translation import filled, tr
-from ..charts.chart_curves import Chart, ChartCurve
+from ..charts.chart_curves import Chart, ChartCurve, numbered
 from ..charts.chart_painter import chart_svg, paper_font
-from ..charts.curves_painter import CurvesPainter
+from ..charts.curves_painter import CurvesPainter, curve_look
 from ..charts.profile_painter import ProfilePainter, ShownProfile, level_colour
 from ..measure.profile.cell_table import EDGES_PX
 from ..measure.profile.seam_profile import ProfileBin, SeamProfile
@@ -29,28 +29,28 @@ _SAME_PLACE = 0.05  # relative: a distance that is so near to a bin's middle is 
 
 def curves_svg(curves: Sequence[CurveRecord], max_ratio: float) -> str:
     """The curves, the composite dashed; all of the same number of levels."""
-    shown = tuple(
-        ChartCurve(
-            curve.raster, curve.role == "mosaic", curve.detail, curve.background, is_composite=curve.role == COMPOSITE
-        )
-        for curve in curves
-    )
-    chart = CurvesPainter(Chart(shown, max_ratio), QRectF(0, 0, *CURVES_PX), PAPER, paper_font(_CURVES_LETTERS_PX))
+    shown = Chart(_chart_curves(curves), max_ratio)
+    chart = CurvesPainter(shown, QRectF(0, 0, *CURVES_PX), PAPER, paper_font(_CURVES_LETTERS_PX))
     return chart_svg(chart.paint, *CURVES_PX)
 
 
 def curve_legend(curves: Sequence[CurveRecord]) -> list[tuple[str, str]]:
     """Colours and names of the curves as ``curves_svg`` paints them."""
-    places = iter(range(len(curves)))
     entries = []
-    for curve in curves:
-        if curve.role == "source":
-            entries.append((source_look(next(places), PAPER)[0], curve.raster))
-        elif curve.role == COMPOSITE:
-            entries.append((PAPER.text, tr("hard-cut composite (dashed)")))
-        else:
-            entries.append((PAPER.text, filled(tr("{name} (mosaic, bold)"), name=curve.raster)))
+    for number, curve in numbered(_chart_curves(curves)):
+        name = filled(tr("{name} (mosaic, bold)"), name=curve.label) if curve.is_mosaic else curve.label
+        name = tr("hard-cut composite (dashed)") if curve.is_composite else name
+        entries.append((curve_look(curve, number, PAPER)[0], name))
     return [*entries, (PAPER.limit, tr("significant by the paper's rule below"))]
+
+
+def _chart_curves(curves: Sequence[CurveRecord]) -> tuple[ChartCurve, ...]:
+    return tuple(
+        ChartCurve(
+            curve.raster, curve.role == "mosaic", curve.detail, curve.background, is_composite=curve.role == COMPOSITE
+        )
+        for curve in curves
+    )
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,8 @@ from .theme import readable_palette
 
 ROOMY_LINES = 12  # a lower chart does without the axes' titles
 _FALLBACK_FAMILY = "DejaVu Sans"  # matplotlib brings it along
+_LOOK_MS = 5  # a drawing under way is asked this often whether it is done
+_DIMMED = 0.35  # how much is left of a chart that is disabled
 
 
 class Room(NamedTuple):
@@ -75,10 +77,6 @@ def set_font(axes: Any, room: Room) -> FontProperties:
         text.set_fontproperties(font)
     axes.tick_params(labelsize=size)
     return font
-
-
-_LOOK_MS = 5  # a drawing under way is asked this often whether it is done
-_DIMMED = 0.35  # how much is left of a chart that is disabled
 
 
 class PaintedChart(QWidget):

@@ -27,6 +27,14 @@ from ...words import LOSS_OPACITY, loss_rgba
 from ..map.picture_overlay import rgba_image
 from .viewport import Viewport
 
+_WHEEL_STEP = 120  # eighths of a degree: one notch
+_KEY_PAN = 0.25  # of a view
+_READING_OPACITY = 0.25
+_ARROWS: dict[int, tuple[int, int]] = {
+    Qt.Key.Key_Left: (1, 0), Qt.Key.Key_Right: (-1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)
+}  # fmt: skip
+_ARMS = ((1, 0), (-1, 0), (0, 1), (0, -1))  # of the linked cursor's cross
+
 
 class PictureImages:
     """A picture as images on its arrays' own memory, without copies; it keeps the arrays as long as it lives."""
@@ -68,9 +76,6 @@ class LossImage:
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)  # as on the map
         painter.drawImage(QRectF(box.topLeft(), cell * QSizeF(self._image.size())), self._image)
         painter.restore()
-
-
-_ARMS = ((1, 0), (-1, 0), (0, 1), (0, -1))
 
 
 def paint_cross(painter: QPainter, rect: QRect) -> None:
@@ -138,14 +143,6 @@ def paint_title(
         painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, hint)
     elided = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, int(room.width()))
     painter.drawText(room, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, elided)
-
-
-_WHEEL_STEP = 120  # eighths of a degree: one notch
-_KEY_PAN = 0.25  # of a view
-_READING_OPACITY = 0.25
-_ARROWS: dict[int, tuple[int, int]] = {
-    Qt.Key.Key_Left: (1, 0), Qt.Key.Key_Right: (-1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)
-}  # fmt: skip
 
 
 class PictureView(QWidget):

@@ -95,21 +95,21 @@ class Viewport(QObject):
 
     def _set_centre(self, x: float, y: float) -> None:
         """A side that is seen whole keeps its centre for when it is not."""
-        kept = tuple(
-            old if margin >= 0.5 else min(max(new, margin), 1 - margin)
-            for old, new, margin in zip(self.centre, (x, y), self._margins(self.scale))
-        )
+        margins = self._margins(self.scale)
+        kept = [_within(new, margin, old) for old, new, margin in zip(self.centre, (x, y), margins)]
         self.centre = (kept[0], kept[1])
         self.changed.emit()
 
     def _seen_centre(self, scale: float) -> Point:
         """The centre, moved so that the views show nothing beyond the window where it is larger than they are."""
-        x, y = (
-            0.5 if margin >= 0.5 else min(max(share, margin), 1 - margin)
-            for share, margin in zip(self.centre, self._margins(scale))
-        )
+        x, y = (_within(share, margin, 0.5) for share, margin in zip(self.centre, self._margins(scale)))
         return x, y
 
     def _margins(self, scale: float) -> Point:
         """Half of a view as shares of the window's sides."""
         return self.screen[0] / (2 * scale * self.window[0]), self.screen[1] / (2 * scale * self.window[1])
+
+
+def _within(share: float, margin: float, where_all_is_seen: float) -> float:
+    """A centre from which no view reaches beyond the window; margins are half a view."""
+    return where_all_is_seen if margin >= 0.5 else min(max(share, margin), 1 - margin)
