@@ -34,7 +34,6 @@ from ...toolkit.layer_styles import load_style
 from ...toolkit.layers import transformed_box
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
-from ..jobs import ScanDone
 from ..measure import messages
 from .inputs.inputs_panel import InputsPanel
 from .judge_bar import JudgeBar
@@ -84,7 +83,7 @@ class InspectionDock(ToolDock):
         self.swiping = SwipeAction(self._canvas, self.session, self)
         self.swiping.told.connect(self._show_message)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
-        self.scans.found.connect(self._tell_findings)
+        self.scans.found.connect(lambda done: self._findings.show(done, self.scans.notes))
         self._worst_inspector = single_shot(self, self._inspect_worst)  # apart, as adding fields takes some 30 ms
         self.steps = UndoActions(self.session, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
@@ -108,20 +107,12 @@ class InspectionDock(ToolDock):
 
     def close_desk(self) -> None:
         super().close_desk()
-        self._keys.close()
-        self.steps.close()
-        self.reports.close()
-        self.swiping.close()
         self._worst_inspector.stop()
-        self._findings.close()
-        self._found.close()
-        self.scans.close()
-        self.judging.close()
-        self.lost.close()
-        self._selected.close()
-        self.session.close()
-        for panel in (self.inputs, self.windows, *self.panels.values()):
-            panel.close()
+        for part in (
+            self._keys, self.steps, self.reports, self.swiping, self._findings, self._found, self.scans, self.judging,
+            self.lost, self._selected, self.session, self.inputs, self.windows, *self.panels.values(),
+        ):  # fmt: skip
+            part.close()
 
     def zoom_to(self, fid: int) -> None:
         """Show a window so that one image pixel covers 2 x 2 screen pixels."""
@@ -171,7 +162,8 @@ class InspectionDock(ToolDock):
             self.judge_worst,
         )  # fmt: skip
         self.inspect_selected = self._action(
-            "Refresh", tr("Again"), tr("Inspect the selected windows again"), self._inspect_selected
+            "Refresh", tr("Again"), tr("Inspect the selected windows again"),
+            lambda: self.session.inspect(self.session.selected()),
         )
         self.stop = self._action("Stop", tr("Stop"), tr("Stop; what is done stays"), self._stop)
         self.report = self._action(
@@ -241,9 +233,6 @@ class InspectionDock(ToolDock):
         self._row = row
         return row
 
-    def _inspect_selected(self) -> None:
-        self.session.inspect(self.session.selected())
-
     def _stop(self) -> None:
         self.scans.stop()
         self.session.stop()
@@ -252,9 +241,6 @@ class InspectionDock(ToolDock):
         self.session.inspect_pending()
         if windows := self.session.windows():
             self.zoom_to(windows[0].fid)
-
-    def _tell_findings(self, done: ScanDone) -> None:
-        self._findings.show(done, self.scans.notes)
 
     def _enable_actions(self) -> None:
         """Grey what can't be done now, and say why."""

@@ -90,10 +90,6 @@ class NotesRow(QWidget):
         self._label = QLabel(self)
         layout.addWidget(self._label)
         layout.addWidget(self._edit, 1)
-        session.windowsChanged.connect(self.refresh)
-        session.selectionChanged.connect(self.refresh)
-        judging.changed.connect(self.refresh)
-        self.refresh()
 
     def refresh(self) -> None:
         """Show what is said of the selected windows, where it is the same of all."""
@@ -188,8 +184,6 @@ class OperatorButton(QToolButton):
         self.agreement.triggered.connect(self.agreementAsked)
         menu.addAction(self.agreement)
         self.setMenu(menu)
-        judging.changed.connect(self.refresh)
-        self.refresh()
 
     def refresh(self) -> None:
         """Show who judges, and how."""
@@ -297,6 +291,8 @@ class JudgeBar(QWidget):
     def refresh(self) -> None:
         """Show the selected windows' state, and where they stand among the others."""
         judging = self._judging
+        self.operators.refresh()
+        self.notes.refresh()
         judging.follow()
         chosen = [row for row in map(self._session.row, self._session.selected()) if row is not None]
         selected, progress = sorted(chosen, key=attrgetter("window_id")), judging.progress()

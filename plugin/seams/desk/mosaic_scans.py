@@ -74,11 +74,6 @@ class MosaicScans(QObject):
         """Whether a scan is under way, and not being stopped."""
         return self.news is not None
 
-    @property
-    def can_start(self) -> bool:
-        """Whether the inputs allow a scan, and none is under way."""
-        return not self.why_not()
-
     def why_not(self) -> str:
         """Why no scan can be started now; empty when one can."""
         if self.is_at_work:

@@ -192,7 +192,7 @@ class Session(QObject):
         xmin, ymin, xmax, ymax = grid.window_extent(window)
         reach, spacing = SEARCHED_SIDES * max(xmax - xmin, ymax - ymin), FEWEST_PX * grid.pixel_width
         middle = (xmin + xmax) / 2, (ymin + ymax) / 2
-        return self._coverage.nearest(window, self._seams.points(*middle, reach, spacing) if on_seam else None)
+        return self._coverage.nearest(window, self._seams.index.points(*middle, reach, spacing) if on_seam else None)
 
     def request(self, fid: int) -> WindowRequest | None:
         """A window as it is measured, and the sources over it; None while there is no block."""

@@ -6,7 +6,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Callable
 
 from qgis.core import QgsMapLayer, QgsMapLayerProxyModel, QgsProject
-from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtGui import QResizeEvent, QShowEvent
 from qgis.PyQt.QtWidgets import QApplication, QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
@@ -33,9 +33,6 @@ _Filter = QgsMapLayerProxyModel.Filter
 
 class InputsPanel(QWidget):
     """Shows the session's inputs and changes them."""
-
-    _chosen = pyqtSignal(str, object)
-    """The name of a field of ``Inputs`` and its new value."""
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -101,12 +98,10 @@ class InputsPanel(QWidget):
 
     # What the operator changes
 
-    def _take(self, field: str, value: object) -> None:
-        self._change(**{field: value})
-
-    def _change(self, **changes: Any) -> None:
+    def _take(self, field: str, value: Any) -> None:
+        """Another value of a field of ``Inputs``."""
         if not self._is_following:
-            self._session.set_inputs(replace(self._session.inputs, **changes))
+            self._session.set_inputs(replace(self._session.inputs, **{field: value}))
 
     # Following the project
 
@@ -267,14 +262,13 @@ class InputsPanel(QWidget):
         self.box.foldedByHand.connect(self._folded_by_hand)
         self.box.collapsedStateChanged.connect(self._show_side)
         self.mosaic.chosen.connect(self.suggesting.choose_mosaic)
-        self.sources.changed.connect(partial(self._chosen.emit, "sources"))
+        self.sources.changed.connect(partial(self._take, "sources"))
         self.sources.suggestionWanted.connect(self.suggesting.take_suggested)
-        self.index.chosen.connect(partial(self._chosen.emit, "source_index"))
+        self.index.chosen.connect(partial(self._take, "source_index"))
         self.seamlines.chosen.connect(self.suggesting.choose_seamlines)
-        self.windows.chosen.connect(partial(self._chosen.emit, "windows"))
-        self.side.valueChanged.connect(partial(self._chosen.emit, "side_m"))
-        self.more.changed.connect(self._chosen)
-        self._chosen.connect(self._take)
+        self.windows.chosen.connect(partial(self._take, "windows"))
+        self.side.valueChanged.connect(partial(self._take, "side_m"))
+        self.more.changed.connect(self._take)
 
     def _lay_out(self) -> None:
         self._grid = QGridLayout(self.box)

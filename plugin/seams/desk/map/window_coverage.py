@@ -171,7 +171,8 @@ class SeamFinder:
 
     def forget(self) -> None:
         """Another project."""
-        self._seams = SeamIndex([])
+        self.index = SeamIndex([])
+        """Empty while they are being found."""
         self._key: object = None  # what was searched
         self._turn = object()
 
@@ -195,12 +196,8 @@ class SeamFinder:
 
     def nearest(self, x: float, y: float, reach: float) -> tuple[float, float] | None:
         """The nearest point of a seam within ``reach``; none while they are being found."""
-        return self._seams.nearest(x, y, reach)
-
-    def points(self, x: float, y: float, reach: float, spacing: float) -> np.ndarray:
-        """(n, 2) points on the seams around a place, some ``spacing`` apart."""
-        return self._seams.points(x, y, reach, spacing)
+        return self.index.nearest(x, y, reach)
 
     def _take(self, turn: object, seams: Any) -> None:
         if turn is self._turn:
-            self._seams = seams
+            self.index = seams

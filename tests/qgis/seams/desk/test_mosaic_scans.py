@@ -123,13 +123,13 @@ def test_another_scan_leaves_the_first_one_alone(desk: ScanDesk) -> None:
 
 def test_seamlines_alone_are_enough(desk: ScanDesk) -> None:
     desk.use(seamlines="")
-    assert not desk.scans.can_start
+    assert desk.scans.why_not()
     desk.scans.start()
     assert len(desk.messages) == 1
     assert "orthoimages" in desk.messages[0]
     desk.messages.clear()
     desk.use(seamlines=desk.seamlines.id())
-    assert desk.scans.can_start
+    assert not desk.scans.why_not()
     done = desk.scan()
     assert done is not None, desk.messages
     assert done.seam_metres == pytest.approx(256, rel=0.01)
@@ -186,12 +186,12 @@ def test_a_folder_that_takes_no_files_is_told_in_one_sentence(desk: ScanDesk) ->
     assert desk.scan() is None
     assert len(desk.messages) == 1
     assert "folder" in desk.messages[0]
-    assert desk.scans.can_start
+    assert not desk.scans.why_not()
 
 
 def test_levels_that_a_scan_does_not_have_are_told(desk: ScanDesk) -> None:
     desk.use("north", "south", levels=5)
-    assert not desk.scans.can_start
+    assert desk.scans.why_not()
     desk.scans.start()
     assert len(desk.messages) == 1
 
