@@ -47,14 +47,6 @@ class FilterPair:
         even_shifts[0] -= 1
         return bool(np.abs(even_shifts).max() < MAX_FILTER_ERROR)
 
-    def low_matrix(self, dtype: type) -> np.ndarray:
-        """(BLOCK, 2 BLOCK + L - 2): row i holds the low-pass from sample 2 i on, times its ``scale``."""
-        return _band_matrix(self.low, scale(self.low, dtype), dtype)
-
-    def both_matrix(self, dtype: type) -> np.ndarray:
-        """(2 BLOCK, 2 BLOCK + L - 2): the low-pass as it is, below it the high-pass."""
-        return _both_matrix(self, dtype)
-
 
 @cache
 def filter_pair(wavelet: str) -> FilterPair:
@@ -65,11 +57,13 @@ def filter_pair(wavelet: str) -> FilterPair:
 
 @lru_cache(maxsize=1024)
 def _both_matrix(filters: FilterPair, dtype: type) -> np.ndarray:
+    """(2 BLOCK, 2 BLOCK + L - 2): the low-pass as it is, below it the high-pass."""
     return np.concatenate([_band_matrix(taps, 1.0, dtype) for taps in (filters.low, filters.high)])
 
 
 @lru_cache(maxsize=1024)
 def _band_matrix(taps: tuple[float, ...], factor: float, dtype: type) -> np.ndarray:
+    """(BLOCK, 2 BLOCK + L - 2): row i holds the taps from sample 2 i on, times a factor."""
     matrix = np.zeros((BLOCK, 2 * BLOCK + len(taps) - 2), dtype=dtype)
     for i in range(BLOCK):
         matrix[i, 2 * i : 2 * i + len(taps)] = np.array(taps) * factor
@@ -115,7 +109,7 @@ def halved(
     Returns them, (bands, rows / 2, columns / 2), and the pairs' inner products of the input less its offsets.
     """
     count, rows, columns = bands.shape
-    matrix, margin = filters.low_matrix(dtype), filters.margin
+    matrix, margin = _band_matrix(filters.low, scale(filters.low, dtype), dtype), filters.margin
     coarse = np.empty((count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
     products = np.zeros(len(pairs))
     for start, samples in _strips(bands, offsets, margin, _HALVED_AT_A_TIME, dtype):
@@ -132,7 +126,7 @@ def halved(
 def split(bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, dtype: type) -> np.ndarray:
     """LL, LH, HL and HH of bands (bands, rows, columns) less their offsets, (4, bands, rows / 2, columns / 2)."""
     count, rows, columns = bands.shape
-    matrix, margin = filters.both_matrix(dtype), filters.margin
+    matrix, margin = _both_matrix(filters, dtype), filters.margin
     parts = np.empty((2, 2, count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
     for band in range(count):
         alone = slice(band, band + 1)

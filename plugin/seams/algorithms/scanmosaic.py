@@ -20,8 +20,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ...imagery import messages as imagery_messages
-from ...imagery.errors import CancelledError, RasterError, SettingsError
+from ...imagery.errors import CancelledError, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
@@ -166,8 +165,6 @@ class ScanMosaic(SeamInspectorAlgorithm):
         run.tell(*notices)
         loss = run.layer_path(LOSS)
         check_tiff(loss)
-        if Path(loss).is_dir():
-            raise RasterError(imagery_messages.RASTER_NOT_WRITTEN(path=loss))
         with self._place(loss) as place, whole_scan(request, place) as scan:
             if scan.notice is not None:
                 run.tell(scan.notice)
