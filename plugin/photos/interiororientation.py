@@ -227,12 +227,11 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         """Write the files asked for; without a transformation those of the marks alone, and say so."""
         from ..imagery.atomic_files import save_text
         from .measure import orientation_files
-        from .measure.orientation_files import measures_text
         from .report import OrientationJob, save_orientation_report
 
         job = OrientationJob(photo, calibration, Path(run.path(CALIBRATION)), settings)
         results = run.save(common.REPORT, lambda path: save_orientation_report(path, job, made))
-        measures = measures_text(photo.ref.name, made.marks)
+        measures = orientation_files.measures_text(photo.ref.name, made.marks)
         results.update(run.save(MEASURES, partial(save_text, measures)))
         if made.fitted is None:
             why = made.notices[-1] if made.notices else messages.NO_TRANSFORMATION()

@@ -5,6 +5,7 @@ import math
 import re
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -28,7 +29,7 @@ from ..toolkit.translation import sentence
 from .measure import messages
 from .measure.adjustment import Adjustment, Comparison
 from .measure.point_planning import ExpectedAccuracy
-from .measure.points import CHECK, CONTROL, Points
+from .measure.points import CHECK, CONTROL, Points, control_points
 from .measure.rpc import PIXEL_CENTRE
 
 
@@ -99,17 +100,10 @@ def layer_points(
     if not rows:
         raise SensorModelError(messages.NO_POINTS_LEFT(why=notices[0]) if notices else messages.NO_POINTS())
     values = np.array([numbers for _, numbers, _ in rows])
-    roles = [role for *_, role in rows]
-    points = Points(
-        tuple(name for name, *_ in rows),
-        values[:, 0:2],
-        values[:, 2:5],
-        system_wkt(source.sourceCrs()),
-        values[:, 5],
-        np.array([role == CHECK for role in roles]),
-        heights,
-    )
-    return points, any(roles), notices
+    ids, roles = [name for name, *_ in rows], [role for *_, role in rows]
+    points = control_points(ids, values[:, 0:2], values[:, 2:5], system_wkt(source.sourceCrs()))
+    check = np.array([role == CHECK for role in roles])
+    return replace(points, sigma_px=values[:, 5], check=check, heights_wkt=heights), any(roles), notices
 
 
 def _is_of(named: str, image_name: str) -> bool:

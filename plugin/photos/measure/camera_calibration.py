@@ -5,7 +5,7 @@ import csv
 import io
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import Path
@@ -86,8 +86,8 @@ def _micmac(content: bytes, name: str) -> CameraCalibration:
     marks: dict[str, Point] = {}
     for measure in xml_root(content).iter("OneMesureAF1I"):
         mark = (measure.findtext("NamePt") or "").strip()
-        values = [_number(part) for part in (measure.findtext("PtIm") or "").split()]
-        _add(marks, mark, values, name, mark or len(marks) + 1)
+        point = _point((measure.findtext("PtIm") or "").split())
+        _add(marks, mark, point, name, mark or len(marks) + 1)
     return CameraCalibration(marks)
 
 
@@ -99,29 +99,28 @@ def _table(text: str, name: str) -> CameraCalibration:
     if not {"mark", "x_mm", "y_mm"} <= set(rows.fieldnames):
         raise PhotoError(messages.CALIBRATION_COLUMNS(name=name))
     marks: dict[str, Point] = {}
-    special: dict[str, list[float | None]] = {}
+    special: dict[str, Point | None] = {}
+    focal_length: float | None = None
     for number, row in enumerate(rows, 2):
-        mark = (row["mark"] or "").strip()
-        values = [_number(row[axis]) for axis in ("x_mm", "y_mm")]
+        mark, texts = (row["mark"] or "").strip(), (row["x_mm"], row["y_mm"])
+        values = [_number(text) for text in texts]
         if not mark and values == [None, None]:
             continue
         key = re.sub(r"[\s-]+", "_", mark.lower())
-        if key in (PRINCIPAL_POINT, DATA_STRIP, FOCAL_LENGTH):
-            special[key] = values
-            if values[0] is None or (key != FOCAL_LENGTH and values[1] is None):
-                raise PhotoError(messages.CALIBRATION_ROW(name=name, row=number))
-            continue
-        _add(marks, mark, values, name, number)
+        if key == FOCAL_LENGTH:
+            focal_length = values[0]
+        elif key in (PRINCIPAL_POINT, DATA_STRIP):
+            special[key] = _point(texts)
+        else:
+            _add(marks, mark, _point(texts), name, number)
+        if (key == FOCAL_LENGTH and focal_length is None) or (key in special and special[key] is None):
+            raise PhotoError(messages.CALIBRATION_ROW(name=name, row=number))
     return CameraCalibration(
-        marks,
-        _point(special.get(PRINCIPAL_POINT, [])) or (0.0, 0.0),
-        special[FOCAL_LENGTH][0] if FOCAL_LENGTH in special else None,
-        _point(special.get(DATA_STRIP, [])),
+        marks, special.get(PRINCIPAL_POINT) or (0.0, 0.0), focal_length, special.get(DATA_STRIP)
     )
 
 
-def _add(marks: dict[str, Point], mark: str, values: list[float | None], name: str, row: object) -> None:
-    point = _point(values)
+def _add(marks: dict[str, Point], mark: str, point: Point | None, name: str, row: object) -> None:
     if not mark or point is None:
         raise PhotoError(messages.CALIBRATION_ROW(name=name, row=row))
     if mark in marks:
@@ -129,9 +128,10 @@ def _add(marks: dict[str, Point], mark: str, values: list[float | None], name: s
     marks[mark] = point
 
 
-def _point(values: list[float | None]) -> Point | None:
-    x, y = values if len(values) == 2 else (None, None)
-    return None if x is None or y is None else (x, y)
+def _point(texts: Sequence[str | None]) -> Point | None:
+    """Two numbers; None for anything else."""
+    values = [value for value in map(_number, texts) if value is not None]
+    return (values[0], values[1]) if len(values) == len(texts) == 2 else None
 
 
 def _number(text: str | None) -> float | None:

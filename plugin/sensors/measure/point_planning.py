@@ -146,16 +146,10 @@ def expected_accuracies(
                 reason = reason or error.message
             progress((number + (draw + 1) / draws) / len(counts))
         failed = int(np.count_nonzero(~np.isfinite(errors).all(axis=1)))
-        over_image, at_checks = errors.T
-        yield ExpectedAccuracy(
-            count,
-            failed,
-            _at_most(over_image, _USUAL),
-            _at_most(over_image, _MOST),
-            _at_most(at_checks, _USUAL),
-            _at_most(at_checks, _MOST),
-            reason,
+        (usual, most), (check_usual, check_most) = (
+            [_at_most(column, share) for share in (_USUAL, _MOST)] for column in errors.T
         )
+        yield ExpectedAccuracy(count, failed, usual, most, check_usual, check_most, reason)
 
 
 def _errors(
