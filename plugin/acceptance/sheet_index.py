@@ -72,7 +72,7 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
         except QgsCsException:
             raise SettingsError(messages.NOT_TRANSFORMED(name=source.sourceName())) from None
         outlines.append((Path(text(row[field])).stem, outline))
-    found = [_sheet_at(outlines, piece.middle) for piece in delivery.pieces]
+    found = [next(_sheets_at(outlines, piece.middle), None) for piece in delivery.pieces]
     cut = [_sheet_parts(outlines, piece, sheet or piece.sheet) for piece, sheet in zip(delivery.pieces, found)]
     outside = sum(sheet is None for sheet in found)
     if outside == len(found):
@@ -100,10 +100,6 @@ def _sheet_outlines(outlines: list[tuple[str, QgsGeometry]]) -> tuple[SheetOutli
         polygons = outline.asMultiPolygon() if outline.isMultipart() else [outline.asPolygon()]
         own += [np.array([(point.x(), point.y()) for point in ring]) for polygon in polygons for ring in polygon]
     return tuple(SheetOutline(name, tuple(own)) for name, own in rings.items())
-
-
-def _sheet_at(outlines: list[tuple[str, QgsGeometry]], place: tuple[float, float]) -> str | None:
-    return next(_sheets_at(outlines, place), None)
 
 
 def _sheets_at(outlines: list[tuple[str, QgsGeometry]], place: tuple[float, float]) -> Iterator[str]:

@@ -18,7 +18,7 @@ from ..imagery.grids import PixelWindow
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
 from ..toolkit.layers import rectangle
-from ..toolkit.table_fields import column_features, column_fields, column_values, feature
+from ..toolkit.table_fields import column_features, column_fields, feature, table_fields
 from ..toolkit.translation import sentence
 from .image_set import has_map
 from .measure import limits
@@ -53,19 +53,7 @@ _COLUMNS: tuple[Column[_Row], ...] = (
 )
 
 
-class _Area(NamedTuple):
-    raster: str
-    means: tuple[float, float, float]
-    spread: float
-
-
-_AREA_COLUMNS: tuple[Column[_Area], ...] = (
-    Column("raster", "text", lambda area: area.raster),
-    Column("red", "real", lambda area: area.means[0]),
-    Column("green", "real", lambda area: area.means[1]),
-    Column("blue", "real", lambda area: area.means[2]),
-    Column("difference", "real", lambda area: area.spread),
-)
+_AREA_FIELDS = (("raster", "text"), ("red", "real"), ("green", "real"), ("blue", "real"), ("difference", "real"))
 
 
 def radiometry_fields() -> QgsFields:
@@ -83,7 +71,7 @@ def radiometry_features(result: Assessment) -> Iterator[QgsFeature]:
 
 def maybe_grey_layout(images: Sequence[Raster]) -> tuple[QgsFields, QgsWkbTypes.Type, QgsCoordinateReferenceSystem]:
     """MAYBE_GREY: polygons of areas that may be grey, in the reference system of the first raster on the map."""
-    return column_fields(_AREA_COLUMNS), QgsWkbTypes.Type.Polygon, _first_system(images)
+    return table_fields(*_AREA_FIELDS), QgsWkbTypes.Type.Polygon, _first_system(images)
 
 
 def maybe_grey_features(
@@ -95,7 +83,7 @@ def maybe_grey_features(
         return
     system = QgsCoordinateReferenceSystem.fromWkt(image.wkt)
     transform = QgsCoordinateTransform(system, _first_system(images), transforms)
-    fields = column_fields(_AREA_COLUMNS)
+    fields = table_fields(*_AREA_FIELDS)
     for (column, row), means, spread in zip(found.corners.tolist(), found.means.tolist(), found.spreads.tolist()):
         window = PixelWindow(column, row, limits.AREA_PX, limits.AREA_PX)
         outline = rectangle(image.grid.window_extent(window))
@@ -103,8 +91,7 @@ def maybe_grey_features(
             outline.transform(transform)
         except QgsCsException:
             continue
-        values = column_values(_AREA_COLUMNS, _Area(image.ref.name, means, spread))
-        yield feature(fields, values, outline)
+        yield feature(fields, [image.ref.name, *means, spread], outline)
 
 
 def _first_system(images: Sequence[Raster]) -> QgsCoordinateReferenceSystem:

@@ -100,6 +100,14 @@ def _along(vertices: np.ndarray) -> np.ndarray:
     return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
 
 
+def extent_of(lines: Iterable[np.ndarray]) -> Extent:
+    """Around lines of (n, 2) x and y each."""
+    ends = [(line.min(axis=0), line.max(axis=0)) for line in lines]
+    xmin, ymin = np.min([low for low, _ in ends], axis=0).tolist()
+    xmax, ymax = np.max([high for _, high in ends], axis=0).tolist()
+    return xmin, ymin, xmax, ymax
+
+
 def in_order(pieces: Iterable[DeliveredPiece]) -> tuple[DeliveredPiece, ...]:
     """By sheet, seam and station, whatever the order in which layers were given, and numbered so."""
     ordered = sorted(pieces, key=lambda piece: (

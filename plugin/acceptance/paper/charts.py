@@ -1,7 +1,7 @@
 """Charts of a decision: where seams failed, and how a plan of sampling decides."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import chain
 
 import numpy as np
@@ -10,12 +10,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ...imagery.errors import printable
-from ...imagery.grids import Extent
 from ...imagery.reference_systems import metres_per_unit
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure
 from ...toolkit.translation import filled, formatted, shown_number, tr
 from ..measure.decision import Decision, Defect, PieceState, PlanOutcome
+from ..measure.delivery import extent_of
 from ..measure.sampling_risks import acceptance_probability
 
 _SIZE = (6.2, 3.4)  # inches
@@ -68,7 +68,7 @@ def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None
     if not decision.pieces:
         return None
     outlines = _outlines(decision)
-    xmin, ymin, xmax, ymax = _extent([*(one.piece.vertices for one in decision.pieces), *chain(*outlines.values())])
+    xmin, ymin, xmax, ymax = extent_of([*(one.piece.vertices for one in decision.pieces), *chain(*outlines.values())])
     metres_x, metres_y = metres_per_unit(decision.delivery.wkt, (ymin + ymax) / 2)
     margin = max((xmax - xmin) * metres_x, (ymax - ymin) * metres_y, 1.0) * _MARGIN
     across, down = (xmax - xmin) * metres_x + 2 * margin, (ymax - ymin) * metres_y + 2 * margin
@@ -86,7 +86,7 @@ def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None
     for name, rings in outlines.items():
         for ring in rings:
             axes.plot(*placed(ring).T, color=PAPER.grid, linewidth=0.8)
-        left, _, right, top = _extent(map(placed, rings))
+        left, _, right, top = extent_of(map(placed, rings))
         corner = np.array([left, top])
         is_free = all((abs(corner - other) > _CROWDED_NAMES_PT).any() for other in named)
         if 1 < len(outlines) <= _MOST_SHEET_NAMES and is_free:
@@ -120,7 +120,7 @@ def _outlines(decision: Decision) -> dict[str, list[np.ndarray]]:
         boxed.setdefault(piece.sheet, []).append(piece.vertices)
     for name in decision.delivery.sheets:
         if name not in rings and name in boxed:
-            left, bottom, right, top = _extent(boxed[name])
+            left, bottom, right, top = extent_of(boxed[name])
             corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]
             rings[name] = [np.array(corners)]
     return rings
@@ -176,13 +176,6 @@ def _short(name: str, most: float) -> str:
         return name
     begin = (letters - 1) // 2
     return name[:begin] + "…" + name[begin + 1 - letters :]
-
-
-def _extent(lines: Iterable[np.ndarray]) -> Extent:
-    ends = [(line.min(axis=0), line.max(axis=0)) for line in lines]
-    xmin, ymin = np.min([low for low, _ in ends], axis=0).tolist()
-    xmax, ymax = np.max([high for _, high in ends], axis=0).tolist()
-    return xmin, ymin, xmax, ymax
 
 
 def _thinned(path: np.ndarray) -> np.ndarray:

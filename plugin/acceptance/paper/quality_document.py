@@ -12,8 +12,6 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from ...imagery.atomic_files import save_text
 from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
@@ -22,6 +20,7 @@ from ...toolkit.pages.templates import HowMeasured, environment, system_code, wh
 from ...toolkit.translation import filled, language, sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, MetreFigures, PlanOutcome, RuleOutcome
+from ..measure.delivery import extent_of
 from .inspection_record import InspectionRecord
 from .words import check_word, failing_sentence, severity_word
 
@@ -285,10 +284,8 @@ def _in_degrees(decision: Decision) -> Extent | None:
     vertices += [ring for one in decision.delivery.outlines for ring in one.rings]
     if not vertices or not decision.delivery.wkt:
         return None
-    xmin, ymin = np.min([one.min(axis=0) for one in vertices], axis=0).tolist()
-    xmax, ymax = np.max([one.max(axis=0) for one in vertices], axis=0).tolist()
     with suppress(RasterError):
-        return extent_on((xmin, ymin, xmax, ymax), decision.delivery.wkt, _DEGREES)
+        return extent_on(extent_of(vertices), decision.delivery.wkt, _DEGREES)
     return None
 
 

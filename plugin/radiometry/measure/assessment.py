@@ -5,6 +5,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from typing import Optional
 
 from ...imagery.errors import Message
 from ...imagery.rasters import Raster, ValueRange
@@ -76,12 +77,8 @@ class Assessment:
         return min((histogram.pixels for histogram in self.histograms.values()), default=0)
 
 
-@dataclass(frozen=True)
-class _Found:
-    """A figure, and where it comes from."""
-
-    value: float
-    spot: Spot | None = None
+_Found = tuple[float, Optional[Spot]]
+"""A figure, and where it comes from."""
 
 
 def judge(measured: MeasuredImage, rules: RuleSet, of_image: ImageRange) -> Assessment:
@@ -163,7 +160,7 @@ class _Judged:
         if rule.check == checks.SEAM_STEP:
             return self._seam_step(band)
         if rule.check == checks.CLIPPED_LOW and self._starts_at_0:
-            return _Found(clipped_share(self._measured.histograms[band], rule, (0.0, math.inf)))
+            return (clipped_share(self._measured.histograms[band], rule, (0.0, math.inf)), None)
         if self._range is None:
             assert self._why is not None
             return self._why
@@ -173,10 +170,10 @@ class _Judged:
             return self._seam_contrast(band, self._range)
         histogram = self._measured.histograms[band]
         if rule.check == checks.PEAK:
-            return _Found(peak_deviation(histogram, self._range))
+            return (peak_deviation(histogram, self._range), None)
         if rule.check == checks.CONTRAST:
-            return _Found(histogram.deviation / (self._range[1] - self._range[0]))
-        return _Found(clipped_share(histogram, rule, self._range))
+            return (histogram.deviation / (self._range[1] - self._range[0]), None)
+        return (clipped_share(histogram, rule, self._range), None)
 
     @property
     def _starts_at_0(self) -> bool:
@@ -187,7 +184,7 @@ class _Judged:
         ratio = signal_to_noise(self._areas, self._measured.bands.index(band), available)
         if ratio is None:
             return messages.NO_UNIFORM_AREA(least=limits.MIN_AREAS, side=limits.AREA_PX)
-        return messages.NO_NOISE_AT_ALL() if math.isinf(ratio) else _Found(ratio)
+        return messages.NO_NOISE_AT_ALL() if math.isinf(ratio) else (ratio, None)
 
     def _colour(self) -> _Found | Message:
         image, balance = self._measured.image, self.balance
@@ -198,7 +195,7 @@ class _Judged:
             return self._why
         if balance is not None:
             what = messages.GREYEST_NOT(area=balance.worst.number, share=balance.worst_value)
-            return _Found(balance.value, Spot(balance.worst.place, what))
+            return balance.value, Spot(balance.worst.place, what)
         if self._measured.grey is not None:
             return messages.GREY_AREAS_UNUSABLE(least=limits.MIN_GREY_PIXELS)
         if self.maybe_grey is None:
@@ -221,13 +218,13 @@ class _Judged:
         if worst.features:
             features = ", ".join(worst.features)
             what = messages.SEAM_OF_FEATURES(number=worst.seam_id, features=features, layer=worst.layer)
-        return _Found(abs(worst.steps[index]) / largest, Spot(worst.places[index], what))
+        return abs(worst.steps[index]) / largest, Spot(worst.places[index], what)
 
     def _seam_contrast(self, band: str, available: ValueRange) -> _Found | Message:
         steps = self._measured.seams
         if not steps:
             return _no_seam()
-        return _Found(seam_contrast(steps, self._measured.bands.index(band), available))
+        return (seam_contrast(steps, self._measured.bands.index(band), available), None)
 
 
 def _no_seam() -> Message:
@@ -248,9 +245,10 @@ def _checked(measured: MeasuredImage, rule: Rule, band: str, figure: _Found | Me
         applicable = rule.check != checks.COLOUR_BALANCE or image.has_luminance
         reason = messages.NOT_MEASURABLE(why=figure)
         return CheckedFigure(band, rule, None, None, reason, is_applicable=applicable)
+    value, spot = figure
     if not rule.has_limit:
-        return CheckedFigure(band, rule, figure.value, None, messages.NO_LIMIT(), figure.spot)
-    return CheckedFigure(band, rule, figure.value, rule.passes(figure.value), spot=figure.spot)
+        return CheckedFigure(band, rule, value, None, messages.NO_LIMIT(), spot)
+    return CheckedFigure(band, rule, value, rule.passes(value), spot=spot)
 
 
 class RadiometricOutcome(Enum):

@@ -122,12 +122,16 @@ def with_full_amplitudes(measured: Sequence[MeasuredLine], target: Target) -> li
             if levels is None:
                 continue
             coarsest = _with_levels(max(groups, key=lambda pair: pair[0])[1], levels)
-            lines = [
-                line if line.line.direction != direction or band not in line.readings else replace(
-                    line, readings={**line.readings, band: _judged(line.readings[band], levels, coarsest, target)}
-                )
-                for line in lines
-            ]
+            for place, line in enumerate(lines):
+                if line.line.direction != direction or band not in line.readings:
+                    continue
+                reading = _with_levels(line.readings[band], levels)
+                if target.full_amplitude == COARSEST:
+                    reading = replace(
+                        reading, full_amplitude=coarsest.full_amplitude, full_error=coarsest.full_error,
+                        plain=coarsest.plain,
+                    )  # fmt: skip
+                lines[place] = replace(line, readings={**line.readings, band: reading})
     return lines
 
 
@@ -170,14 +174,6 @@ def _groups(
         if line.line.direction == direction and line.line.group is not None and band in line.readings
         and len(line.readings[band].bars) == target.bars
     ]
-
-
-def _judged(reading: BarReading, levels: TargetLevels, coarsest: BarReading, target: Target) -> BarReading:
-    if target.full_amplitude == COARSEST:
-        return replace(
-            reading, full_amplitude=coarsest.full_amplitude, full_error=coarsest.full_error, plain=coarsest.plain
-        )
-    return _with_levels(reading, levels)
 
 
 def _with_levels(reading: BarReading, levels: TargetLevels) -> BarReading:
