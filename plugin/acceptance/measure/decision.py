@@ -65,14 +65,6 @@ class FailedPart:
             return self
         return FailedPart(self.piece, 1 - self.stop, 1 - self.start, not self.is_turned)
 
-    def line(self, piece: DeliveredPiece) -> np.ndarray:
-        """(n, 2) x and y, as the piece is drawn."""
-        return part_of_line(piece.vertices, self.start, self.stop)
-
-    def middle(self, piece: DeliveredPiece) -> tuple[float, float]:
-        """The point half-way along it."""
-        return piece.point((self.start + self.stop) / 2)
-
 
 @dataclass(frozen=True)
 class FailureRun:
@@ -249,7 +241,8 @@ def _defect(decision: Decision, run: FailureRun) -> Defect:
     worst = min(pieces, key=_kept)
     widths = [one.piece.band_width_m for one in pieces if one.piece.band_width_m is not None]
     windows = _windows([worst, *pieces])
-    lines = [part.line(decision.pieces[part.piece].piece) for part in run.parts]
+    vertices = (decision.pieces[part.piece].piece.vertices for part in run.parts)
+    lines = [part_of_line(line, part.start, part.stop) for line, part in zip(vertices, run.parts)]
     return Defect(
         run.number, run.sheets, run.length_m, tuple(lines), run.place, worst,
         max(widths, default=None), next((one.cause for one in windows if one.cause), ""),

@@ -48,15 +48,9 @@ class FailureEnd:
     """Whether the next failure touches it there, so that it is spoilt up to its end."""
 
 
-@dataclass(frozen=True)
-class EndEstimate:
-    """Metres from the inner ends of the first and the last piece outwards."""
-
-    first_m: float
-    """More than the piece's length where it reaches into the one beyond."""
-    last_m: float
-    within_m: float
-    """Half the 95 % interval of the length of both together."""
+EndEstimate = tuple[float, float, float]
+"""Metres from the inner ends of the first and the last piece outwards, more than a piece's length where it reaches into
+the one beyond; and half the 95 % interval of the length of both together."""
 
 
 def usual_kept(passed: Sequence[tuple[float, float | None, float | None]]) -> UsualKept:
@@ -143,7 +137,7 @@ def _mean(weight: np.ndarray, first: np.ndarray, last: np.ndarray) -> EndEstimat
     weight = weight / weight.sum()
     one, other = float((weight * first).sum()), float((weight * last).sum())
     variance = float((weight * (first + last - one - other) ** 2).sum())
-    return EndEstimate(one, other, _WITHIN * variance**0.5)
+    return one, other, _WITHIN * variance**0.5
 
 
 _Parts = tuple[FailedPart, ...]
@@ -173,16 +167,17 @@ class RunEnds:
         if len(known) < len(kept):
             return run_parts(steps, self._pieces, (0.0, 0.0)), 0.0
         beyond = self._beyond(steps)
-        ends = [
+        start, stop = [
             self._end(number, outer, step)
             for (number, _), outer, step in zip((steps[0], steps[-1]), self._outer(steps), beyond)
         ]
         if len(steps) == 1:
-            found = estimated_alone(ends[0], ends[1], self._usual, self._least_kept)
+            first_m, last_m, within_m = estimated_alone(start, stop, self._usual, self._least_kept)
         else:
-            found = estimated_ends(ends[0], known[1:-1], ends[1], self._usual, self._least_kept)
-        over = found.first_m - first.length_m, found.last_m - last.length_m
-        return run_parts(steps, self._pieces, over, beyond), found.within_m
+            inner, least_kept = known[1:-1], self._least_kept
+            first_m, last_m, within_m = estimated_ends(start, inner, stop, self._usual, least_kept)
+        over = first_m - first.length_m, last_m - last.length_m
+        return run_parts(steps, self._pieces, over, beyond), within_m
 
     def _outer(self, steps: Sequence[Step]) -> tuple[int, int]:
         """The places where a run begins and ends."""
@@ -289,6 +284,6 @@ def _run(steps: Sequence[Step], pieces: Sequence[DeliveredPiece], run_ends: RunE
     half = int(np.searchsorted(lengths, lengths[-1] / 2))
     sheets = tuple(dict.fromkeys(pieces[part.piece].sheet for part in parts))
     numbers = tuple(pieces[number].number for number, _ in steps)
-    return FailureRun(
-        0, float(lengths[-1]), numbers, sheets, parts[half].middle(pieces[parts[half].piece]), parts, within
-    )
+    middle = parts[half]
+    place = pieces[middle.piece].point((middle.start + middle.stop) / 2)
+    return FailureRun(0, float(lengths[-1]), numbers, sheets, place, parts, within)
