@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from datetime import date
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -28,9 +29,8 @@ from ..translation import filled, formatted, language, sentence, shown_number, t
 MOST_RASTERS = 40  # listed one by one: a page of them
 
 
-@dataclass(frozen=True)
-class MeasuredRaster:
-    """What a report says of one raster."""
+class MeasuredRaster(NamedTuple):
+    """What a report says of one raster: a row of its table."""
 
     role: str
     """What it is to the measurement: mosaic, orthoimage, image."""
@@ -155,7 +155,7 @@ def environment() -> Environment:
     )
     made.globals.update(tr=tr, filled=filled, language=language)
     made.filters.update(
-        data_address=_data_address, facts_row=_facts_row, css_text=_css_text, filled_columns=_filled_columns,
+        data_address=_data_address, css_text=_css_text, filled_columns=_filled_columns,
         number_columns=_number_columns, has_long_word=_has_long_word, cell_width=_cell_width,
         with_breaks=_with_breaks, number=formatted,
     )
@@ -171,10 +171,6 @@ def _data_address(data: bytes | str, media: str) -> str:
     """A picture file as the address of a picture."""
     content = data.encode() if isinstance(data, str) else data
     return f"data:image/{media};base64,{base64.b64encode(content).decode()}"
-
-
-def _facts_row(facts: MeasuredRaster) -> list[str]:
-    return [facts.role, facts.path, facts.size, facts.pixel, facts.pixels, facts.system]
 
 
 def _has_long_word(value: object) -> bool:

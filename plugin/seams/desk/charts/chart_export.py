@@ -4,7 +4,7 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -77,7 +77,8 @@ class ChartExport(QToolButton):
 
     def save_svg(self) -> None:
         """Ask where and save the picture."""
-        self._save("svg", tr("SVG picture"), self._svg().encode())
+        paint, size, _ = self._picture()
+        self._save("svg", tr("SVG picture"), chart_svg(paint, *size).encode())
 
     def save_csv(self) -> None:
         """Ask where and save the values."""
@@ -111,9 +112,11 @@ class ChartExport(QToolButton):
         self.told.emit(said, int(level))
 
     def _image(self) -> QImage:
-        raise NotImplementedError
+        paint, size, dots = self._picture()
+        return chart_image(paint, *size, dots)
 
-    def _svg(self) -> str:
+    def _picture(self) -> tuple[Callable[[QPainter], None], tuple[int, int], int]:
+        """What paints the chart, on how many px, and how many dots a side each of them has in an image."""
         raise NotImplementedError
 
     def _table(self) -> Iterable[Sequence[object]]:
@@ -137,22 +140,18 @@ class CurvesExport(ChartExport):
         tip = tr("Save or copy what is shown: as a picture, or as a table of all values")
         super().__init__(tip, tr("All rasters and bands of the windows"), True, parent)
         self._results: list[WindowResult] = []
-        self._picture: CurvesPicture | None = None
+        self._curves: CurvesPicture | None = None
         self._band = ""
 
     def offer(self, results: Sequence[WindowResult], chart: Chart | None, title: str, band: str) -> None:
         """What there is to export from now on; without results nothing."""
         self._results, self._band = list(results), band
-        self._picture = None if chart is None else CurvesPicture(chart, f"{title} ({band_title(band)})")
+        self._curves = None if chart is None else CurvesPicture(chart, f"{title} ({band_title(band)})")
         self.setEnabled(bool(results) and chart is not None)
 
-    def _image(self) -> QImage:
-        assert self._picture is not None
-        return chart_image(self._picture.paint, *_CURVES_SIZE, _CURVES_DOTS)
-
-    def _svg(self) -> str:
-        assert self._picture is not None
-        return chart_svg(self._picture.paint, *_CURVES_SIZE)
+    def _picture(self) -> tuple[Callable[[QPainter], None], tuple[int, int], int]:
+        assert self._curves is not None
+        return self._curves.paint, _CURVES_SIZE, _CURVES_DOTS
 
     def _table(self) -> Iterator[Sequence[object]]:
         return curves_table(self._results)
@@ -183,10 +182,10 @@ class ProfileExport(ChartExport):
         self._result, self._shown = result, shown
         self.setEnabled(result is not None and shown is not None)
 
-    def _image(self) -> QImage:
+    def _picture(self) -> tuple[Callable[[QPainter], None], tuple[int, int], int]:
         assert self._shown is not None
         chart = ProfilePainter(self._shown, QRectF(0, 0, *_PROFILE_SIZE), PAPER, paper_font(12))
-        return chart_image(chart.paint, *_PROFILE_SIZE, _PROFILE_DOTS)
+        return chart.paint, _PROFILE_SIZE, _PROFILE_DOTS
 
     def _table(self) -> Iterator[Sequence[object]]:
         assert self._result is not None
