@@ -23,6 +23,7 @@ from ....toolkit.layers import box_extent, transformed_box
 from ....toolkit.resources import icon_path
 from ....toolkit.translation import filled, sentence, tr
 from ...measure import messages
+from ...measure.inputs.mosaic_copies import covered_share
 from ...measure.inspection import Block
 from ...measure.window.window_request import WindowRequest
 from .swipe_item import Divider, MapPicture, SwipeHandle, SwipeItem, end_drawing
@@ -288,7 +289,7 @@ class SwipeAction(QObject):
             found = [source for source in found if covered.get(source.ref.name)]
             found.sort(key=lambda source: -covered[source.ref.name])  # stable: else in the order of the inputs
         else:
-            found.sort(key=lambda source: -_shared(source.extent, place))
+            found.sort(key=lambda source: -covered_share(place, source.extent))
         choices = [SwipeChoice(source.ref.name, source.ref) for source in found]
         if request is not None and choices:
             choices.append(SwipeChoice(tr("composite"), request=request))
@@ -389,10 +390,3 @@ class SwipeAction(QObject):
         settings = self._canvas.mapSettings()
         seen = transformed_box(settings.visibleExtent(), settings.destinationCrs(), mosaic.crs())
         return box_extent(seen) if seen is not None else None
-
-
-def _shared(first: Extent, second: Extent) -> float:
-    """Area that two rectangles share."""
-    width = min(first[2], second[2]) - max(first[0], second[0])
-    height = min(first[3], second[3]) - max(first[1], second[1])
-    return max(width, 0.0) * max(height, 0.0)
