@@ -23,7 +23,6 @@ from ..toolkit.translation import filled, tr
 from .clip_pictures import PictureRequest, WindowPictureSet, composite_picture, make_pictures
 from .measure.inputs.candidate_look import SourceCandidate, look_at_candidates
 from .measure.inspection import inspect_one, inspect_windows
-from .measure.nearest_seam import SeamIndex
 from .measure.profile.ground import grounds
 from .measure.scan.blocks.block_grid import BLOCK_PX
 from .measure.scan.blocks.scan_block import BlockScan
@@ -39,7 +38,7 @@ from .measure.window.explained_window import WindowComposite, window_composite
 from .measure.window.measured_window import MeasureWindow, measure_window
 from .measure.window.window_request import InspectionSettings, WindowRequest
 from .measure.window.window_result import WindowClips
-from .measure.window_placing import place_windows
+from .measure.window_placing import SeamIndex, place_windows
 from .tables.scan_layers import write_scan_file
 
 

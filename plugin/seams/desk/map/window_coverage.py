@@ -27,8 +27,8 @@ from ...measure.inputs.valid_cells import (
     valid_cells,
 )
 from ...measure.inspection import Block
-from ...measure.nearest_seam import SeamIndex
 from ...measure.source_images import Source
+from ...measure.window_placing import SeamIndex
 from ..inputs.block_cache import BlockCache
 
 _TOGETHER_MS = 200

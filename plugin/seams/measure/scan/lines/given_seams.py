@@ -160,7 +160,6 @@ class _Network:
         return shift, ends - shift
 
 
-
 WIDTH_PX = 1.0  # on the mean: what is narrower is how borders drawn twice differ, and is bridged
 _NAMED = 3  # overlaps that are told by name
 

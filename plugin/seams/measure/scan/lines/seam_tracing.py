@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import struct
 from collections import defaultdict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -80,7 +80,6 @@ def _straightened(path: np.ndarray, tolerance: float) -> np.ndarray:
     return np.frombuffer(line.ExportToWkb(ogr.wkbNDR), dtype="<f8", offset=9).reshape(-1, 2)
 
 
-
 @dataclass(frozen=True)
 class SourcePolygon:
     """All parts of a mosaic that follow one source."""
@@ -143,10 +142,7 @@ def _multipolygon(rings: list[np.ndarray]) -> bytes:
                 break
     whole = ogr.Geometry(ogr.wkbMultiPolygon)
     for outline in outlines[::-1]:
-        polygon = ogr.Geometry(ogr.wkbPolygon)
-        for ring in (rings[outline], *(rings[hole] for hole in holes[outline])):
-            polygon.AddGeometry(_ring(ring))
-        for part in _valid_parts(polygon):
+        for part in _valid_parts(_polygon([rings[outline], *(rings[hole] for hole in holes[outline])])):
             whole.AddGeometry(part)
     return bytes(whole.ExportToWkb(ogr.wkbNDR))
 
@@ -161,11 +157,10 @@ def _valid_parts(polygon: ogr.Geometry) -> list[ogr.Geometry]:
     return [part.Clone() for part in parts if part.GetGeometryType() == ogr.wkbPolygon]
 
 
-def _ring(vertices: np.ndarray) -> ogr.Geometry:
-    ring = ogr.Geometry(ogr.wkbLinearRing)
-    for x, y in vertices.tolist():
-        ring.AddPoint_2D(x, y)
-    return ring
+def _polygon(rings: Sequence[np.ndarray]) -> ogr.Geometry:
+    """Of an outline and its holes."""
+    held = [struct.pack("<I", len(ring)) + ring.astype("<f8").tobytes() for ring in rings]
+    return ogr.CreateGeometryFromWkb(struct.pack("<BII", 1, ogr.wkbPolygon, len(rings)) + b"".join(held))
 
 
 def _signed_area(ring: np.ndarray) -> float:
@@ -175,7 +170,7 @@ def _signed_area(ring: np.ndarray) -> float:
 
 
 def _holds(ring: np.ndarray, x: float, y: float) -> bool:
-    """Whether a point lies inside, by how often a ray from it to the right meets the ring."""
+    """Whether a point lies inside, by how often a ray to the right meets the ring. GEOS would copy it first."""
     (x0, y0), (x1, y1) = ring[:-1].T, ring[1:].T
     crossed = (y0 > y) != (y1 > y)
     with np.errstate(divide="ignore", invalid="ignore"):
