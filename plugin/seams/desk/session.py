@@ -55,10 +55,6 @@ class LossView(QObject):
             self.is_shown = is_shown
             self.changed.emit(is_shown)
 
-    def toggle(self) -> None:
-        """The other of the two."""
-        self.show(not self.is_shown)
-
 
 class Session(QObject):
     """Inputs, windows, results. Everything that reads pixels runs in tasks; results come back by signals."""

@@ -15,7 +15,7 @@ from qgis.PyQt.QtWidgets import QMenu, QStyle, QStyleOptionHeader, QTableView, Q
 from ....toolkit.translation import filled, tr
 from ...measure.causes import Cause
 from ...words import VERDICTS, cause_word, observer_word, verdict_word
-from .window_columns import CAUSE, PAPER, TableColumn
+from .window_columns import CAUSE, OBSERVERS, PAPER, TableColumn
 
 _KEY = "SeamInspector/window_columns"
 
@@ -131,18 +131,17 @@ class ColumnMeter:
             changed = [filled(tr("{verdict}, changed"), verdict=word) for word in words[:3]]
             natural, airy = chip + width(*words), chip + width(*changed)
             least = natural = airy if self._has_stale else natural
-        elif column.name == "cause":
-            natural = width(*(cause_word(cause.value) for cause in Cause))
-            least, airy = width(cause_word(Cause.FEATHERING.value)), natural + em
-        elif column == PAPER:
-            natural = width(*(verdict_word(verdict) for verdict in VERDICTS))
-            least, airy = natural, natural + em
-        elif column.name in ("observer", "observer_2"):
-            natural = width(*map(observer_word, ("visible", "invisible", "unsure")))
-            least, airy = natural, natural + em
         else:
-            natural = width({"window_id": "000", "sources": "00", "kept": "100.9 %"}.get(column.name, "0.00"))
+            verdicts, observers = map(verdict_word, VERDICTS), [observer_word(word) for word in OBSERVERS]
+            samples = {
+                "cause": [cause_word(cause.value) for cause in Cause], "paper_verdict": list(verdicts),
+                "observer": observers, "observer_2": observers,
+                "window_id": ["000"], "sources": ["00"], "kept": ["100.9 %"],
+            }  # fmt: skip
+            natural = width(*samples.get(column.name, ["0.00"]))
             least, airy = natural, natural + em
+        if column.name == "cause":
+            least = width(cause_word(Cause.FEATHERING.value))
         return Widths(max(least, title), max(natural, title), max(airy, title) + em)
 
     def _heading(self, title: str, is_sorted: bool) -> int:

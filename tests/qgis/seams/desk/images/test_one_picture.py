@@ -107,7 +107,7 @@ def test_lost_detail_is_painted_over_the_window(panel: ImagesPanel, session: Ses
     session.resultArrived.emit(1)
     bare = painted(panel.large)
     assert (bare == 90).mean() > 0.9
-    session.loss_view.toggle()
+    session.loss_view.show(not session.loss_view.is_shown)
     with_loss = painted(panel.large)
     changed = np.argwhere(abs(with_loss.astype(int) - bare).max(axis=2) > 20)
     middle = [side // 2 for side in bare.shape[:2]]
@@ -115,7 +115,7 @@ def test_lost_detail_is_painted_over_the_window(panel: ImagesPanel, session: Ses
     assert changed.max(axis=0) == pytest.approx([middle[0] + 64, middle[1]], abs=2)
     wanted = [0.4 * 90 + 0.6 * colour for colour in (163, 0, 38)]
     assert with_loss[middle[0], middle[1] - 20].tolist() == pytest.approx(wanted, abs=2)
-    session.loss_view.toggle()
+    session.loss_view.show(not session.loss_view.is_shown)
     assert np.array_equal(painted(panel.large), bare)
 
 

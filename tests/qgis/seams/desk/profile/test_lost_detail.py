@@ -86,7 +86,7 @@ def test_loss_is_shown_while_it_is_switched_on_and_ends_with_the_window(canvas: 
     before = len(canvas.scene().items())
     overlay = LossOverlay(canvas, session)
     assert overlay.pictures == ()
-    session.loss_view.toggle()
+    session.loss_view.show(not session.loss_view.is_shown)
     settle()
     (legend,) = canvas.findChildren(LossLegend)
     assert legend.isVisible()
@@ -99,7 +99,7 @@ def test_loss_is_shown_while_it_is_switched_on_and_ends_with_the_window(canvas: 
         assert not is_on(colour_at(canvas, column, 60)), column
     assert is_on(colour_at(canvas, SEAM_COLUMN + 4, 118))
     assert not is_on(colour_at(canvas, SEAM_COLUMN + 4, 123))
-    session.loss_view.toggle()
+    session.loss_view.show(not session.loss_view.is_shown)
     settle()
     assert overlay.pictures == ()
     overlay.close()
