@@ -128,11 +128,6 @@ class JudgingTally:
                 self.left.add(row.fid)
 
 
-def is_left(row: WindowRecord, operator: Operator) -> bool:
-    """Whether the operator has to look at a window yet."""
-    return _kind(row, operator) == _LEFT
-
-
 def _kind(row: WindowRecord, operator: Operator) -> str:
     word = getattr(row, operator.observer)
     if word:
@@ -245,10 +240,6 @@ class Judging(QObject):
     def word(self, row: WindowRecord) -> str:
         """What the operator says of a window."""
         return str(getattr(row, self.operator.observer))
-
-    def is_to_judge(self, row: WindowRecord) -> bool:
-        """Whether the operator has to look at it yet."""
-        return is_left(row, self.operator)
 
     def judge(self, word: str) -> bool:
         """Write the operator's word on the selected window, and go on. Of several at once he is asked first.
@@ -396,7 +387,7 @@ class Judging(QObject):
     def _after(self, row: WindowRecord) -> int | None:
         """Where a verdict on the selected window leads; only in a review, of windows judged before, to a judged one."""
         found, below = self.next_to_judge(), self.neighbour(1)
-        if found is not None or self.is_to_judge(row):
+        if found is not None or _kind(row, self.operator) == _LEFT:
             return found
         there = None if below is None else self._session.row(below)
         if there is None:

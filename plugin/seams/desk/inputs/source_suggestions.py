@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 from qgis.core import (
     Qgis,
     QgsCoordinateReferenceSystem,
-    QgsMapLayer,
     QgsProject,
     QgsRasterLayer,
     QgsVectorLayer,
@@ -243,13 +242,12 @@ def with_likely_mosaic(inputs: Inputs) -> Inputs:
     by_system: defaultdict[str, list[QgsRasterLayer]] = defaultdict(list)
     for layer in file_rasters():
         by_system[layer.crs().authid() or layer.crs().toWkt()].append(layer)
-    likely = (likely_mosaic(_facts_in_one_system(rasters)) for rasters in by_system.values() if len(rasters) > 2)
+    likely = (
+        likely_mosaic([replace(one, is_mosaic=False) for one in facts_of(rasters, rasters[0])])
+        for rasters in by_system.values() if len(rasters) > 2
+    )
     found = {name for name in likely if name is not None}
     return replace(inputs, mosaic=found.pop()) if len(found) == 1 else inputs
-
-
-def _facts_in_one_system(rasters: list[QgsRasterLayer]) -> list[RasterFacts]:
-    return [replace(one, is_mosaic=False) for one in facts_of(rasters, rasters[0])]
 
 
 def with_likely_vectors(inputs: Inputs) -> Inputs:
@@ -308,13 +306,9 @@ _MOST_BANDS = 16  # whose roles are asked for
 
 def file_rasters() -> list[QgsRasterLayer]:
     """The project's rasters that GDAL reads from files, by name; pictures of losses are none of them."""
-    found = filter(_is_file, QgsProject.instance().mapLayers().values())
+    rasters = (one for one in QgsProject.instance().mapLayers().values() if isinstance(one, QgsRasterLayer))
+    found = (one for one in rasters if one.isValid() and one.providerType() == "gdal" and not is_picture(one))
     return sorted(found, key=lambda layer: (layer.name().casefold(), layer.id()))
-
-
-def _is_file(layer: QgsMapLayer) -> bool:
-    is_raster = isinstance(layer, QgsRasterLayer) and layer.isValid() and layer.providerType() == "gdal"
-    return is_raster and not is_picture(layer)
 
 
 def facts_of(layers: Sequence[QgsRasterLayer], mosaic: QgsRasterLayer) -> list[RasterFacts]:
