@@ -1,4 +1,4 @@
-"""The seam profile of the selected window, beside its curves."""
+"""The seam profile of the selected window, and the tab that holds it beside the curves."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from ...measure.profile.seam_profile import ProfileBin, SeamProfile
     from ...measure.window.window_result import WindowResult
     from ..session import Session
-if TYPE_CHECKING:
-    from ..session import Session
 
 _TITLE_CHARACTERS = 38  # a narrower panel has no title; the axis says what it is
+_WIDE_CHARACTERS = 75  # a tab wider than that has room for two charts side by side
+_SPARE_LINES = 1  # that the dock's sentence may be longer for another window, without the charts moving to and fro
 
 
 class ProfilePanel(ChartPanel):
@@ -188,10 +188,6 @@ class ProfilePanel(ChartPanel):
         metrics, room = self._status.fontMetrics(), self._status.contentsRect().width()
         fitting = (text for text in words if metrics.horizontalAdvance(text) <= room)
         self._status.setText(next(fitting, words[-1]), words[0])
-
-
-_WIDE_CHARACTERS = 75  # a tab wider than that has room for two charts side by side
-_SPARE_LINES = 1  # that the dock's sentence may be longer for another window, without the charts moving to and fro
 
 
 class CurvesAndProfile(QWidget):
