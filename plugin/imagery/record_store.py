@@ -220,7 +220,7 @@ class RecordKeeper:
 
     def load(self, key: str) -> bytes | None:
         """The payload, with all that was asked before; None where there is none."""
-        found: bytes | None = self._do(lambda: self._load(key)).result()
+        found: bytes | None = self._do(lambda: self._opened().load(key) if self._is_there() else None).result()
         return found
 
     def holds(self, key: str) -> bool:
@@ -229,8 +229,8 @@ class RecordKeeper:
 
     def all(self) -> dict[str, bytes]:
         """All payloads; none where there is no file, or it can't be had."""
-        found: dict[str, bytes] | None = self._do(self._all).result()
-        return found or {}
+        found = self._do(lambda: dict(self._opened().items()) if self._is_there() else {})
+        return found.result() or {}
 
     def remove(self) -> None:
         """Delete the file; it is made again when there is something to keep."""
@@ -280,12 +280,6 @@ class RecordKeeper:
 
     def _is_there(self) -> bool:
         return self._file is not None or self.path.is_file()
-
-    def _load(self, key: str) -> bytes | None:
-        return self._opened().load(key) if self._is_there() else None
-
-    def _all(self) -> dict[str, bytes]:
-        return dict(self._opened().items()) if self._is_there() else {}
 
     def _remove(self) -> None:
         if self._file is not None:
