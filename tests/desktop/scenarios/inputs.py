@@ -127,7 +127,7 @@ def questioned(desk: Desk, brighton: Path, stranger: Path, shots: Path) -> None:
     desk.wait(lambda: not inputs.suggesting.sources.is_looking, 120, "rasters looked at")
     desk.report["with_stranger"] = sources_of(desk)
     inputs.side.setValue(7.6)
-    inputs.more.spacing.setValue(6)
+    inputs.more.boxes["spacing_m"].setValue(6)
     desk.dock.place.trigger()
     desk.wait(lambda: desk.session.windows() and not desk.session.is_busy, 60, "windows placed")
     desk.dock.inspect.trigger()
