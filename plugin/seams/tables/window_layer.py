@@ -41,6 +41,7 @@ from ..measure.window.window_result import WindowResult
 from ..measure.window.window_tables import MEASURED
 from ..measure.window_records import WindowRecord
 from .record_tables import level_names, read_windows
+from .result_tables import output_fields  # which gives the fields their titles
 
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
@@ -57,7 +58,7 @@ def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Pa
     path = free_path(folder)
     options = QgsVectorFileWriter.SaveVectorOptions()
     options.driverName, options.layerName, options.fileEncoding = "GPKG", _LAYER_NAME, "UTF-8"
-    fields, polygon = column_fields(MEASURED, levels), QgsWkbTypes.Type.Polygon
+    fields, polygon = output_fields(levels, ()), QgsWkbTypes.Type.Polygon
     writer = QgsVectorFileWriter.create(str(path), fields, polygon, crs, QgsCoordinateTransformContext(), options)
     failed = writer.hasError() != QgsVectorFileWriter.WriterError.NoError
     del writer  # closes the file
