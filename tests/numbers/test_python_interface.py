@@ -66,6 +66,7 @@ def roots(modules: list[str]) -> set[str]:
     return {name.partition(".")[0] for name in modules}
 
 
+@pytest.mark.slow
 def test_importing_costs_nothing_and_no_name_brings_qgis() -> None:
     run = subprocess.run([sys.executable, "-c", LOADED], capture_output=True, text=True, check=True)
     names, before, after = json.loads(run.stdout)
@@ -249,6 +250,7 @@ def test_limits_that_cannot_be_are_refused(limits: dict[str, float]) -> None:
         limit_rules(**limits)
 
 
+@pytest.mark.slow
 def test_without_gdal_a_sentence_says_what_to_install() -> None:
     code = "import sys; sys.modules['osgeo'] = None\nfrom seam_inspector import open_block"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)

@@ -100,21 +100,25 @@ def _value(check: str, whole: MetreFigures) -> float | None:
     return whole.failed_share if check == FAILED_SHARE else whole.longest_failure_m
 
 
-_SENTENCES = {  # of a rule that is kept, and of one that is not
-    FAILED_SHARE: (messages.SHARE_KEPT, messages.SHARE_EXCEEDED),
-    LONGEST_FAILURE: (messages.RUN_KEPT, messages.RUN_EXCEEDED),
-    MEASURED_SHARE: (messages.MEASURED_ENOUGH, messages.MEASURED_TOO_LITTLE),
-}
-
-
 def _outcome(rule: AcceptanceRule, value: float | None) -> RuleOutcome:
     passed = None if value is None else rule.passes(value)
     if value is None:
         sentence = messages.NOTHING_WAS_MEASURED()
     else:
-        kept, broken = _SENTENCES[rule.check]
-        beyond = value if rule.is_least else Exceeding(value, rule.limit)
-        sentence = kept(value=value, limit=rule.limit) if passed else broken(value=beyond, limit=rule.limit)
+        limit, beyond = rule.limit, value if rule.is_least else Exceeding(value, rule.limit)
+        kept, broken = {
+            FAILED_SHARE: (
+                messages.SHARE_KEPT(value=value, limit=limit), messages.SHARE_EXCEEDED(value=beyond, limit=limit)
+            ),
+            LONGEST_FAILURE: (
+                messages.RUN_KEPT(value=value, limit=limit), messages.RUN_EXCEEDED(value=beyond, limit=limit)
+            ),
+            MEASURED_SHARE: (
+                messages.MEASURED_ENOUGH(value=value, limit=limit),
+                messages.MEASURED_TOO_LITTLE(value=beyond, limit=limit),
+            ),
+        }[rule.check]
+        sentence = kept if passed else broken
     return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence)
 
 
@@ -172,15 +176,16 @@ def _lengths(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceR
 
 
 def _observers_sentences(seen: Observers | None) -> Iterator[Message]:
-    pairs = () if seen is None else (
-        (seen.both, messages.OBSERVERS_AGREE, messages.OBSERVERS_WITHOUT_KAPPA),
-        (seen.with_tool, messages.TOOL_AGREES, messages.TOOL_WITHOUT_KAPPA),
-    )
-    for found, agree, without_kappa in pairs:
-        if found is not None and found.kappa is not None:
-            kappa = found.kappa
-            yield agree(
-                count=found.count, agreed=found.agreed, kappa=kappa.value, low=kappa.low, high=kappa.high
-            )
-        elif found is not None:
-            yield without_kappa(count=found.count, agreed=found.agreed)
+    both, tool = (None, None) if seen is None else (seen.both, seen.with_tool)
+    if both is not None and both.kappa is not None:
+        yield messages.OBSERVERS_AGREE(
+            count=both.count, agreed=both.agreed, kappa=both.kappa.value, low=both.kappa.low, high=both.kappa.high
+        )
+    elif both is not None:
+        yield messages.OBSERVERS_WITHOUT_KAPPA(count=both.count, agreed=both.agreed)
+    if tool is not None and tool.kappa is not None:
+        yield messages.TOOL_AGREES(
+            count=tool.count, agreed=tool.agreed, kappa=tool.kappa.value, low=tool.kappa.low, high=tool.kappa.high
+        )
+    elif tool is not None:
+        yield messages.TOOL_WITHOUT_KAPPA(count=tool.count, agreed=tool.agreed)
