@@ -4,7 +4,7 @@
 <context>
     <name>@default</name>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="45"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="46"/>
         <source>Inspect windows</source>
         <translation>Skontroluj okna</translation>
     </message>
@@ -19,12 +19,12 @@
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="130"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="133"/>
         <source>Largest ratio of a significant loss</source>
         <translation>Największy stosunek wariancji przy istotnej stracie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="120"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="123"/>
         <source>Dask scheduler</source>
         <translation>Scheduler Dask</translation>
     </message>
@@ -39,17 +39,17 @@
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="122"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="125"/>
         <source>Address of a Dask scheduler (tcp://host:8786) whose workers see the rasters under the same paths. Empty: all cores of this machine.</source>
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="83"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="87"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
     <message>
-        <location filename="../plugin/desk_tabs.py" line="14"/>
+        <location filename="../plugin/desk_tabs.py" line="15"/>
         <source>Curves</source>
         <translation>Krzywe</translation>
     </message>
@@ -59,7 +59,7 @@
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="60"/>
         <source>Pairs</source>
         <translation>Pary</translation>
     </message>
@@ -79,22 +79,22 @@
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="184"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="155"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/feature_sinks.py" line="107"/>
+        <location filename="../plugin/toolkit/algorithms/feature_sinks.py" line="106"/>
         <source>A result can&apos;t be written; is the disk full?</source>
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="71"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="180"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="73"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="76"/>
         <source>The orthophoto mosaic under inspection: north-up, with a coordinate reference system.</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
@@ -104,37 +104,37 @@
         <translation>Ortoobrazy źródłowe</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="83"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="86"/>
         <source>The orthoimages that the mosaic was made from. Each is clipped on its own pixel grid; one whose pixels differ in size by more than 1 %, or whose axes are not parallel, is resampled and marked so.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Każdy jest wycinany we własnej siatce pikseli; ortoobraz, którego piksel różni się wielkością o więcej niż 1 % lub którego osie nie są równoległe do osi ortofotomapy, jest przepróbkowywany i odpowiednio oznaczany.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="92"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="95"/>
         <source>Source index</source>
         <translation>Indeks ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="95"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="98"/>
         <source>A tile index of orthoimages as gdaltindex writes it, with their paths in the field &apos;location&apos;; relative paths start at the index file&apos;s folder. For blocks with too many sources to load, alone or beside them.</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, ze ścieżkami w polu „location”; ścieżki względne liczą się od katalogu pliku indeksu. Przydatny dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać; można go podać zamiast nich albo razem z nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="104"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="107"/>
         <source>Levels</source>
         <translation>Liczba poziomów rozdzielczości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="48"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="49"/>
         <source>Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as coarse.</source>
         <translation>Liczba kroków dekompozycji. Poziom 1 zawiera najdrobniejsze detale, każdy następny – detale dwukrotnie grubsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="113"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="116"/>
         <source>Wavelet</source>
         <translation>Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="41"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="47"/>
         <source>An orthogonal wavelet of PyWavelets; the Coiflet of order 3 is the one of Pyka&apos;s papers.</source>
         <translation>Falka ortogonalna z biblioteki PyWavelets; w pracach Pyki stosowany jest coiflet rzędu 3.</translation>
     </message>
@@ -144,117 +144,117 @@
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="34"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="33"/>
         <source>Places square windows of about 100 m along the seamlines of a mosaic, ready to be inspected. A window&apos;s side is the smallest power of two of pixels that spans the length asked for, and its edges are pixel edges of the mosaic. Windows that would stick out of the mosaic are moved along their seam; the log names those that had to be dropped.</source>
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="98"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="95"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="45"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="44"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: where two touch there is a seam. Fragments and pixel staircases are joined and straightened first.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="95"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="85"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="96"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="86"/>
         <source>What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="54"/>
         <source>Spacing (metres)</source>
         <translation>Odstęp okien (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="56"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="55"/>
         <source>Distance between the centres of neighbouring windows, measured along the seam.</source>
         <translation>Odległość między środkami sąsiednich okien, mierzona wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="60"/>
         <source>The windows, with the number of their seam and their station along it in metres.</source>
         <translation>Okna z numerem linii mozaikowania i pikietażem wzdłuż niej w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/placewindows.py" line="101"/>
+        <location filename="../plugin/seams/algorithms/placewindows.py" line="100"/>
         <source>{windows} windows placed along {seams} seams.</source>
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="50"/>
+        <location filename="../plugin/imagery/messages.py" line="52"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="51"/>
+        <location filename="../plugin/imagery/messages.py" line="53"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="53"/>
+        <location filename="../plugin/imagery/messages.py" line="55"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="59"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="73"/>
+        <location filename="../plugin/imagery/messages.py" line="75"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="75"/>
+        <location filename="../plugin/imagery/messages.py" line="77"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <location filename="../plugin/imagery/messages.py" line="80"/>
         <source>{levels} levels asked for; the decomposition has {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="80"/>
+        <location filename="../plugin/imagery/messages.py" line="82"/>
         <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="82"/>
+        <location filename="../plugin/imagery/messages.py" line="84"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="86"/>
+        <location filename="../plugin/imagery/messages.py" line="88"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <location filename="../plugin/imagery/messages.py" line="92"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="93"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="96"/>
+        <location filename="../plugin/imagery/messages.py" line="98"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="99"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -304,57 +304,57 @@
         <translation>Linie mozaikowania poza ortofotomapą: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="7"/>
+        <location filename="../plugin/imagery/messages.py" line="9"/>
         <source>{path} does not exist; check the path.</source>
         <translation>{path} nie istnieje; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="8"/>
+        <location filename="../plugin/imagery/messages.py" line="10"/>
         <source>{name} is not a raster that GDAL can read; check that the file is complete.</source>
         <translation>{name} nie jest rastrem, który GDAL potrafi odczytać; sprawdź, czy plik jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="10"/>
+        <location filename="../plugin/imagery/messages.py" line="12"/>
         <source>The pixels of {name} can&apos;t be read; the file may be truncated or damaged, so copy it anew.</source>
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="23"/>
+        <location filename="../plugin/imagery/messages.py" line="25"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="24"/>
+        <location filename="../plugin/imagery/messages.py" line="26"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="26"/>
+        <location filename="../plugin/imagery/messages.py" line="28"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="28"/>
+        <location filename="../plugin/imagery/messages.py" line="30"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy albo zapisz w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="30"/>
+        <location filename="../plugin/imagery/messages.py" line="32"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="66"/>
+        <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="68"/>
+        <location filename="../plugin/imagery/messages.py" line="70"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="40"/>
+        <location filename="../plugin/imagery/messages.py" line="42"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -374,7 +374,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="37"/>
+        <location filename="../plugin/imagery/messages.py" line="39"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -409,7 +409,7 @@
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="56"/>
+        <location filename="../plugin/imagery/messages.py" line="58"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
@@ -479,12 +479,12 @@
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="220"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="218"/>
         <source>significant loss below</source>
         <translation>istotna strata poniżej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="189"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="188"/>
         <source>background</source>
         <translation>tło</translation>
     </message>
@@ -499,17 +499,17 @@
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="59"/>
+        <location filename="../plugin/plugin.py" line="58"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="44"/>
+        <location filename="../plugin/plugin.py" line="43"/>
         <source>Inspect how much detail a mosaic kept along its seams</source>
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="216"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="331"/>
         <source>Read pictures</source>
         <translation>Wczytaj obrazy</translation>
     </message>
@@ -539,172 +539,172 @@
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="88"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_title.py" line="16"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="104"/>
         <source>source</source>
         <translation>źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="23"/>
+        <location filename="../plugin/seams/words.py" line="36"/>
         <source>significant</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="25"/>
+        <location filename="../plugin/seams/words.py" line="37"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="26"/>
+        <location filename="../plugin/seams/words.py" line="38"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="28"/>
+        <location filename="../plugin/seams/words.py" line="40"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="33"/>
+        <location filename="../plugin/seams/words.py" line="42"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="57"/>
+        <location filename="../plugin/seams/words.py" line="65"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="57"/>
+        <location filename="../plugin/seams/words.py" line="65"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="33"/>
+        <location filename="../plugin/seams/words.py" line="42"/>
         <source>Not inspected yet.</source>
         <translation>Okno nie było jeszcze kontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="30"/>
+        <location filename="../plugin/seams/words.py" line="40"/>
         <source>The mosaic could not be compared with a source here.</source>
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="46"/>
+        <location filename="../plugin/seams/window_summary.py" line="216"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/verdict_chips.py" line="36"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="39"/>
         <source>{count} changed since</source>
         <translation>zmienione od kontroli: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/verdict_chips.py" line="37"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="40"/>
         <source>{count} windows selected: {verdicts}.</source>
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="196"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="196"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="200"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="202"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="204"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="219"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="221"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="163"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="156"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="244"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="237"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="124"/>
+        <location filename="../plugin/radiometry/report.py" line="107"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="248"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="241"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="246"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="76"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="191"/>
         <source>new layer</source>
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="257"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="250"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="279"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -719,247 +719,247 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_widths.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="131"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="277"/>
         <source>{count} of the {selected} selected windows: mean and range</source>
         <translation>{count} z {selected} zaznaczonych okien: średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="283"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="280"/>
         <source>{count} windows: mean and range</source>
         <translation>{count} {count:okno|okna|okien}: średnia i zakres</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="149"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="211"/>
         <source>Window {number}</source>
         <translation>Okno {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="284"/>
         <source>, out of date: inspect it again</source>
         <translation>, nieaktualne: skontroluj je ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="300"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="297"/>
         <source>Select a window in the table or on the map, or draw one.</source>
         <translation>Zaznacz okno w tabeli lub na mapie albo je narysuj.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="303"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="300"/>
         <source>None of the selected windows can be compared.</source>
         <translation>Żadnego z zaznaczonych okien nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="306"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="303"/>
         <source>This window can&apos;t be compared.</source>
         <translation>Tego okna nie można porównać.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="233"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="295"/>
         <source>Measuring ...</source>
         <translation>Pomiar...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="313"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="310"/>
         <source>The curves are not kept with the project. Inspect again to see them.</source>
         <translation>Krzywe nie są zapisywane w projekcie. Aby je zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="314"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="311"/>
         <source>Not inspected yet</source>
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="54"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="58"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="242"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="65"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="249"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="34"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="309"/>
         <source>Judge visible</source>
         <translation>Strata widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="36"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="311"/>
         <source>Judge invisible</source>
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="183"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="364"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="186"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="367"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="242"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="247"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="245"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="250"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="243"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="248"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="85"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="90"/>
         <source>Filter windows</source>
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="171"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="60"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="139"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="62"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="141"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="60"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="139"/>
         <source>Windows without the observer&apos;s word.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="62"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="141"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="52"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="129"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="87"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="92"/>
         <source>How many windows are shown.</source>
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="30"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="305"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="31"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="306"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="32"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="32"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="55"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="59"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="243"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="40"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="315"/>
         <source>Take judgement back</source>
         <translation>Wycofaj opinię</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="41"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="316"/>
         <source>The selected windows are not judged yet.</source>
         <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="48"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="323"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="49"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="324"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/desk/tool_dock.py" line="51"/>
+        <location filename="../plugin/toolkit/desk/tool_dock.py" line="105"/>
         <source>Draw</source>
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="149"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="149"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="152"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="159"/>
+        <location filename="../plugin/seams/desk/dock.py" line="152"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="172"/>
+        <location filename="../plugin/seams/desk/dock.py" line="165"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="172"/>
+        <location filename="../plugin/seams/desk/dock.py" line="165"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="174"/>
+        <location filename="../plugin/seams/desk/dock.py" line="168"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="174"/>
+        <location filename="../plugin/seams/desk/dock.py" line="168"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="42"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="28"/>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
@@ -969,117 +969,117 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="283"/>
+        <location filename="../plugin/seams/desk/dock.py" line="271"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="31"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="32"/>
         <source>More</source>
         <translation>Więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="45"/>
         <source>Metres along the seam from one placed window to the next</source>
         <translation>Odległość w metrach wzdłuż linii mozaikowania między kolejnymi rozmieszczanymi oknami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="88"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="44"/>
         <source>S&amp;pacing</source>
         <translation>Odstę&amp;p okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="89"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="46"/>
         <source>Wa&amp;velet</source>
         <translation>&amp;Falka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="90"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="48"/>
         <source>L&amp;evels</source>
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="70"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="128"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="91"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="96"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="154"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="100"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="158"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="133"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="186"/>
         <source>src.</source>
         <translation>źr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="130"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="136"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="189"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="194"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="29"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="88"/>
         <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="96"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="154"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="131"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="137"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="190"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="142"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="195"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="72"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="69"/>
         <source>Band whose curves are drawn; the verdict is that of luminance, or of the only band</source>
         <translation>Kanał, którego krzywe są rysowane; ocena dotyczy luminancji albo jedynego kanału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="77"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="74"/>
         <source>log</source>
         <translation>log</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="78"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="75"/>
         <source>Logarithmic axis, which shows the fine levels; off: linear axis</source>
         <translation>Oś logarytmiczna, która uwidacznia najdokładniejsze poziomy; po wyłączeniu: oś liniowa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/charts/chart_loader.py" line="26"/>
+        <location filename="../plugin/toolkit/charts/chart_style.py" line="75"/>
         <source>The chart needs the Python package matplotlib: install python3-matplotlib with apt on Debian and Ubuntu, or run &apos;python -m pip install matplotlib&apos; in the OSGeo4W shell on Windows.</source>
         <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
     </message>
@@ -1099,7 +1099,7 @@
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="119"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="231"/>
         <source>{name} (resampled)</source>
         <translation>{name} (przepróbkowany)</translation>
     </message>
@@ -1109,62 +1109,62 @@
         <translation>Rozmieść okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/seam_finder.py" line="46"/>
+        <location filename="../plugin/seams/desk/map/window_coverage.py" line="195"/>
         <source>Find seams</source>
         <translation>Znajdź linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="138"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="140"/>
         <source>Save or copy what is shown: as a picture, or as a table of all values</source>
         <translation>Zapisz lub skopiuj to, co widać: jako obraz albo jako tabelę wszystkich wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="60"/>
         <source>The picture, for documents</source>
         <translation>Obraz do dokumentów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
         <source>Save as SVG...</source>
         <translation>Zapisz jako SVG...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
         <source>The picture, sharp at every size</source>
         <translation>Obraz ostry w każdej wielkości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="63"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="62"/>
         <source>Save as CSV...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="139"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="141"/>
         <source>All rasters and bands of the windows</source>
         <translation>Wszystkie rastry i kanały w oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="63"/>
         <source>Copy picture</source>
         <translation>Kopiuj obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="63"/>
         <source>To the clipboard</source>
         <translation>Do schowka</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="65"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="64"/>
         <source>Copy values</source>
         <translation>Kopiuj wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="59"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="58"/>
         <source>To the clipboard, for a spreadsheet</source>
         <translation>Do schowka, do arkusza kalkulacyjnego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="77"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="76"/>
         <source>PNG picture</source>
         <translation>Obraz PNG</translation>
     </message>
@@ -1179,67 +1179,67 @@
         <translation>Tabela rozdzielana przecinkami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="168"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="166"/>
         <source>Save curves</source>
         <translation>Zapisz krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="169"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="167"/>
         <source>The curves were not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano krzywych w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="168"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="166"/>
         <source>The curves were saved to {path}.</source>
         <translation>Zapisano krzywe w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="42"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="100"/>
         <source>Screen pixels per image pixel</source>
         <translation>Liczba pikseli ekranu na piksel obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="45"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="104"/>
         <source>Zoom all pictures out (wheel, -)</source>
         <translation>Pomniejsz wszystkie obrazy (kółko, -)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="46"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="107"/>
         <source>Zoom all pictures in (wheel, +)</source>
         <translation>Powiększ wszystkie obrazy (kółko, +)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="49"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="113"/>
         <source>Back to 2x, at which loss of detail is best judged: each pixel is 2 x 2 on the screen</source>
         <translation>Powrót do 2×, przy którym najlepiej widać stratę detali: każdy piksel zajmuje na ekranie 2 × 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="105"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="258"/>
         <source>Select a window, in the table or on the map, to see its pictures.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="109"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="262"/>
         <source>Choose the mosaic under Inputs to see the pictures of this window.</source>
         <translation>Wybierz ortofotomapę w danych wejściowych, aby zobaczyć obrazy tego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="113"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="266"/>
         <source>No picture: neither the mosaic nor a source can be read in this window.</source>
         <translation>Brak obrazu: w tym oknie nie można odczytać ani ortofotomapy, ani ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="215"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="330"/>
         <source>Reading the pictures ...</source>
         <translation>Wczytywanie obrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="236"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="389"/>
         <source>{window}: reading ...</source>
         <translation>{window}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="238"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="391"/>
         <source>{window}: no source covers it</source>
         <translation>{window}: bez pokrycia źródłami</translation>
     </message>
@@ -1254,7 +1254,7 @@
         <translation>Warstwy okien {name} nie można edytować; wybierz inną albo pozwól utworzyć nową.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="7"/>
+        <location filename="../plugin/seams/desk/messages.py" line="7"/>
         <source>The windows in {name} could not be saved with the project ({error}); they stay open for editing, so save that layer elsewhere.</source>
         <translation>Okien warstwy {name} nie udało się zapisać razem z projektem ({error}); warstwa pozostaje w trybie edycji, więc zapisz ją w innym miejscu.</translation>
     </message>
@@ -1279,7 +1279,7 @@
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="119"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="141"/>
         <source>Add fields</source>
         <translation>Dodaj pola</translation>
     </message>
@@ -1294,7 +1294,7 @@
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="208"/>
+        <location filename="../plugin/seams/desk/session.py" line="233"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>
@@ -1304,87 +1304,87 @@
         <translation>Usuń okna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/band_titles.py" line="12"/>
+        <location filename="../plugin/toolkit/translation.py" line="130"/>
         <source>luminance</source>
         <translation>luminancja</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/band_titles.py" line="13"/>
+        <location filename="../plugin/toolkit/translation.py" line="131"/>
         <source>red</source>
         <translation>czerwony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/band_titles.py" line="14"/>
+        <location filename="../plugin/toolkit/translation.py" line="132"/>
         <source>green</source>
         <translation>zielony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/band_titles.py" line="15"/>
+        <location filename="../plugin/toolkit/translation.py" line="133"/>
         <source>blue</source>
         <translation>niebieski</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/band_titles.py" line="16"/>
+        <location filename="../plugin/toolkit/translation.py" line="134"/>
         <source>near infrared</source>
         <translation>bliska podczerwień</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/band_titles.py" line="18"/>
+        <location filename="../plugin/toolkit/translation.py" line="136"/>
         <source>band {number}</source>
         <translation>kanał {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="173"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="172"/>
         <source>mosaic (mean)</source>
         <translation>ortofotomapa (śr.)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="173"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="172"/>
         <source>sources (mean)</source>
         <translation>źródła (śr.)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="189"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="188"/>
         <source>level {number}</source>
         <translation>poziom {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="193"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="192"/>
         <source> (range {low} to {high})</source>
         <translation> (zakres od {low} do {high})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="200"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="199"/>
         <source> ({percent:.0f} % of the lowest source)</source>
         <translation> ({percent:.0f} % najniższej wartości źródeł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="202"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="201"/>
         <source> ({percent:.0f} % of the least sharp source)</source>
         <translation> ({percent:.0f} % najmniej ostrego źródła)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="205"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="204"/>
         <source> (mosaic: {percent:.0f} % of it)</source>
         <translation> (ortofotomapa: {percent:.0f} % tej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="61"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="60"/>
         <source>Save as PNG...</source>
         <translation>Zapisz jako PNG...</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="50"/>
+        <location filename="../plugin/plugin.py" line="49"/>
         <source>Bar groups</source>
         <translation>Grupy pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="51"/>
+        <location filename="../plugin/plugin.py" line="50"/>
         <source>Draw lines across the groups of a bar target and watch their profiles</source>
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="152"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="151"/>
         <source>composite</source>
         <translation>kompozycja</translation>
     </message>
@@ -1399,22 +1399,22 @@
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="188"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="92"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="97"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="86"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="91"/>
         <source>Shows the windows whose number, verdict, cause, observer or reason matches.</source>
         <translation>Pokazuje okna, których numer, ocena, przyczyna, obserwator lub powód pasuje.</translation>
     </message>
@@ -1424,37 +1424,37 @@
         <translation>Wycinki zaznaczonego okna obok siebie, do oceny straty okiem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="68"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
         <source>Polygons that say in a field &apos;source&apos; which orthoimage the mosaic was cut from; without them that is found from the pixels</source>
         <translation>Poligony, które w polu „source” mówią, z którego ortoobrazu wycięto ortofotomapę; bez nich ustala się to z pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="94"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="59"/>
         <source>Seam &amp;cells</source>
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="124"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="125"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="178"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="156"/>
+        <location filename="../plugin/photos/interiororientation.py" line="176"/>
         <source>HTML files (*.html)</source>
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="49"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="49"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
@@ -1474,182 +1474,182 @@
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="74"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="189"/>
         <source>no image</source>
         <translation>brak obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="26"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="71"/>
         <source> cm</source>
         <translation> cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="79"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="194"/>
         <source>along</source>
         <translation>wzdłuż</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="79"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="194"/>
         <source>across</source>
         <translation>w poprzek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="72"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="187"/>
         <source>Draw a line across the bars of the group: drag, or click at both ends.</source>
         <translation>Narysuj linię w poprzek pasków grupy: przeciągnij albo kliknij na obu końcach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="184"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="299"/>
         <source>Measure a bar group</source>
         <translation>Zmierz grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="247"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="362"/>
         <source>Number of the group that is drawn next; it goes up by one with every line.</source>
         <translation>Numer grupy, która zostanie narysowana jako następna; rośnie o jeden z każdą linią.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="86"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="75"/>
         <source>How many bars each group of the target has.</source>
         <translation>Ile pasków ma każda grupa testu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="92"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="76"/>
         <source>Number of the group whose distance is known. Higher numbers are finer.</source>
         <translation>Numer grupy o znanym wymiarze. Wyższe numery oznaczają drobniejsze grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="60"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="365"/>
         <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="251"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="366"/>
         <source>Lines</source>
         <translation>Linie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="55"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="100"/>
         <source>Bars</source>
         <translation>Paski</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="56"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="101"/>
         <source>Reference</source>
         <translation>Odniesienie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/bar_dock.py" line="253"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="368"/>
         <source>Group</source>
         <translation>Grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="38"/>
+        <location filename="../plugin/resolution/charts.py" line="37"/>
         <source>resolved</source>
         <translation>rozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="107"/>
+        <location filename="../plugin/resolution/charts.py" line="101"/>
         <source>along the line, px</source>
         <translation>wzdłuż linii, px</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="23"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="22"/>
         <source>Simulate a Bayer filter</source>
         <translation>Symuluj filtr Bayera</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/groups.py" line="8"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="34"/>
         <source>Ground resolution</source>
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="27"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="25"/>
         <source>Shows what a camera with a single chip would have seen of an image: of each pixel only the colour of its filter is kept, and the other two are interpolated from the neighbours. Fine lines get wider and coloured (Walczykowski and others 2009, section 5). An image of one band is taken as a grey scene.</source>
         <translation>Pokazuje, co z danego obrazu zarejestrowałaby kamera z jedną matrycą: z każdego piksela zostaje tylko barwa jego filtra, a dwie pozostałe są interpolowane z sąsiednich pikseli. Cienkie linie stają się szersze i barwne (Walczykowski i in. 2009, rozdział 5). Obraz jednokanałowy jest traktowany jako scena w odcieniach szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="35"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="33"/>
         <source>A colour image, or one of a single band, north-up or without georeference.</source>
         <translation>Obraz barwny albo jednokanałowy, zorientowany na północ lub bez georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="38"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="36"/>
         <source>Pattern</source>
         <translation>Wzór filtra</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="39"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="37"/>
         <source>Colours of the filter over the first two pixels of the first row, then of the second.</source>
         <translation>Barwy filtra nad pierwszymi dwoma pikselami pierwszego wiersza, a potem drugiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="42"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="40"/>
         <source>Interpolation</source>
         <translation>Interpolacja</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="50"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="48"/>
         <source>Seen by a single chip</source>
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="28"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="26"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="31"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="28"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the vendor&apos;s RPC with a correction before quotients, polynomials for small and flat areas only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia go na punktach, których nie użyto do dopasowania: na punktach kontrolnych albo, gdy jest ich mniej niż pięć, przewidując każdy punkt z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza; zalecenie wynika z ich wniosków: najpierw model parametryczny, RPC dostawcy z poprawką przed modelami ilorazowymi, wielomiany tylko dla małych i płaskich obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="70"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="123"/>
         <source>Gives heights to points that have none.</source>
         <translation>Nadaje wysokości punktom, które ich nie mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="71"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="124"/>
         <source>Heights of the points</source>
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="82"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="87"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="41"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="38"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="42"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="39"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="87"/>
         <source>Report</source>
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="45"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="42"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="47"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="44"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="48"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="45"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/comparesensormodels.py" line="49"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="46"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
@@ -1659,57 +1659,57 @@
         <translation>Przewidź stratę wskutek wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="47"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="46"/>
         <source>Says before any mosaic is made how much detail feathering would cost in each window. Where two images are blended half and half, the part of their detail that they do not share cancels: with rho the agreement of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower.</source>
         <translation>Jeszcze przed wykonaniem ortofotomapy mówi, ile detali kosztowałoby wtapianie w każdym oknie. Gdzie dwa obrazy są mieszane pół na pół, znosi się ta część ich detali, która nie jest wspólna: przy zgodności rho ich współczynników detali zostaje (1 + rho) / 2 ich wariancji. Obrazy przesunięte względem siebie o 1 px mogą w ten sposób stracić połowę najdrobniejszych detali. Najmniejszy stosunek wariancji spośród par ortoobrazów źródłowych mówi, gdzie wtapianie zaszkodzi; można wtedy poprowadzić linię mozaikowania gdzie indziej, lepiej dopasować obrazy albo zwęzić pas wtapiania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="60"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="59"/>
         <source>Rectangles where seams are to run, in any reference system. What is measured is the rectangle around each, snapped to the pixels of the finest source that covers it.</source>
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
         <source>Width of the feather (metres)</source>
         <translation>Szerokość pasa wtapiania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="70"/>
         <source>Full width, from where the one image is all to where the other is. What such a feather would leave, in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle of the feather is foretold, where both images weigh the same.</source>
         <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="76"/>
         <source>Ramp of the feather</source>
         <translation>Przebieg wag w pasie wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="79"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="78"/>
         <source>How the weights of the two images change across the feather: in a straight line, as half a wave of the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of 0.02 to 0.98.</source>
         <translation>Jak w poprzek pasa wtapiania zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="86"/>
         <source>Lines along which the images are to be joined, or polygons with such borders, where they are known. Elsewhere the seam is assumed to run straight through the middle of its window, and what is foretold is the mean over the directions it may have.</source>
         <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="93"/>
         <source>Predicted windows</source>
         <translation>Okna z prognozą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="95"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="94"/>
         <source>The rectangles as measured, in the sources&apos; reference system, with the smallest ratio over the pairs.</source>
         <translation>Prostokąty w zmierzonych granicach, w układzie współrzędnych ortoobrazów źródłowych, z najmniejszym stosunkiem wariancji spośród par.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="97"/>
         <source>Source pairs</source>
         <translation>Pary ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="98"/>
         <source>Every two sources of a window: agreement of their detail, ratio to be expected, shift between them.</source>
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
@@ -1719,47 +1719,47 @@
         <translation>Raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="52"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="51"/>
         <source>The windows as &apos;Inspect windows&apos; leaves them, judged by an observer or not.</source>
         <translation>Okna takie, jakie zostawia „Skontroluj okna”, ocenione przez obserwatora lub nie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="56"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="55"/>
         <source>The table of curves of the same windows; without it there are no relative variances and no charts.</source>
         <translation>Tabela krzywych tych samych okien; bez niej nie ma wariancji względnych ani wykresów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="60"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="59"/>
         <source>The table of pairs of the same windows: it tells absolute contrast, and which sources are shown.</source>
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="67"/>
         <source>The inspected mosaic; with it the report shows the clips and an overview below the map sketch.</source>
         <translation>Skontrolowana ortofotomapa; z nią raport pokazuje wycinki i podgląd pod szkicem mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="70"/>
         <source>The orthoimages that the mosaic was made from; their clips stand beside its own.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="74"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="75"/>
         <source>Heading of the page. Empty: the mosaics&apos; names.</source>
         <translation>Nagłówek strony. Puste pole: nazwy ortofotomap.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="84"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="83"/>
         <source>The limit drawn into the charts: that which the windows were inspected with.</source>
         <translation>Granica rysowana na wykresach: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="88"/>
         <source>The page, one file.</source>
         <translation>Strona, jeden plik.</translation>
     </message>
@@ -1779,117 +1779,117 @@
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="47"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="46"/>
         <source>Measure ground resolved distance</source>
         <translation>Zmierz terenową zdolność rozdzielczą (GRD)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="61"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="59"/>
         <source>The image of the target, north-up. One without georeference is taken as QGIS shows it.</source>
         <translation>Obraz testu, zorientowany na północ. Obraz bez georeferencji jest brany tak, jak pokazuje go QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="65"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="63"/>
         <source>Lines across the bars</source>
         <translation>Linie w poprzek pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="75"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="73"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="79"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="77"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="80"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="78"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="84"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="82"/>
         <source>Bars in a group</source>
         <translation>Liczba pasków w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="90"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="88"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="95"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="93"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="106"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="104"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="107"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="105"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="111"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="109"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="112"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="110"/>
         <source>Share of the full amplitude that the bars of a resolved group keep.</source>
         <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="124"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="122"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="125"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="123"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="129"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="127"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="130"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="128"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="137"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="140"/>
         <source>Chart</source>
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="132"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="130"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="134"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="132"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="137"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="135"/>
         <source>Distance along the flight (cm)</source>
         <translation>GRD wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="138"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="136"/>
         <source>Distance across the flight (cm)</source>
         <translation>GRD w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="139"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="137"/>
         <source>Geometric mean of both distances (cm)</source>
         <translation>Średnia geometryczna obu wartości GRD (cm)</translation>
     </message>
@@ -1899,32 +1899,32 @@
         <translation>Sprawdź szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/groups.py" line="7"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="33"/>
         <source>Image quality</source>
         <translation>Jakość obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="56"/>
+        <location filename="../plugin/noise/checknoise.py" line="55"/>
         <source>Rasters</source>
         <translation>Rastry</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="56"/>
+        <location filename="../plugin/noise/checknoise.py" line="55"/>
         <source>The images to be measured, 8 or 16 bit or float.</source>
         <translation>Mierzone obrazy, 8- lub 16-bitowe albo zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="59"/>
+        <location filename="../plugin/noise/checknoise.py" line="58"/>
         <source>Second group</source>
         <translation>Druga grupa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="60"/>
+        <location filename="../plugin/noise/checknoise.py" line="59"/>
         <source>Images of another camera, film or process, to be compared with the first. Pixel sizes may differ.</source>
         <translation>Obrazy z innej kamery, filmu lub procesu, do porównania z pierwszą grupą. Wielkości pikseli mogą się różnić.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="73"/>
+        <location filename="../plugin/noise/checknoise.py" line="72"/>
         <source>Rectangles in any reference system; each is measured on all rasters under it. Without windows up to 25 of 1024 px are chosen on each raster, spread over its valid part, the least saturated first.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest mierzony na wszystkich rastrach, które obejmuje. Bez okien na każdym rastrze wybieranych jest do 25 okien o boku 1024 px, rozłożonych na części z danymi, najpierw najmniej przesycone.</translation>
     </message>
@@ -1934,77 +1934,77 @@
         <translation>Szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="96"/>
+        <location filename="../plugin/noise/checknoise.py" line="95"/>
         <source>The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.</source>
         <translation>Zakres każdej grupy z linią średniej oraz kanały jednego okna. PNG, SVG lub PDF.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="99"/>
+        <location filename="../plugin/noise/checknoise.py" line="98"/>
         <source>All figures with the chart on one HTML page.</source>
         <translation>Wszystkie wartości z wykresem na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="101"/>
+        <location filename="../plugin/noise/checknoise.py" line="100"/>
         <source>Windows with low noise</source>
         <translation>Okna z małym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="103"/>
+        <location filename="../plugin/noise/checknoise.py" line="102"/>
         <source>Windows with moderate noise</source>
         <translation>Okna z umiarkowanym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="104"/>
+        <location filename="../plugin/noise/checknoise.py" line="103"/>
         <source>Windows with strong noise</source>
         <translation>Okna z silnym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="29"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="28"/>
         <source>Enhance photo</source>
         <translation>Popraw czytelność zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="33"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="31"/>
         <source>Makes a photo easier to look at: its negative, 8 bit grey from colour or more bits, a mean or Gaussian against grain, Laplace or Sobel for edges. Photos of any size are worked through in strips; a place on the map and invalid pixels are kept. Marks are measured on the photo itself, not on this copy.</source>
         <translation>Ułatwia oglądanie zdjęcia: tworzy negatyw, 8-bitowy obraz szary z barwnego lub z większej liczby bitów, filtr uśredniający lub Gaussa przeciw ziarnu, Laplace’a lub Sobela dla krawędzi. Zdjęcia dowolnej wielkości są przetwarzane pasami; położenie na mapie i piksele bez danych są zachowane. Znaczki mierzy się na samym zdjęciu, a nie na tej kopii.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="40"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="38"/>
         <source>Photo</source>
         <translation>Zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="40"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="38"/>
         <source>Any raster that GDAL reads.</source>
         <translation>Dowolny raster, który odczytuje GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="42"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="40"/>
         <source>Operation</source>
         <translation>Operacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="44"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="42"/>
         <source>negative, mean and gaussian keep the data type; grey is 8 bit; laplace (second derivative) and sobel (length of the gradient) are floating point.</source>
         <translation>negative, mean i gaussian zachowują typ danych; grey jest 8-bitowy; laplace (druga pochodna) i sobel (długość gradientu) są zmiennoprzecinkowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="50"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="48"/>
         <source>Size (px)</source>
         <translation>Wielkość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="52"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="50"/>
         <source>Side of the mean&apos;s square (odd), or standard deviation of the Gaussian; of no meaning to the others.</source>
         <translation>Bok kwadratu średniej (nieparzysty) albo odchylenie standardowe filtra Gaussa; bez znaczenia dla pozostałych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="54"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="52"/>
         <source>Enhanced photo</source>
         <translation>Poprawione zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/enhancephoto.py" line="54"/>
+        <location filename="../plugin/photos/enhancephoto.py" line="52"/>
         <source>A GeoTIFF.</source>
         <translation>Plik GeoTIFF.</translation>
     </message>
@@ -2014,737 +2014,737 @@
         <translation>Kalibruj próg</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="42"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="41"/>
         <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
         <translation>Znajduje granicę istotnej straty, którą potwierdzają opinie obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) opinii wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0,5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 opiniach „widoczna” lub 5 „niewidoczna” nie ma liczby.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="63"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="62"/>
         <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
         <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny „contrast_1”: względem kompozycji, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="69"/>
         <source>The measure that the numbers are of: the one the windows are judged by. Not set: &apos;kept_1&apos; where the judged windows have it, else &apos;ratio_1&apos;. The table and the chart hold all of them.</source>
         <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: „kept_1”, jeśli ocenione okna ją mają, w przeciwnym razie „ratio_1”. Tabela i wykres zawierają wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="67"/>
         <source>Measure</source>
         <translation>Miara</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="51"/>
+        <location filename="../plugin/photos/interiororientation.py" line="78"/>
         <source>Calibration</source>
         <translation>Kalibracja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="76"/>
         <source>For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
         <translation>Dla każdej miary podsumowanie z progiem do ustawienia, jego zakresem, polem i liczbą potrzebnych opinii, działanie progu standardowego oraz każdego innego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="81"/>
         <source>ROC curves with their areas, and the judged windows of each measure.</source>
         <translation>Krzywe ROC z ich polami i ocenione okna każdej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="85"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="84"/>
         <source>Threshold of the measure</source>
         <translation>Próg miary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="86"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="85"/>
         <source>Area under the ROC curve</source>
         <translation>Pole pod krzywą ROC</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="86"/>
         <source>Area, lower end of its interval</source>
         <translation>Pole, dolny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="87"/>
         <source>Area, upper end of its interval</source>
         <translation>Pole, górny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="88"/>
         <source>Visible verdicts</source>
         <translation>Opinie „widoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="90"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="89"/>
         <source>Invisible verdicts</source>
         <translation>Opinie „niewidoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="91"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="90"/>
         <source>Verdicts wanted</source>
         <translation>Potrzebne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="34"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="117"/>
         <source>Minimum flying height</source>
         <translation>Minimalna wysokość lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="38"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="120"/>
         <source>Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each pass its height times the required distance over the one that was read, then the mean of each group of passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2).</source>
         <translation>Oblicza z przelotów nad testem paskowym, jak nisko może lecieć sensor, aby nie rozróżniał więcej, niż uzgodniono: dla każdego przelotu jego wysokość razy wymagana terenowa zdolność rozdzielcza przez odczytaną, a następnie średnią każdej grupy przelotów, jej rozrzut i odległość od wartości odniesienia (Walczykowski i in. 2009, wzory 1 i 2).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="46"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="128"/>
         <source>Observations</source>
         <translation>Obserwacje</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="54"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="136"/>
         <source>Required distance (cm)</source>
         <translation>Wymagana GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="55"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="137"/>
         <source>The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies.</source>
         <translation>Terenowa zdolność rozdzielcza, poniżej której nie wolno zejść: 30 cm dla kamer optycznych w Open Skies.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="58"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="140"/>
         <source>Reference height (metres)</source>
         <translation>Wysokość odniesienia (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="59"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="141"/>
         <source>The minimum height that the results are compared with, if there is one.</source>
         <translation>Minimalna wysokość, z którą porównywane są wyniki, jeśli taka istnieje.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="62"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="144"/>
         <source>Keep flying heights apart</source>
         <translation>Rozdziel wysokości lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="63"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="145"/>
         <source>Rows of different &apos;height&apos; make groups of their own, as in tables 4A and 4B of the paper.</source>
         <translation>Wiersze o różnym polu „height” tworzą osobne grupy, jak w tabelach 4A i 4B artykułu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="67"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="149"/>
         <source>Minimum heights</source>
         <translation>Minimalne wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="72"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="154"/>
         <source>Heights by pass</source>
         <translation>Wysokości z przelotów</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="74"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="156"/>
         <source>The observations that were used, each with its minimum height &apos;h_min&apos;.</source>
         <translation>Użyte obserwacje, każda ze swoją minimalną wysokością „h_min”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="76"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="158"/>
         <source>Groups</source>
         <translation>Grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="112"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="195"/>
         <source>all passes</source>
         <translation>wszystkie przeloty</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="35"/>
+        <location filename="../plugin/photos/interiororientation.py" line="57"/>
         <source>Interior orientation</source>
         <translation>Orientacja wewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/groups.py" line="9"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="35"/>
         <source>Interior orientation of photos</source>
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="39"/>
+        <location filename="../plugin/photos/interiororientation.py" line="60"/>
         <source>Measures the fiducial marks of a scanned film photograph and fits the transformation from pixels to millimetres. A mark is found by normalised cross correlation and measured to a fraction of a pixel by the extremum of a second-degree surface (Mikrut and Chwastek 2007). A mark that can&apos;t be trusted fails with the reason; point at it on the map and give that point as its position, with the measurement off.</source>
         <translation>Mierzy znaczki tłowe skanowanego zdjęcia na filmie i wyznacza transformację z pikseli na milimetry. Znaczek jest wyszukiwany korelacją krzyżową i mierzony z podpikselową dokładnością jako ekstremum powierzchni drugiego stopnia (Mikrut i Chwastek 2007). Znaczek, któremu nie można ufać, jest odrzucany z podaniem przyczyny; wskaż go na mapie i podaj ten punkt jako jego położenie, z wyłączonym pomiarem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="54"/>
+        <location filename="../plugin/photos/interiororientation.py" line="180"/>
         <source>Marks measured or given</source>
         <translation>Znaczki zmierzone lub podane</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="55"/>
+        <location filename="../plugin/photos/interiororientation.py" line="181"/>
         <source>Marks that failed</source>
         <translation>Znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="53"/>
+        <location filename="../plugin/photos/interiororientation.py" line="80"/>
         <source>The marks of the camera: a CSV with the columns mark, x_mm and y_mm, or MicMac&apos;s MeasuresCamera.xml. x to the right, y upwards. Rows named principal_point, focal_length (in x_mm) and data_strip (a place in it) are optional.</source>
         <translation>Znaczki kamery: plik CSV z kolumnami mark, x_mm i y_mm albo MeasuresCamera.xml z programu MicMac. Oś x w prawo, y w górę. Wiersze o nazwach principal_point, focal_length (w x_mm) i data_strip (miejsce w pasku danych) są opcjonalne.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="59"/>
+        <location filename="../plugin/photos/interiororientation.py" line="86"/>
         <source>Template</source>
         <translation>Wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="67"/>
+        <location filename="../plugin/photos/interiororientation.py" line="94"/>
         <source>Positions</source>
         <translation>Położenia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="69"/>
+        <location filename="../plugin/photos/interiororientation.py" line="96"/>
         <source>Points with the field &apos;mark&apos;, digitised on the photo as QGIS shows it (without a world file x is the column and y the negative row). Without positions all of the photo is searched. A field &apos;measure&apos; with 0 says that a point is the mark itself.</source>
         <translation>Punkty z polem „mark”, zdigitalizowane na zdjęciu tak, jak pokazuje je QGIS (bez pliku world x to kolumna, a y to wiersz ze znakiem minus). Bez położeń przeszukiwane jest całe zdjęcie. Pole „measure” z wartością 0 oznacza, że punkt jest samym znaczkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="75"/>
+        <location filename="../plugin/photos/interiororientation.py" line="102"/>
         <source>Measure around the positions</source>
         <translation>Mierz wokół położeń</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="82"/>
+        <location filename="../plugin/photos/interiororientation.py" line="109"/>
         <source>Kind of mark</source>
         <translation>Rodzaj znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="83"/>
+        <location filename="../plugin/photos/interiororientation.py" line="110"/>
         <source>What is drawn to look for, in the size that the photo has it; automatic tries all.</source>
         <translation>Jaki wzorzec jest rysowany do wyszukiwania, w wielkości takiej jak na zdjęciu; automatic próbuje wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="86"/>
+        <location filename="../plugin/photos/interiororientation.py" line="114"/>
         <source>Direction of the arms</source>
         <translation>Kierunek ramion</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="87"/>
+        <location filename="../plugin/photos/interiororientation.py" line="115"/>
         <source>Whether the arms of a cross, or the wedges, stand upright or diagonally.</source>
         <translation>Czy ramiona krzyża lub kliny są ustawione prosto, czy ukośnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="90"/>
+        <location filename="../plugin/photos/interiororientation.py" line="117"/>
         <source>Centre of the cross</source>
         <translation>Środek krzyża</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="91"/>
+        <location filename="../plugin/photos/interiororientation.py" line="117"/>
         <source>Whether a cross is open in the middle.</source>
         <translation>Czy krzyż jest otwarty w środku.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="94"/>
+        <location filename="../plugin/photos/interiororientation.py" line="119"/>
         <source>Tone of the mark</source>
         <translation>Ton znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="95"/>
+        <location filename="../plugin/photos/interiororientation.py" line="120"/>
         <source>Whether the mark is lighter than its ground, as on most positives, or darker.</source>
         <translation>Czy znaczek jest jaśniejszy od tła, jak na większości pozytywów, czy ciemniejszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="98"/>
+        <location filename="../plugin/photos/interiororientation.py" line="125"/>
         <source>Search (mm)</source>
         <translation>Zakres szukania (mm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="99"/>
+        <location filename="../plugin/photos/interiororientation.py" line="126"/>
         <source>How far around a position the mark is looked for.</source>
         <translation>Jak daleko wokół położenia szukany jest znaczek.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="103"/>
+        <location filename="../plugin/photos/interiororientation.py" line="130"/>
         <source>Smallest correlation</source>
         <translation>Najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="106"/>
+        <location filename="../plugin/photos/interiororientation.py" line="133"/>
         <source>A mark whose best correlation is smaller fails.</source>
         <translation>Znaczek, którego największa korelacja jest mniejsza, jest odrzucany.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="109"/>
+        <location filename="../plugin/photos/interiororientation.py" line="136"/>
         <source>Surface</source>
         <translation>Powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="111"/>
+        <location filename="../plugin/photos/interiororientation.py" line="138"/>
         <source>What the second-degree surface is laid through: the correlations around the best pixel, or the brightness of the photo as in the paper.</source>
         <translation>Przez co prowadzona jest powierzchnia drugiego stopnia: przez korelacje wokół najlepszego piksela albo przez jasność zdjęcia, jak w artykule.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="116"/>
+        <location filename="../plugin/photos/interiororientation.py" line="144"/>
         <source>Transformation</source>
         <translation>Transformacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="117"/>
+        <location filename="../plugin/photos/interiororientation.py" line="145"/>
         <source>Needs at least 3 (affine), 2 (similarity) or 4 (projective) marks; with more there is a check.</source>
         <translation>Wymaga co najmniej 3 (affine), 2 (similarity) lub 4 (projective) znaczków; większa liczba daje kontrolę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="126"/>
+        <location filename="../plugin/photos/interiororientation.py" line="148"/>
         <source>Marks</source>
         <translation>Znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="134"/>
+        <location filename="../plugin/photos/interiororientation.py" line="156"/>
         <source>Parameters</source>
         <translation>Parametry</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="134"/>
+        <location filename="../plugin/photos/interiororientation.py" line="156"/>
         <source>JSON files (*.json)</source>
         <translation>Pliki JSON (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="136"/>
+        <location filename="../plugin/photos/interiororientation.py" line="157"/>
         <source>Both directions of the transformation, pixel size, rotation, shear, principal point and accuracy.</source>
         <translation>Oba kierunki transformacji, wielkość piksela, obrót, nieortogonalność osi, punkt główny i dokładność.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="140"/>
+        <location filename="../plugin/photos/interiororientation.py" line="160"/>
         <source>World file</source>
         <translation>Plik world</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="140"/>
+        <location filename="../plugin/photos/interiororientation.py" line="160"/>
         <source>World files (*.wld *.jgw *.tfw *.pgw *.bpw)</source>
         <translation>Pliki world (*.wld *.jgw *.tfw *.pgw *.bpw)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="143"/>
+        <location filename="../plugin/photos/interiororientation.py" line="161"/>
         <source>Saved beside the photo under its name, it lets QGIS open the photo in millimetres.</source>
         <translation>Zapisany obok zdjęcia pod jego nazwą pozwala otworzyć zdjęcie w QGIS w milimetrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="155"/>
+        <location filename="../plugin/photos/interiororientation.py" line="176"/>
         <source>A page with a picture of each mark and the place that was found.</source>
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/groups.py" line="10"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
         <source>Satellite images</source>
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="155"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="203"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="262"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="61"/>
         <source>Ground control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="87"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="140"/>
         <source>Reference system of a .points file</source>
         <translation>Układ współrzędnych pliku .points</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="88"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="141"/>
         <source>For files from before QGIS 3.26, which do not name the reference system of their map coordinates.</source>
         <translation>Dla plików sprzed QGIS 3.26, które nie podają układu swoich współrzędnych mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="276"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="75"/>
         <source>The satellite image as delivered, not georeferenced. Its size, satellite and RPC are taken from it.</source>
         <translation>Obraz satelitarny w postaci dostarczonej, bez georeferencji. Odczytywane są z niego wymiary, satelita i RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="89"/>
+        <location filename="../plugin/sensors/planpoints.py" line="84"/>
         <source>RPC of the image</source>
         <translation>RPC obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="66"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="118"/>
         <source>The vendor&apos;s RPC where GDAL does not find it beside the image: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom.</source>
         <translation>RPC dostawcy, gdy GDAL nie znajduje go obok obrazu: _RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="281"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="80"/>
         <source>Terrain model</source>
         <translation>NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="74"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="127"/>
         <source>Share of check points</source>
         <translation>Udział punktów kontrolnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="78"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="131"/>
         <source>Where no point has a role, this share of them, evenly spread, judges the fit without taking part in it. The same points give the same choice.</source>
         <translation>Gdy żaden punkt nie ma roli, taka ich część, równomiernie rozłożona, ocenia dopasowanie i nie bierze w nim udziału. Te same punkty dają ten sam wybór.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="83"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="136"/>
         <source>Look for blunders</source>
         <translation>Szukaj błędów grubych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="84"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="137"/>
         <source>Flags points that contradict the others and fits the model without them.</source>
         <translation>Oznacza punkty sprzeczne z innymi i dopasowuje model bez nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="94"/>
+        <location filename="../plugin/sensors/planpoints.py" line="89"/>
         <source>Height of the orbit (km)</source>
         <translation>Wysokość orbity (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="94"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="147"/>
         <source>Nominal, for the model pushbroom. Empty: by the satellite that the image&apos;s metadata name, else 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</source>
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="51"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="59"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="54"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="63"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="70"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="254"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="237"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="68"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="75"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="70"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="77"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="73"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="80"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="74"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="77"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="78"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="83"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="87"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="90"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="97"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="111"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="118"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="113"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="113"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="115"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="115"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="116"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="123"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="120"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="127"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="121"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="128"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="122"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="129"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="260"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="260"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="262"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="245"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="51"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="49"/>
         <source>Check radiometry</source>
         <translation>Sprawdź radiometrię</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="63"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="60"/>
         <source>The images to be checked, each for itself.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="65"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
         <source>Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="76"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="100"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="105"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="102"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="106"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="103"/>
         <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="121"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="118"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="122"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="123"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="120"/>
         <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="41"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="40"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="54"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="51"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="57"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="54"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="58"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="56"/>
         <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="81"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="86"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="87"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="89"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="94"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="92"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="97"/>
         <source>Reference system</source>
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="93"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="98"/>
         <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="97"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="102"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="99"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="104"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="102"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="107"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="103"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="108"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="106"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="111"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="106"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="111"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="109"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="114"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="110"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="115"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="113"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="118"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="114"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="119"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="118"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="123"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="119"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="124"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="120"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="125"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="171"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="176"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="38"/>
+        <location filename="../plugin/photos/comparemarks.py" line="48"/>
         <source>Compare marks</source>
         <translation>Porównaj znaczki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="52"/>
+        <location filename="../plugin/photos/comparemarks.py" line="61"/>
         <source>Marks with the field &apos;mark&apos;, and &apos;photo&apos; (or &apos;layer&apos;, as merged layers have) where there are several photos. Places are the fields column and row, or the points themselves.</source>
         <translation>Znaczki z polem „mark” oraz „photo” (lub „layer”, jak w warstwach złączonych), gdy zdjęć jest kilka. Miejsca podają pola column i row albo same punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="60"/>
+        <location filename="../plugin/photos/comparemarks.py" line="69"/>
         <source>First measurement</source>
         <translation>Pierwszy pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="61"/>
+        <location filename="../plugin/photos/comparemarks.py" line="70"/>
         <source>Second measurement</source>
         <translation>Drugi pomiar</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="82"/>
+        <location filename="../plugin/photos/comparemarks.py" line="91"/>
         <source>Of the scan. Empty: taken from the fields x_mm and y_mm of the first layer that has them.</source>
         <translation>Piksel skanu. Puste pole: wielkość jest brana z pól x_mm i y_mm pierwszej warstwy, która je ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="85"/>
+        <location filename="../plugin/photos/comparemarks.py" line="94"/>
         <source>Statistics</source>
         <translation>Statystyki</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="99"/>
+        <location filename="../plugin/photos/comparemarks.py" line="106"/>
         <source>Differences</source>
         <translation>Różnice</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="101"/>
+        <location filename="../plugin/photos/comparemarks.py" line="108"/>
         <source>The difference of each mark, the second measurement less the first, in pixels.</source>
         <translation>Różnica dla każdego znaczka, drugi pomiar minus pierwszy, w pikselach.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="166"/>
+        <location filename="../plugin/photos/comparemarks.py" line="169"/>
         <source>{count} marks: mean {mean:.3f}, maximum {maximum:.3f}, minimum {minimum:.3f} {unit}.</source>
         <translation>{count} {count:znaczek|znaczki|znaczków}: średnia {mean:.3f}, maksimum {maximum:.3f}, minimum {minimum:.3f} {unit}.</translation>
     </message>
@@ -2804,7 +2804,7 @@
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="104"/>
+        <location filename="../plugin/imagery/messages.py" line="106"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2879,7 +2879,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <location filename="../plugin/imagery/messages.py" line="72"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2919,17 +2919,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="63"/>
+        <location filename="../plugin/imagery/messages.py" line="65"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="64"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="62"/>
+        <location filename="../plugin/imagery/messages.py" line="64"/>
         <source>{name} is rotated, mirrored or south-up, so no windows can be laid on it by the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2959,22 +2959,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="136"/>
+        <location filename="../plugin/imagery/messages.py" line="124"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="139"/>
+        <location filename="../plugin/imagery/messages.py" line="127"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="129"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="144"/>
+        <location filename="../plugin/imagery/messages.py" line="132"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2984,17 +2984,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="147"/>
+        <location filename="../plugin/imagery/messages.py" line="135"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="148"/>
+        <location filename="../plugin/imagery/messages.py" line="136"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="149"/>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -3059,7 +3059,7 @@
         <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="25"/>
+        <location filename="../plugin/imagery/messages.py" line="27"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
@@ -3479,12 +3479,12 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="103"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="43"/>
+        <location filename="../plugin/imagery/messages.py" line="45"/>
         <source>Some points have no place in another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
@@ -3494,17 +3494,17 @@
         <translation>{name} nie jest plikiem punktów georeferencera QGIS (jego nagłówek nie zawiera mapX, mapY oraz sourceX lub pixelX); wybierz taki plik albo warstwę punktową z polami column i row.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="20"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="18"/>
         <source>Line {line} of {name} can&apos;t be read; correct or remove it.</source>
         <translation>Nie można odczytać wiersza {line} pliku {name}; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="22"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="20"/>
         <source>{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points&apos; reference system.</source>
         <translation>Plik {name} nie podaje układu współrzędnych, jak pliki sprzed QGIS 3.26; ustaw układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="25"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="23"/>
         <source>The point layer has no field &apos;{field}&apos;; it needs column and row, the place of each point in the image in pixels.</source>
         <translation>Warstwa punktów nie ma pola „{field}”; wymagane są column i row, miejsce każdego punktu na obrazie w pikselach.</translation>
     </message>
@@ -3514,262 +3514,262 @@
         <translation>Nie ma punktów do dopasowania modelu; zmierz je albo wybierz inną warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="28"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="26"/>
         <source>Point {name} is left out: {why}</source>
         <translation>Punkt {name} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="30"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="28"/>
         <source>its place in the image or on the ground is missing.</source>
         <translation>brakuje jego miejsca na obrazie lub w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="31"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="29"/>
         <source>its role &apos;{role}&apos; is neither control nor check.</source>
         <translation>jego rola „{role}” nie jest ani control, ani check.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="33"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="31"/>
         <source>it has no height and the terrain model has none there.</source>
         <translation>nie ma wysokości, a NMT też jej tam nie podaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="27"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="25"/>
         <source>Points that are switched off in the georeferencer and left out: {count}.</source>
         <translation>Punkty wyłączone w georeferencerze i pominięte: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="76"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="74"/>
         <source>Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take polynomial_2d.</source>
         <translation>Niektóre punkty nie mają wysokości, której wymaga model {model}; dodaj pole z, wybierz NMT albo użyj polynomial_2d.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="80"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="78"/>
         <source>There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model with fewer unknowns.</source>
         <translation>{count:Jest|Są|Jest} {count} {count:fotopunkt|fotopunkty|fotopunktów}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="82"/>
         <source>Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
         <translation>Z {total} {total:punktu|punktów|punktów} jako fotopunkty zostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="88"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="86"/>
         <source>The control points lie on one line, so the model {model} can&apos;t be fitted; add points to both sides of it.</source>
         <translation>Fotopunkty leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="91"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="89"/>
         <source>The control points lie on one plane, so the terms in Z of the model {model} can&apos;t be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
         <translation>Fotopunkty leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="95"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="93"/>
         <source>{count} control points contradict the others, and too few are left to fit the model {model}; check the points, above all that columns and rows are not interchanged.</source>
         <translation>{count} {count:fotopunkt jest sprzeczny|fotopunkty są sprzeczne|fotopunktów jest sprzecznych} z innymi, a pozostałych jest za mało, aby dopasować model {model}; sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="100"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="98"/>
         <source>Blunders found and left out of the errors: {count} ({names}); check those points and measure them again.</source>
         <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="101"/>
         <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
         <translation>Fotopunkty leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="107"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="105"/>
         <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
         <translation>Fotopunkty pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="115"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="113"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="120"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="118"/>
         <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="124"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="122"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="133"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="131"/>
         <source>No line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
         <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="134"/>
         <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or let blunders be looked for.</source>
         <translation>Nie można dopasować modelu parametrycznego do tych punktów; sprawdź, czy współrzędne nie są zamienione lub wysokości błędne, albo włącz szukanie błędów grubych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="140"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="138"/>
         <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
         <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="151"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="149"/>
         <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="142"/>
         <source>The image has no RPC of its own; give the file that came with it, or choose a model that needs none.</source>
         <translation>Obraz nie ma własnego RPC; podaj plik dostarczony z obrazem albo wybierz model, który go nie wymaga.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="145"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="143"/>
         <source>{name} holds no complete RPC; get the file anew from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
         <source>No RPC is written: {why}</source>
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="159"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="157"/>
         <source>The RPC is the model itself.</source>
         <translation>RPC jest samym modelem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="168"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
         <source>{name} is no sensor model file; choose one that fitsensormodel has written.</source>
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="170"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="166"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="46"/>
+        <location filename="../plugin/imagery/messages.py" line="48"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="231"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="235"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="229"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="259"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="250"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="245"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="172"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="168"/>
         <source>Both a model file and an RPC file are given; choose one of them.</source>
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="283"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="276"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="284"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="277"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="285"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="286"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="279"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="287"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="280"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="102"/>
+        <location filename="../plugin/imagery/messages.py" line="104"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="306"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="297"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="310"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="301"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="314"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="305"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="318"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="309"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="322"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="313"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m), ale wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="326"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="317"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="330"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="321"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="135"/>
+        <location filename="../plugin/noise/report.py" line="137"/>
         <source>window</source>
         <translation>okno</translation>
     </message>
@@ -3778,12 +3778,12 @@
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_choice.py" line="72"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="77"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="135"/>
+        <location filename="../plugin/noise/report.py" line="137"/>
         <source>raster</source>
         <translation>raster</translation>
     </message>
@@ -3796,57 +3796,57 @@
         <translation>Wariancje względne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="83"/>
+        <location filename="../plugin/seams/report/window_words.py" line="58"/>
         <source>cause: {cause}</source>
         <translation>przyczyna: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="88"/>
+        <location filename="../plugin/seams/report/window_words.py" line="63"/>
         <source>observer: {word}</source>
         <translation>obserwator: {word}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="53"/>
+        <location filename="../plugin/seams/report/window_words.py" line="71"/>
         <source>hard-cut composite</source>
         <translation>kompozycja z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/charts.py" line="37"/>
+        <location filename="../plugin/sensors/report.py" line="41"/>
         <source>Blunders</source>
         <translation>Błędy grube</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/charts.py" line="62"/>
+        <location filename="../plugin/sensors/report.py" line="66"/>
         <source>Column (px)</source>
         <translation>Kolumna (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/charts.py" line="63"/>
+        <location filename="../plugin/sensors/report.py" line="67"/>
         <source>Row (px)</source>
         <translation>Wiersz (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/charts.py" line="92"/>
+        <location filename="../plugin/sensors/report.py" line="96"/>
         <source>Mean error on points not used in the fit (m)</source>
         <translation>Błąd średni na punktach nieużytych w dopasowaniu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="19"/>
+        <location filename="../plugin/noise/noise_summary.py" line="22"/>
         <source>low</source>
         <translation>mały</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="21"/>
+        <location filename="../plugin/noise/noise_summary.py" line="24"/>
         <source>moderate</source>
         <translation>umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="22"/>
+        <location filename="../plugin/noise/noise_summary.py" line="25"/>
         <source>strong</source>
         <translation>silny</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="23"/>
+        <location filename="../plugin/noise/noise_summary.py" line="26"/>
         <source>not measurable</source>
         <translation>niemierzalne</translation>
     </message>
@@ -3863,7 +3863,7 @@
         <translation>Wariancja względna detali według poziomów, poziom 1 jest najdokładniejszy. W obrazie o małym szumie losowym rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2, a gdy jest silny, także poziom 2 ponad poziom 3.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="62"/>
+        <location filename="../plugin/noise/report.py" line="60"/>
         <source>group</source>
         <translation>grupa</translation>
     </message>
@@ -3884,32 +3884,32 @@
         <translation>największa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="135"/>
+        <location filename="../plugin/noise/report.py" line="137"/>
         <source>noise</source>
         <translation>szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="135"/>
+        <location filename="../plugin/noise/report.py" line="137"/>
         <source>sigma (DN)</source>
         <translation>sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="137"/>
+        <location filename="../plugin/noise/report.py" line="139"/>
         <source>detail {level}</source>
         <translation>detale {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="138"/>
+        <location filename="../plugin/noise/report.py" line="140"/>
         <source>kurtosis by level</source>
         <translation>kurtoza według poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="138"/>
+        <location filename="../plugin/noise/report.py" line="140"/>
         <source>column, row</source>
         <translation>kolumna, wiersz</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="138"/>
+        <location filename="../plugin/noise/report.py" line="140"/>
         <source>note</source>
         <translation>uwaga</translation>
     </message>
@@ -3918,82 +3918,82 @@
         <translation>Sigma to mediana wartości bezwzględnych najdrobniejszego detalu diagonalnego podzielona przez 0,6745, w DN. Drobna tekstura ją powiększa, więc porównuj ją między obrazami tego samego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/line_layer.py" line="73"/>
+        <location filename="../plugin/resolution/line_layers.py" line="187"/>
         <source>Add a bar group</source>
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="53"/>
+        <location filename="../plugin/seams/words.py" line="105"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="67"/>
+        <location filename="../plugin/seams/words.py" line="117"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="88"/>
+        <location filename="../plugin/seams/words.py" line="133"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="95"/>
+        <location filename="../plugin/seams/words.py" line="140"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="104"/>
+        <location filename="../plugin/seams/words.py" line="149"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="113"/>
+        <location filename="../plugin/seams/words.py" line="158"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="120"/>
+        <location filename="../plugin/seams/words.py" line="165"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="197"/>
+        <location filename="../plugin/seams/words.py" line="237"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="55"/>
+        <location filename="../plugin/seams/words.py" line="106"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="89"/>
+        <location filename="../plugin/seams/words.py" line="134"/>
         <source>Grey values were pressed together by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="96"/>
+        <location filename="../plugin/seams/words.py" line="141"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="105"/>
+        <location filename="../plugin/seams/words.py" line="150"/>
         <source>Highlights or shadows were driven into the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="114"/>
+        <location filename="../plugin/seams/words.py" line="159"/>
         <source>The channels were corrected one by one, so that colours turned.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="193"/>
+        <location filename="../plugin/seams/words.py" line="233"/>
         <source>No step of production is found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="198"/>
+        <location filename="../plugin/seams/words.py" line="238"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -4062,7 +4062,7 @@
         <translation> i odbite lustrzanie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="150"/>
+        <location filename="../plugin/photos/report.py" line="138"/>
         <source>correlation {value:.2f}</source>
         <translation>korelacja {value:.2f}</translation>
     </message>
@@ -4112,132 +4112,132 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="57"/>
+        <location filename="../plugin/noise/charts.py" line="52"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="162"/>
+        <location filename="../plugin/noise/charts.py" line="149"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="179"/>
+        <location filename="../plugin/noise/charts.py" line="166"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="12"/>
+        <location filename="../plugin/resolution/distance_words.py" line="13"/>
         <source>along the flight</source>
         <translation>wzdłuż kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="12"/>
+        <location filename="../plugin/resolution/distance_words.py" line="13"/>
         <source>across the flight</source>
         <translation>w poprzek kierunku lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="39"/>
+        <location filename="../plugin/resolution/charts.py" line="38"/>
         <source>not resolved</source>
         <translation>nierozróżniona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="40"/>
+        <location filename="../plugin/resolution/charts.py" line="39"/>
         <source>aliasing</source>
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="162"/>
+        <location filename="../plugin/resolution/charts.py" line="163"/>
         <source>group {group}, {grd:.2f} cm: {verdict}</source>
         <translation>grupa {group}, {grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="110"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="71"/>
         <source>Window {number}: {verdict}</source>
         <translation>Okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="104"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="166"/>
         <source>{name} (mosaic)</source>
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="133"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="91"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="152"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="110"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="153"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="111"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="154"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="112"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="180"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="138"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="19"/>
+        <location filename="../plugin/radiometry/words.py" line="17"/>
         <source>clipped at the dark end</source>
         <translation>obcięcie w cieniach</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="20"/>
+        <location filename="../plugin/radiometry/words.py" line="18"/>
         <source>clipped at the bright end</source>
         <translation>obcięcie w światłach</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="21"/>
+        <location filename="../plugin/radiometry/words.py" line="19"/>
         <source>histogram peak from mid-scale</source>
         <translation>odległość maksimum histogramu od środka skali</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="22"/>
+        <location filename="../plugin/radiometry/words.py" line="20"/>
         <source>contrast</source>
         <translation>kontrast</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="23"/>
+        <location filename="../plugin/radiometry/words.py" line="21"/>
         <source>signal to noise</source>
         <translation>stosunek sygnału do szumu</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="24"/>
+        <location filename="../plugin/radiometry/words.py" line="22"/>
         <source>colour balance</source>
         <translation>balans barw</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="25"/>
+        <location filename="../plugin/radiometry/words.py" line="23"/>
         <source>step at the seams</source>
         <translation>skok na liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="26"/>
+        <location filename="../plugin/radiometry/words.py" line="24"/>
         <source>contrast beside the seams</source>
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="81"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="91"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="81"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="91"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
@@ -4246,12 +4246,12 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="50"/>
+        <location filename="../plugin/radiometry/words.py" line="48"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="42"/>
+        <location filename="../plugin/noise/report.py" line="40"/>
         <source>image</source>
         <translation>obraz</translation>
     </message>
@@ -4272,12 +4272,12 @@
         <translation>Dostępny zakres: od {low:g} do {high:g} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="34"/>
+        <location filename="../plugin/radiometry/words.py" line="32"/>
         <source>between bands</source>
         <translation>między kanałami</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="47"/>
+        <location filename="../plugin/sensors/report.py" line="139"/>
         <source>check</source>
         <translation>kontrola</translation>
     </message>
@@ -4286,17 +4286,17 @@
         <translation>wynik</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="66"/>
+        <location filename="../plugin/radiometry/words.py" line="67"/>
         <source>{least} to {most}</source>
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="76"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="86"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="76"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="86"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -4321,37 +4321,37 @@
         <translation>Niewiadome</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="83"/>
+        <location filename="../plugin/sensors/report.py" line="175"/>
         <source>{count}, held by priors</source>
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="7"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="42"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="8"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="43"/>
         <source>polynomials of space, without physics</source>
         <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="9"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="13"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
         <source>the direct linear transformation, without physics</source>
         <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="14"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="49"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="15"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="50"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
@@ -4376,7 +4376,7 @@
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="78"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="68"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
@@ -4425,12 +4425,12 @@
         <translation>Błąd gruby</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="47"/>
+        <location filename="../plugin/sensors/report.py" line="139"/>
         <source>control</source>
         <translation>fotopunkt</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="50"/>
+        <location filename="../plugin/sensors/report.py" line="142"/>
         <source>yes</source>
         <translation>tak</translation>
     </message>
@@ -4475,167 +4475,167 @@
         <translation>Porównanie modeli sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="104"/>
+        <location filename="../plugin/sensors/report.py" line="196"/>
         <source>unknown</source>
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="60"/>
+        <location filename="../plugin/seams/window_summary.py" line="230"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="62"/>
+        <location filename="../plugin/seams/window_summary.py" line="232"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="66"/>
+        <location filename="../plugin/seams/window_summary.py" line="236"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="68"/>
+        <location filename="../plugin/seams/window_summary.py" line="238"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="69"/>
+        <location filename="../plugin/seams/window_summary.py" line="239"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="72"/>
+        <location filename="../plugin/seams/window_summary.py" line="242"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="74"/>
+        <location filename="../plugin/seams/window_summary.py" line="244"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="79"/>
+        <location filename="../plugin/seams/window_summary.py" line="249"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="81"/>
+        <location filename="../plugin/seams/window_summary.py" line="251"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/verdict_words.py" line="23"/>
+        <location filename="../plugin/seams/words.py" line="36"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="96"/>
+        <location filename="../plugin/seams/window_summary.py" line="266"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="98"/>
+        <location filename="../plugin/seams/window_summary.py" line="268"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="100"/>
+        <location filename="../plugin/seams/window_summary.py" line="270"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <location filename="../plugin/seams/window_summary.py" line="272"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="59"/>
+        <location filename="../plugin/seams/words.py" line="109"/>
         <source>blur to {value} % of their sharpness explains it</source>
         <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="60"/>
+        <location filename="../plugin/seams/words.py" line="110"/>
         <source>it is blurred to {value} % of their sharpness</source>
         <translation>jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="74"/>
+        <location filename="../plugin/seams/words.py" line="121"/>
         <source>feathering of images {value} px apart explains it</source>
         <translation>wyjaśnia to wtapianie obrazów odsuniętych o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="75"/>
+        <location filename="../plugin/seams/words.py" line="122"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="91"/>
+        <location filename="../plugin/seams/words.py" line="136"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="98"/>
+        <location filename="../plugin/seams/words.py" line="143"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="107"/>
+        <location filename="../plugin/seams/words.py" line="152"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="116"/>
+        <location filename="../plugin/seams/words.py" line="161"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="57"/>
+        <location filename="../plugin/seams/words.py" line="107"/>
         <source>blur explains it</source>
         <translation>wyjaśnia to rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="57"/>
+        <location filename="../plugin/seams/words.py" line="107"/>
         <source>it is blurred</source>
         <translation>jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="70"/>
+        <location filename="../plugin/seams/words.py" line="119"/>
         <source>feathering explains it</source>
         <translation>wyjaśnia to wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="71"/>
+        <location filename="../plugin/seams/window_summary.py" line="162"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="90"/>
+        <location filename="../plugin/seams/words.py" line="135"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="97"/>
+        <location filename="../plugin/seams/words.py" line="142"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="106"/>
+        <location filename="../plugin/seams/words.py" line="151"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="115"/>
+        <location filename="../plugin/seams/words.py" line="160"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/curve_pictures.py" line="40"/>
+        <location filename="../plugin/seams/report/window_charts.py" line="42"/>
         <source>hard-cut composite (dashed)</source>
         <translation>kompozycja z ostrym cięciem (przerywana)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/curve_pictures.py" line="42"/>
+        <location filename="../plugin/seams/report/window_charts.py" line="41"/>
         <source>{name} (mosaic, bold)</source>
         <translation>{name} (ortofotomapa, gruba)</translation>
     </message>
@@ -4648,7 +4648,7 @@
         <translation>kierunek</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="135"/>
+        <location filename="../plugin/noise/report.py" line="137"/>
         <source>band</source>
         <translation>kanał</translation>
     </message>
@@ -4693,7 +4693,7 @@
         <translation>Powody</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="130"/>
+        <location filename="../plugin/resolution/report.py" line="108"/>
         <source>No group is resolved in every band.</source>
         <translation>Żadna grupa nie jest rozróżniona w każdym kanale.</translation>
     </message>
@@ -4706,12 +4706,12 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="184"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="155"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="62"/>
+        <location filename="../plugin/noise/report.py" line="60"/>
         <source>windows</source>
         <translation>okna</translation>
     </message>
@@ -4724,12 +4724,12 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="178"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="199"/>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="250"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="221"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
@@ -4759,7 +4759,7 @@
         <translation>Uruchom „{command}” w Pythonie, którego używa QGIS, albo zainstaluj to, co wymienia requirements.txt w katalogu wtyczki, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/chart_curves.py" line="198"/>
+        <location filename="../plugin/seams/charts/chart_curves.py" line="197"/>
         <source> ({percent:.0f} % of the composite)</source>
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
@@ -4789,7 +4789,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="176"/>
+        <location filename="../plugin/seams/desk/dock.py" line="170"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4799,47 +4799,47 @@
         <translation>Ile szumu losowego ma ortofotomapa albo ortoobraz źródłowy w zaznaczonym oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="80"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="142"/>
         <source>Raster whose noise is measured: the mosaic, or a source that covers the window</source>
         <translation>Raster, którego szum jest mierzony: ortofotomapa albo ortoobraz źródłowy pokrywający okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="171"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="233"/>
         <source>Measure the noise</source>
         <translation>Pomiar szumu</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="201"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="263"/>
         <source>Select a window, in the table or on the map, to see its noise.</source>
         <translation>Zaznacz okno w tabeli lub na mapie, aby zobaczyć jego szum.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="216"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="278"/>
         <source>The measurement was stopped. Select the window again to measure it.</source>
         <translation>Pomiar przerwano. Zaznacz okno ponownie, aby je zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="116"/>
+        <location filename="../plugin/noise/noise_summary.py" line="119"/>
         <source>{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
         <translation>{finding}; sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="155"/>
+        <location filename="../plugin/noise/noise_summary.py" line="158"/>
         <source>Low noise: the curve rises at every level</source>
         <translation>Mały szum: krzywa rośnie na każdym poziomie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="161"/>
+        <location filename="../plugin/noise/noise_summary.py" line="164"/>
         <source>Strong noise: the curve falls from level 1 to 2 and from 2 to 3</source>
         <translation>Silny szum: krzywa opada z poziomu 1 na 2 i z 2 na 3</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="163"/>
+        <location filename="../plugin/noise/noise_summary.py" line="166"/>
         <source>Moderate noise: the curve falls from level 1 to 2, then rises</source>
         <translation>Umiarkowany szum: krzywa opada z poziomu 1 na 2, potem rośnie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="164"/>
+        <location filename="../plugin/noise/noise_summary.py" line="167"/>
         <source>Moderate noise</source>
         <translation>Umiarkowany szum</translation>
     </message>
@@ -4854,7 +4854,7 @@
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="71"/>
+        <location filename="../plugin/imagery/messages.py" line="73"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4919,267 +4919,267 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="112"/>
+        <location filename="../plugin/seams/window_summary.py" line="282"/>
         <source>There is no seam in the window to be judged.</source>
         <translation>W oknie nie ma linii mozaikowania, którą można by ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="135"/>
+        <location filename="../plugin/seams/window_summary.py" line="305"/>
         <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="131"/>
+        <location filename="../plugin/seams/window_summary.py" line="301"/>
         <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
         <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="139"/>
+        <location filename="../plugin/seams/window_summary.py" line="309"/>
         <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="130"/>
+        <location filename="../plugin/seams/window_summary.py" line="186"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="70"/>
+        <location filename="../plugin/seams/report/window_words.py" line="44"/>
         <source>by the paper&apos;s rule: {verdict}</source>
         <translation>według reguły z artykułu: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="71"/>
+        <location filename="../plugin/seams/report/window_words.py" line="45"/>
         <source>by the paper&apos;s rule: {verdict}, ratio 1: {ratio:.2f}</source>
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="166"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="124"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="167"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="125"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/curve_pictures.py" line="43"/>
+        <location filename="../plugin/seams/report/window_charts.py" line="44"/>
         <source>significant by the paper&apos;s rule below</source>
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="102"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="159"/>
         <source>What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first.</source>
         <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="107"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="163"/>
         <source>kept</source>
         <translation>zachow.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="52"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="55"/>
         <source>By the seam, a loss is significant when at most this share of the finest detail is kept along it</source>
         <translation>Według linii mozaikowania strata jest istotna, gdy wzdłuż niej zachowana jest najwyżej taka część najdrobniejszych detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="56"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="57"/>
         <source>By the sources or their composite, a loss is significant when the mosaic keeps at most this share of their detail at level 1</source>
         <translation>Według ortoobrazów źródłowych lub ich kompozycji strata jest istotna, gdy ortofotomapa zachowuje na poziomie 1 najwyżej taką część ich detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
         <source>the seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
         <source>the composite</source>
         <translation>kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="60"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="37"/>
         <source>the sources (paper)</source>
         <translation>ortoobrazów (artykuł)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="63"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="52"/>
         <source>What the verdict is taken by: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="91"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="51"/>
         <source>Verdict &amp;by</source>
         <translation>Ocena &amp;według</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="92"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="54"/>
         <source>Least &amp;kept</source>
         <translation>&amp;Najmniej zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="93"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="56"/>
         <source>Largest &amp;ratio</source>
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="44"/>
+        <location filename="../plugin/seams/window_summary.py" line="53"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="45"/>
+        <location filename="../plugin/seams/window_summary.py" line="54"/>
         <source>composite: {value:.2f}</source>
         <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="46"/>
+        <location filename="../plugin/seams/window_summary.py" line="55"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="53"/>
+        <location filename="../plugin/seams/window_summary.py" line="62"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/judged_value.py" line="54"/>
+        <location filename="../plugin/seams/window_summary.py" line="63"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="128"/>
+        <location filename="../plugin/seams/words.py" line="173"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="139"/>
+        <location filename="../plugin/seams/words.py" line="183"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="184"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="143"/>
+        <location filename="../plugin/seams/words.py" line="185"/>
         <source>resampling explains it</source>
         <translation>wyjaśnia to przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="143"/>
+        <location filename="../plugin/seams/words.py" line="185"/>
         <source>it was resampled</source>
         <translation>została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="145"/>
+        <location filename="../plugin/seams/words.py" line="187"/>
         <source>resampling, {value} px off the sources&apos; pixels, explains it</source>
         <translation>wyjaśnia to przepróbkowanie z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="146"/>
+        <location filename="../plugin/seams/words.py" line="188"/>
         <source>it was resampled, {value} px off the sources&apos; pixels</source>
         <translation>została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="153"/>
+        <location filename="../plugin/seams/words.py" line="195"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="154"/>
+        <location filename="../plugin/seams/words.py" line="196"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="155"/>
+        <location filename="../plugin/seams/words.py" line="197"/>
         <source>it was sharpened</source>
         <translation>została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="156"/>
+        <location filename="../plugin/seams/words.py" line="198"/>
         <source>it was sharpened to {value} % of the sources&apos; contrast</source>
         <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="161"/>
+        <location filename="../plugin/seams/words.py" line="203"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="162"/>
+        <location filename="../plugin/seams/words.py" line="204"/>
         <source>Compression with loss, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="163"/>
+        <location filename="../plugin/seams/words.py" line="205"/>
         <source>it was compressed with loss</source>
         <translation>została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="164"/>
+        <location filename="../plugin/seams/words.py" line="206"/>
         <source>it was compressed with loss, which changed fine detail by {value} DN</source>
         <translation>została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="170"/>
+        <location filename="../plugin/seams/words.py" line="212"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="171"/>
+        <location filename="../plugin/seams/words.py" line="213"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="172"/>
+        <location filename="../plugin/seams/words.py" line="214"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="173"/>
+        <location filename="../plugin/seams/words.py" line="215"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="178"/>
+        <location filename="../plugin/seams/words.py" line="220"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="179"/>
+        <location filename="../plugin/seams/words.py" line="221"/>
         <source>Brightness was evened out by a tone that changes from place to place.</source>
         <translation>Jasność wyrównano tonacją, która zmienia się z miejsca na miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="180"/>
+        <location filename="../plugin/seams/words.py" line="222"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="183"/>
+        <location filename="../plugin/seams/words.py" line="225"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="185"/>
+        <location filename="../plugin/seams/words.py" line="226"/>
         <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="187"/>
+        <location filename="../plugin/seams/words.py" line="227"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="188"/>
+        <location filename="../plugin/seams/words.py" line="228"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="194"/>
+        <location filename="../plugin/seams/words.py" line="234"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -5280,7 +5280,7 @@
         <translation>mediana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="30"/>
+        <location filename="../plugin/seams/report/window_words.py" line="102"/>
         <source>kept 1</source>
         <translation>zachow. 1</translation>
     </message>
@@ -5290,7 +5290,7 @@
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="131"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
         <source>Main cause: {cause}.</source>
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
@@ -5310,207 +5310,207 @@
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="122"/>
+        <location filename="../plugin/imagery/messages.py" line="110"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="123"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>The server of {name} does not answer ({why}); check the network, and try again.</source>
         <translation>Serwer pliku {name} nie odpowiada ({why}); sprawdź połączenie z siecią i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="125"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests.</source>
         <translation>Serwer pliku {name} wysyła tylko całe pliki; skopiuj go na dysk lokalny albo na serwer, który obsługuje żądania zakresu (Range).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="128"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="130"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address and GDAL&apos;s settings.</source>
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="163"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="163"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="168"/>
+        <location filename="../plugin/seams/desk/dock.py" line="161"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="168"/>
+        <location filename="../plugin/seams/desk/dock.py" line="161"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_group.py" line="75"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="255"/>
         <source>Open the scan&apos;s layers</source>
         <translation>Otwórz warstwy badania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_group.py" line="106"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="286"/>
         <source>Picture of losses, so far</source>
         <translation>Obraz strat (częściowy)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="76"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="185"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="134"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="55"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="59"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="96"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="103"/>
         <source>Scan of {mosaic}</source>
         <translation>Badanie: {mosaic}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="99"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="106"/>
         <source>Scan the mosaic</source>
         <translation>Zbadaj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="125"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="132"/>
         <source>Scan: putting the blocks together, {percent} %</source>
         <translation>Badanie: łączenie bloków, {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="126"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="133"/>
         <source>Scan: {percent} %</source>
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/scan_words.py" line="12"/>
+        <location filename="../plugin/seams/jobs.py" line="125"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/scan_words.py" line="14"/>
+        <location filename="../plugin/seams/jobs.py" line="127"/>
         <source>some {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/scan_words.py" line="15"/>
+        <location filename="../plugin/seams/jobs.py" line="128"/>
         <source>some {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="184"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="191"/>
         <source>Scanned: no seam was found.</source>
         <translation>Zbadano: nie znaleziono żadnej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="186"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="193"/>
         <source>Scanned {metres} m of seams: no significant loss</source>
         <translation>Zbadano {metres} m linii: brak istotnej straty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="188"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="195"/>
         <source>Scanned {metres} m of seams: significant loss on {failed} m</source>
         <translation>Zbadano {metres} m linii: istotna strata na {failed} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="192"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="199"/>
         <source>Notes in the log: {count}.</source>
         <translation>Uwagi w dzienniku: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_message.py" line="26"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="417"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_message.py" line="26"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="417"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/scan_message.py" line="29"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="420"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="33"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="34"/>
         <source>Spacing of placed windows, wavelet, levels, the limit of a significant loss and what it is taken against, seam cells, how a whole mosaic is scanned</source>
         <translation>Odstęp rozmieszczanych okien, falka, liczba poziomów, granica istotnej straty i jej odniesienie, komórki ortofotomapy, sposób badania całej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="72"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="38"/>
         <source>along the seams</source>
         <translation>wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="72"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="38"/>
         <source>every pixel</source>
         <translation>każdy piksel</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="75"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="63"/>
         <source>What a scan of the whole mosaic measures: everything along the seams and samples elsewhere, in about the time that reading takes, or everything everywhere</source>
         <translation>Co mierzy badanie całej ortofotomapy: wszystko wzdłuż linii mozaikowania, a poza nimi próbki, mniej więcej w czasie samego odczytu, albo wszystko wszędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="79"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="66"/>
         <source>Metres of seam that a scan measures and judges as one</source>
         <translation>Długość odcinka linii mozaikowania w metrach, który badanie mierzy i ocenia jako całość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="82"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="42"/>
         <source>whole mosaic</source>
         <translation>cała ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="83"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
         <source>Metres that a scan reads on either side of the seamlines</source>
         <translation>Ile metrów po każdej stronie linii mozaikowania odczytuje badanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="95"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="62"/>
         <source>Sca&amp;n</source>
         <translation>B&amp;adanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="96"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="65"/>
         <source>Se&amp;am pieces</source>
         <translation>O&amp;dcinki linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/more_box.py" line="97"/>
+        <location filename="../plugin/seams/desk/inputs/more_box.py" line="67"/>
         <source>C&amp;orridor</source>
         <translation>Kory&amp;tarz</translation>
     </message>
@@ -5755,107 +5755,107 @@
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="52"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="57"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="72"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="69"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="78"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="75"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="82"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="79"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="85"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="86"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="91"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="96"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="97"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="101"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="109"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="106"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="111"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="108"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="120"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="117"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
         <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="104"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="107"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="143"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
         <source>Length with a significant loss (metres)</source>
         <translation>Długość z istotną stratą (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="144"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
@@ -5915,432 +5915,432 @@
         <translation>Obraz strat jest plikiem GeoTIFF; podaj {path} z rozszerzeniem .tif.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="256"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="318"/>
         <source>Relative variance of the details by level, 1 the finest. Only the bold curve is judged. The red bar at a level stands as high as the bold curve does one level before: in an image with little noise the curve rises above it. Where the bold curve is in the red, below the bar, noise lifted the finer level.</source>
         <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="132"/>
+        <location filename="../plugin/imagery/messages.py" line="120"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="133"/>
+        <location filename="../plugin/imagery/messages.py" line="121"/>
         <source>the file there is something else</source>
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/loss_colours.py" line="16"/>
+        <location filename="../plugin/seams/words.py" line="281"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/loss_colours.py" line="17"/>
+        <location filename="../plugin/seams/words.py" line="282"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/loss_colours.py" line="18"/>
+        <location filename="../plugin/seams/words.py" line="283"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/loss_colours.py" line="19"/>
+        <location filename="../plugin/seams/words.py" line="284"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/loss_colours.py" line="20"/>
+        <location filename="../plugin/seams/words.py" line="285"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="166"/>
+        <location filename="../plugin/seams/window_summary.py" line="336"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="169"/>
+        <location filename="../plugin/seams/window_summary.py" line="339"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="177"/>
+        <location filename="../plugin/seams/window_summary.py" line="347"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="181"/>
+        <location filename="../plugin/seams/window_summary.py" line="351"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="61"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="140"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="83"/>
+        <location filename="../plugin/seams/report/window_words.py" line="58"/>
         <source>found: {cause}</source>
         <translation>znaleziono: {cause}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="131"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
         <source>Found: {cause}.</source>
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="141"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="99"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="143"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="101"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="46"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="258"/>
         <source>Swipe</source>
         <translation>Kurtyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="48"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="260"/>
         <source>Compare the mosaic with a source on the map: drag the handle, X exchanges the sides, Esc ends</source>
         <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="144"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="356"/>
         <source>Compare the mosaic with {name}</source>
         <translation>Porównaj ortofotomapę z {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="148"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="360"/>
         <source>No source here</source>
         <translation>Nie ma tu ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="150"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="362"/>
         <source>Exchange the sides (X)</source>
         <translation>Zamień strony (X)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="152"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="364"/>
         <source>Lying handle</source>
         <translation>Uchwyt poziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="153"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="365"/>
         <source>Compare above and below instead of left and right</source>
         <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe.py" line="87"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="91"/>
         <source>Open {name}</source>
         <translation>Otwórz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe.py" line="233"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="233"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe.py" line="237"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="237"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_handle.py" line="26"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_item.py" line="207"/>
         <source>Drag to compare the mosaic with the other image. X exchanges them, Esc ends.</source>
         <translation>Przeciągnij, aby porównać ortofotomapę z drugim obrazem. X zamienia je stronami, Esc kończy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/notes_row.py" line="49"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="70"/>
         <source>How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.</source>
         <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/notes_row.py" line="57"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="78"/>
         <source>A remark on the window (R); Enter keeps it and Esc leaves it as it was.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/notes_row.py" line="64"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="85"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/notes_row.py" line="94"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="111"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="32"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="169"/>
         <source>First operator</source>
         <translation>Pierwszy operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="32"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="169"/>
         <source>What is said goes to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="33"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="170"/>
         <source>Second operator</source>
         <translation>Drugi operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="33"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="170"/>
         <source>What is said goes to the field &apos;observer_2&apos;, beside the first one&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="40"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="177"/>
         <source>Blind</source>
         <translation>W ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="41"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="178"/>
         <source>Hides what the tool found, and what the other operator said: in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="45"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
         <source>Agreement of both ...</source>
         <translation>Zgodność obu...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="46"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="183"/>
         <source>How often both operators say the same, and how much of that is not chance.</source>
         <translation>Jak często obaj operatorzy są zgodni i ile z tego nie jest przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="60"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="195"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="60"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="195"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="61"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="196"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/operator_button.py" line="62"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="197"/>
         <source>Who judges: the first or the second operator; blind or not; how well both agree.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="62"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="246"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="62"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="246"/>
         <source>It can&apos;t be said. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="66"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="250"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="68"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="252"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="71"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="255"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="169"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="350"/>
         <source>Window {numbers}. What was found is hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="255"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="436"/>
         <source>Then the next window comes. Click again to take it back.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="27"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="209"/>
         <source>No window was judged by both operators yet; who is not sure did not judge.</source>
         <translation>Żadne okno nie ma jeszcze opinii obu operatorów; niepewna się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="30"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="212"/>
         <source>Both judged {count} windows and said the same of {agreed} ({percent} %).</source>
         <translation>Obaj ocenili {count} {count:okno|okna|okien}, zgodnie {agreed} ({percent} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="33"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="215"/>
         <source>Only the first saw a loss: {first}. Only the second: {second}.</source>
         <translation>Stratę widział tylko pierwszy: {first}. Tylko drugi: {second}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="38"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="220"/>
         <source>One of them said one word only, so agreement can&apos;t be told from chance.</source>
         <translation>Jeden z nich użył tylko jednego słowa, więc zgodności nie da się odróżnić od przypadku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="39"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="221"/>
         <source>Cohen&apos;s kappa: {value} ({low} to {high} by 95 %), {word}.</source>
         <translation>Kappa Cohena: {value} (od {low} do {high} z ufnością 95 %), {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="229"/>
         <source>slight agreement</source>
         <translation>zgodność znikoma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="229"/>
         <source>fair agreement</source>
         <translation>zgodność słaba</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="47"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="229"/>
         <source>moderate agreement</source>
         <translation>zgodność umiarkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="48"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="230"/>
         <source>substantial agreement</source>
         <translation>zgodność znaczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="51"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
         <source>no more than chance</source>
         <translation>zgodność nie większa niż przypadkowa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="52"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="234"/>
         <source>almost perfect agreement</source>
         <translation>zgodność prawie pełna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="57"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="239"/>
         <source>Agreement of both operators</source>
         <translation>Zgodność obu operatorów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/agreement_box.py" line="61"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="243"/>
         <source>Show where they differ</source>
         <translation>Pokaż, gdzie się różnią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging.py" line="192"/>
+        <location filename="../plugin/seams/desk/judging.py" line="303"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging.py" line="200"/>
+        <location filename="../plugin/seams/desk/judging.py" line="311"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging.py" line="202"/>
+        <location filename="../plugin/seams/desk/judging.py" line="313"/>
         <source>Take back what was said of {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="60"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="66"/>
         <source>as sorted</source>
         <translation>jak w tabeli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="61"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="67"/>
         <source>As the table is sorted by one of its columns.</source>
         <translation>Według kolumny, po której posortowano tabelę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="65"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="71"/>
         <source>along the seam</source>
         <translation>wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="72"/>
         <source>Seam by seam and along each, as the windows were placed.</source>
         <translation>Linia po linii i wzdłuż każdej z nich, tak jak rozmieszczono okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="69"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="75"/>
         <source>worst first</source>
         <translation>najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="74"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="80"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="75"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="81"/>
         <source>First the windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
         <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="79"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="85"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="80"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="86"/>
         <source>First the windows where the two operators disagree.</source>
         <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="39"/>
+        <location filename="../plugin/seams/desk/judging.py" line="77"/>
         <source>{judged} of {count} judged, {left} to go</source>
         <translation>{judged} z {count}, zostało {left}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="46"/>
+        <location filename="../plugin/seams/desk/judging.py" line="84"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/blind_style.py" line="58"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="164"/>
         <source>judged</source>
         <translation>z opinią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/blind_style.py" line="62"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="168"/>
         <source>to be judged</source>
         <translation>do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="293"/>
+        <location filename="../plugin/seams/desk/charts/curves_panel.py" line="290"/>
         <source>Live, {band}: {columns} x {rows} px under the mouse</source>
         <translation>Na żywo, {band}: {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/window_pictures.py" line="68"/>
+        <location filename="../plugin/seams/desk/images/window_pictures.py" line="62"/>
         <source>Cut the composite</source>
         <translation>Wytnij kompozycję</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="105"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="217"/>
         <source>Space: {name}</source>
         <translation>Spacja: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="118"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="230"/>
         <source>hard cut of the sources</source>
         <translation>ostre cięcie ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="295"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="408"/>
         <source>Drag to move, turn the wheel to zoom.</source>
         <translation>Przeciągnij, aby przesunąć; obróć kółko, aby zmienić powiększenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_view.py" line="297"/>
+        <location filename="../plugin/seams/desk/images/picture_view.py" line="410"/>
         <source>Hold Space to see {name} here.</source>
         <translation>Przytrzymaj spację, aby zobaczyć tu {name}.</translation>
     </message>
@@ -6355,57 +6355,57 @@
         <translation>Porównaj duży obraz z {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="37"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="95"/>
         <source>All pictures side by side, or one large one</source>
         <translation>Wszystkie obrazy obok siebie albo jeden duży</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="47"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="110"/>
         <source>Show the whole picture</source>
         <translation>Pokaż cały obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="74"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="138"/>
         <source>As delivered</source>
         <translation>Oryginał</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="75"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="139"/>
         <source>8 bit as it is, 16 bit by its range of values: the same in all windows</source>
         <translation>8 bitów bez zmian, 16 bitów według zakresu wartości: tak samo we wszystkich oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="76"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="140"/>
         <source>One stretch</source>
         <translation>Wspólnie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="77"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="141"/>
         <source>More contrast: the mosaic&apos;s darkest and brightest 2 % cut off, the same in all windows</source>
         <translation>Większy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli ortofotomapy, tak samo we wszystkich oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="78"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="142"/>
         <source>Each window</source>
         <translation>Każde okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="79"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="143"/>
         <source>Most contrast: each window&apos;s darkest and brightest 2 % cut off. Windows look unlike each other, and grey may look coloured.</source>
         <translation>Największy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli każdego okna. Okna wyglądają różnie, a szarość może wydawać się barwna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_bar.py" line="84"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="148"/>
         <source>How grey values are shown; never band by band, so that colours stay as they are</source>
         <translation>Jak wyświetlane są odcienie; nigdy kanał po kanale, więc barwy pozostają bez zmian</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="346"/>
         <source>composite: reading ...</source>
         <translation>kompozycja: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="346"/>
         <source>no source explains it</source>
         <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
@@ -6460,457 +6460,457 @@
         <translation>od linii (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="177"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="175"/>
         <source>Save or copy the seam profile: as a picture, or as a table of all levels</source>
         <translation>Zapisz lub skopiuj profil linii mozaikowania: jako obraz albo jako tabelę wszystkich poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="178"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="176"/>
         <source>All levels and distances</source>
         <translation>Wszystkie poziomy i odległości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="202"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="200"/>
         <source>Save seam profile</source>
         <translation>Zapisz profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="203"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="201"/>
         <source>The seam profile was not saved to {path}: {error}. Choose another folder.</source>
         <translation>Nie zapisano profilu linii mozaikowania w {path}: {error}. Wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/chart_export.py" line="202"/>
+        <location filename="../plugin/seams/desk/charts/chart_export.py" line="200"/>
         <source>The seam profile was saved to {path}.</source>
         <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="95"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="98"/>
         <source>Seam profile</source>
         <translation>Profil linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="97"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="100"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="120"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="123"/>
         <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
         <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="151"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="154"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="157"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="160"/>
         <source>The profile is not at hand. Inspect again to see it.</source>
         <translation>Nie ma profilu pod ręką. Aby go zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="162"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="165"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="163"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="166"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="184"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="187"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/found_message.py" line="30"/>
+        <location filename="../plugin/seams/desk/dock.py" line="361"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/found_message.py" line="31"/>
+        <location filename="../plugin/seams/desk/dock.py" line="362"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/restoring.py" line="44"/>
+        <location filename="../plugin/seams/desk/unsaved_windows.py" line="231"/>
         <source>Restore windows</source>
         <translation>Przywróć okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="63"/>
+        <location filename="../plugin/seams/desk/dock.py" line="64"/>
         <source>Click: selects the window that is there, with Shift it too; else makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="262"/>
+        <location filename="../plugin/seams/desk/dock.py" line="250"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="268"/>
+        <location filename="../plugin/seams/desk/dock.py" line="256"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="272"/>
+        <location filename="../plugin/seams/desk/dock.py" line="260"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="30"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="42"/>
         <source>Lost detail</source>
         <translation>Utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/lost_detail.py" line="32"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="44"/>
         <source>Show where detail was lost, over the map and the images (L). One scale for all windows</source>
         <translation>Pokaż, gdzie utracono detale, na mapie i na obrazach (L). Jedna skala dla wszystkich okien</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="18"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="322"/>
         <source>no source has pixels there</source>
         <translation>żaden ortoobraz nie ma tam pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="23"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="327"/>
         <source>{counted} or more</source>
         <translation>{counted} lub więcej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="25"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="329"/>
         <source>{share:.0f} % of the mosaic is empty there</source>
         <translation>{share:.0f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="26"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="330"/>
         <source>{share:.1f} % of the mosaic is empty there</source>
         <translation>{share:.1f} % ortofotomapy jest tam puste</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
         <source>east</source>
         <translation>wschód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
         <source>north-east</source>
         <translation>północny wschód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
         <source>north</source>
         <translation>północ</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
         <source>north-west</source>
         <translation>północny zachód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
         <source>west</source>
         <translation>zachód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
         <source>south-west</source>
         <translation>południowy zachód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="45"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="349"/>
         <source>south</source>
         <translation>południe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="46"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="350"/>
         <source>south-east</source>
         <translation>południowy wschód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_coverage.py" line="89"/>
+        <location filename="../plugin/seams/desk/map/window_coverage.py" line="91"/>
         <source>Look where the sources have pixels</source>
         <translation>Sprawdź, gdzie ortoobrazy mają piksele</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="174"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="176"/>
         <source>window {number}: click selects it, drag draws another</source>
         <translation>okno {number}: kliknięcie zaznacza je, przeciągnięcie rysuje nowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="219"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="221"/>
         <source>{metres:.1f} m aside, where it can be judged; with Ctrl here</source>
         <translation>{metres:.1f} m obok, gdzie można je ocenić; z Ctrl tutaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_tool.py" line="224"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="226"/>
         <source>nearest place that can be judged: {metres:.1f} m {direction}</source>
         <translation>najbliższe miejsce, które można ocenić: {metres:.1f} m na {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/loss_legend.py" line="48"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="214"/>
         <source>No picture yet: inspect windows</source>
         <translation>Jeszcze brak obrazu: skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/loss_legend.py" line="49"/>
+        <location filename="../plugin/seams/desk/map/lost_detail.py" line="215"/>
         <source>Detail kept (L hides it)</source>
         <translation>Zachowane detale (L ukrywa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="43"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="29"/>
         <source>Redo</source>
         <translation>Ponów zmianę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="91"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="63"/>
         <source>Takes the last change of the windows back ({keys}).</source>
         <translation>Cofa ostatnią zmianę okien ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="92"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="64"/>
         <source>Does again what was taken back ({keys}).</source>
         <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="28"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="209"/>
         <source>{metres} m</source>
         <translation>{metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="150"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="224"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="152"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="225"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="156"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="229"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="157"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="230"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="161"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="234"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="162"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="235"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="166"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="239"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="169"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="243"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="171"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="244"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="90"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="166"/>
         <source>kept from</source>
         <translation>zach. od</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="91"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="167"/>
         <source>Lower end of the 95 % interval of what is kept along the seam.</source>
         <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="95"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="171"/>
         <source>kept to</source>
         <translation>zach. do</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="96"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="172"/>
         <source>Upper end of the 95 % interval of what is kept along the seam.</source>
         <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="101"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="177"/>
         <source>Width of the band along the seam in which detail was lost.</source>
         <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="129"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="204"/>
         <source>sharpness</source>
         <translation>ostrość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="131"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="205"/>
         <source>Sharpness of the whole window against the composite of its sources.</source>
         <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="135"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="209"/>
         <source>added</source>
         <translation>dodane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="137"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="210"/>
         <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
         <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="142"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="214"/>
         <source>explained</source>
         <translation>wyjaśnione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="143"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="216"/>
         <source>Share of the pixels whose detail the given sources explain.</source>
         <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="82"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="158"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="178"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="251"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="179"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="252"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="182"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="255"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="183"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="256"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="79"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="84"/>
         <source>Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
         <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="275"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="277"/>
         <source>Save the windows</source>
         <translation>Zapisz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="275"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="277"/>
         <source>CSV files (*.csv)</source>
         <translation>Pliki CSV (*.csv)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="61"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="140"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="65"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="143"/>
         <source>Windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="145"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="112"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="187"/>
         <source>In which order windows are shown and judged.</source>
         <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="38"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="313"/>
         <source>Judge not sure</source>
         <translation>Strata niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="43"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
         <source>Copy rows</source>
         <translation>Kopiuj wiersze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="44"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="319"/>
         <source>The selected rows with their headings, for a spreadsheet.</source>
         <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="45"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="320"/>
         <source>Save as CSV ...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/rows_menu.py" line="46"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="321"/>
         <source>All windows that are shown, with all of their numbers.</source>
         <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="116"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="118"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict was taken by.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_choice.py" line="65"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="70"/>
         <source>As there is room</source>
         <translation>Według miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_choice.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="71"/>
         <source>The usual columns in their usual order, as many as there is room for.</source>
         <translation>Zwykłe kolumny w zwykłej kolejności, tyle, na ile jest miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/scan/mosaic_scans.py" line="73"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="80"/>
         <source>A scan is under way; it can be stopped below.</source>
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="165"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="158"/>
         <source>looking for sources ...</source>
         <translation>szukanie ortoobrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="165"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="158"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="263"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
         <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="103"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="130"/>
         <source>Look at the sources</source>
         <translation>Sprawdź ortoobrazy</translation>
     </message>
@@ -6930,12 +6930,12 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/raster_layers.py" line="80"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="358"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/raster_layers.py" line="80"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="358"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -6950,42 +6950,42 @@
         <translation>Nie umieszczono żadnego okna: wszystkie miejsca wzdłuż linii mozaikowania (liczba: {there}) mają już swoje okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="11"/>
+        <location filename="../plugin/seams/desk/messages.py" line="11"/>
         <source>Until the project is saved its windows are in {path}; they move beside the project then.</source>
         <translation>Dopóki projekt nie zostanie zapisany, jego okna są w {path}; potem zostaną przeniesione obok projektu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="13"/>
+        <location filename="../plugin/seams/desk/messages.py" line="13"/>
         <source>The windows moved beside the project, to {path}.</source>
         <translation>Okna przeniesiono obok projektu, do {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="15"/>
+        <location filename="../plugin/seams/desk/messages.py" line="15"/>
         <source>The windows stay in {old}, as they can&apos;t be moved to {folder} ({error}); export them from there.</source>
         <translation>Okna zostają w {old}, bo nie można ich przenieść do {folder} ({error}); wyeksportuj je stamtąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="18"/>
+        <location filename="../plugin/seams/desk/messages.py" line="18"/>
         <source>QGIS ended before a project with windows was saved; they are in {path}. Open its rasters, then the windows.</source>
         <translation>QGIS zakończył działanie, zanim zapisano projekt z oknami; są one w {path}. Otwórz jego rastry, a potem okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="25"/>
+        <location filename="../plugin/seams/desk/messages.py" line="25"/>
         <source>QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.</source>
         <translation>QGIS zakończył działanie bez zapisu; przywrócono zmiany {count} {count:okna|okien|okien} w {name}. Zapisz warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="28"/>
+        <location filename="../plugin/seams/desk/messages.py" line="28"/>
         <source>What is judged is safe only once you save the layer: it can&apos;t be kept in {path} meanwhile ({error}).</source>
         <translation>Opinie będą bezpieczne dopiero po zapisaniu warstwy: do tego czasu nie można ich przechować w {path} ({error}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="31"/>
+        <location filename="../plugin/seams/desk/messages.py" line="31"/>
         <source>Curves and pictures of the windows can&apos;t be kept in {path} ({error}); without them windows are measured again after the project was closed.</source>
         <translation>Krzywych i obrazów okien nie można przechować w {path} ({error}); bez nich po zamknięciu projektu okna są mierzone od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="36"/>
+        <location filename="../plugin/seams/desk/messages.py" line="36"/>
         <source>The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a GeoPackage to keep them.</source>
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
@@ -7147,52 +7147,52 @@
         <translation>Jak wariancja zaznaczonych okien rozkłada się na poziomy detali i ile detali zachowano w zależności od odległości od linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="180"/>
+        <location filename="../plugin/seams/desk/windows/undo_actions.py" line="92"/>
         <source>There is no such change.</source>
         <translation>Nie ma takiej zmiany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_columns.py" line="110"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="165"/>
         <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="141"/>
+        <location filename="../plugin/seams/window_summary.py" line="311"/>
         <source>Along the seam no loss can be told from chance: {kept} % of the finest detail is left ({low} to {high} %)</source>
         <translation>Wzdłuż linii mozaikowania straty nie da się odróżnić od przypadku: zostało {kept} % najdrobniejszych detali (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="172"/>
+        <location filename="../plugin/seams/window_summary.py" line="342"/>
         <source>it takes detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="174"/>
+        <location filename="../plugin/seams/window_summary.py" line="344"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/keeping/messages.py" line="22"/>
+        <location filename="../plugin/seams/desk/messages.py" line="22"/>
         <source>{name} beside this project holds {count} windows that the project does not know.</source>
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="147"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="328"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="181"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="362"/>
         <source>No window is left to judge. Select one to judge it again.</source>
         <translation>Nie ma już okien do oceny. Wybierz okno, aby ocenić je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="290"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="221"/>
+        <location filename="../plugin/seams/desk/dock.py" line="215"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -7222,137 +7222,137 @@
         <translation>Taki sam jak ortofotomapa wszędzie, gdzie je porównano: znów ortofotomapa albo jedyny ortoobraz, z którego powstała; zaznacz go, jeśli to ten ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="77"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="77"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="63"/>
+        <location filename="../plugin/noise/report.py" line="61"/>
         <source>mean detail {level}</source>
         <translation>średnie detale {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="64"/>
+        <location filename="../plugin/noise/report.py" line="62"/>
         <source>mean sigma (DN)</source>
         <translation>średnia sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="136"/>
+        <location filename="../plugin/noise/report.py" line="138"/>
         <source>largest possible</source>
         <translation>największa możliwa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="136"/>
+        <location filename="../plugin/noise/report.py" line="138"/>
         <source>grain (DN)</source>
         <translation>ziarno (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="44"/>
+        <location filename="../plugin/noise/checknoise.py" line="43"/>
         <source>Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as land use or scale.</source>
         <translation>Mówi, ile szumu losowego ma obraz, niezależnie od tego, czy pochodzi on z filmu, skanowania czy sensora. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (moderate), a gdy jest silny, także poziom 2 ponad poziom 3 (Pyka 2009). Ziarno grubsze niż piksel jest wyszukiwane w widmie najspokojniejszego terenu; gdzie mogłaby je ukryć tekstura, ocena jest niepewna (uncertain). Zdjęcia i skany nie muszą mieć położenia na mapie. Można porównać dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno jest mierzone na obu, z pominięciem tych samych pikseli. Okna są grupowane według swojego pola, np. użytkowania terenu lub skali.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="64"/>
+        <location filename="../plugin/noise/checknoise.py" line="63"/>
         <source>Name of the rasters</source>
         <translation>Nazwa rastrów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="65"/>
+        <location filename="../plugin/noise/checknoise.py" line="64"/>
         <source>What the first group is called in chart and report. Empty: its file&apos;s name, or group 1.</source>
         <translation>Nazwa pierwszej grupy na wykresie i w raporcie. Puste: nazwa jej pliku albo grupa 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="68"/>
+        <location filename="../plugin/noise/checknoise.py" line="67"/>
         <source>Name of the second group</source>
         <translation>Nazwa drugiej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="69"/>
+        <location filename="../plugin/noise/checknoise.py" line="68"/>
         <source>What the second group is called. Empty: its file&apos;s name, or group 2.</source>
         <translation>Nazwa drugiej grupy. Puste: nazwa jej pliku albo grupa 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="79"/>
+        <location filename="../plugin/noise/checknoise.py" line="78"/>
         <source>Group windows by</source>
         <translation>Grupuj okna według</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="81"/>
+        <location filename="../plugin/noise/checknoise.py" line="80"/>
         <source>A field of the windows, as land use, scale or film: chart and report compare its values.</source>
         <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="89"/>
+        <location filename="../plugin/noise/checknoise.py" line="88"/>
         <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, the most that grain can be, and the verdict low, uncertain, moderate or strong.</source>
         <translation>Jeden wiersz na okno, raster i kanał: wariancje względne, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN, najwyższa możliwa wartość ziarna oraz ocena low, uncertain, moderate lub strong.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="102"/>
+        <location filename="../plugin/noise/checknoise.py" line="101"/>
         <source>Windows whose texture could hide grain</source>
         <translation>Okna, których tekstura może skrywać ziarno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="192"/>
+        <location filename="../plugin/noise/checknoise.py" line="191"/>
         <source>group {group}</source>
         <translation>grupa {group}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/window_classes.py" line="26"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="68"/>
         <source>Field that windows are grouped by, as land use or scale: the range of all windows with the selected window&apos;s value stands behind its curves. Empty: no groups.</source>
         <translation>Pole, według którego grupowane są okna, np. użytkowanie terenu lub skala: za krzywymi zaznaczonego okna widać zakres wszystkich okien z tą samą wartością. Puste pole: bez grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="91"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="153"/>
         <source>Group by</source>
         <translation>Grupuj według</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="195"/>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="257"/>
         <source>{value}: {band} of {count} of {all} windows</source>
         <translation>{value}: {band}, {count} z {all} {all:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="20"/>
+        <location filename="../plugin/noise/noise_summary.py" line="23"/>
         <source>uncertain</source>
         <translation>niepewny</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="106"/>
+        <location filename="../plugin/noise/noise_summary.py" line="109"/>
         <source>no value</source>
         <translation>brak wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="118"/>
+        <location filename="../plugin/noise/noise_summary.py" line="121"/>
         <source>{finding}; in {band} sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
         <translation>{finding}; w kanale {band} sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="133"/>
+        <location filename="../plugin/noise/noise_summary.py" line="136"/>
         <source>sigma {sigma} DN, at most {largest} DN with grain, kurtosis by level {kurtosis}</source>
         <translation>sigma {sigma} DN, z ziarnem najwyżej {largest} DN, kurtoza na kolejnych poziomach {kurtosis}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="147"/>
+        <location filename="../plugin/noise/noise_summary.py" line="150"/>
         <source>Grain: {sigma} DN, {size} px.</source>
         <translation>Ziarno: {sigma} DN, {size} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="150"/>
+        <location filename="../plugin/noise/noise_summary.py" line="153"/>
         <source>At most {sigma} DN.</source>
         <translation>Najwyżej {sigma} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="157"/>
+        <location filename="../plugin/noise/noise_summary.py" line="160"/>
         <source>Uncertain</source>
         <translation>Szum niepewny</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="159"/>
+        <location filename="../plugin/noise/noise_summary.py" line="162"/>
         <source>Strong noise</source>
         <translation>Silny szum</translation>
     </message>
@@ -7382,22 +7382,22 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="138"/>
+        <location filename="../plugin/noise/charts.py" line="125"/>
         <source>{field}: {value}</source>
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="139"/>
+        <location filename="../plugin/noise/charts.py" line="126"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="161"/>
+        <location filename="../plugin/noise/charts.py" line="148"/>
         <source>1 window</source>
         <translation>1 okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="162"/>
+        <location filename="../plugin/noise/charts.py" line="149"/>
         <source>{name}: mean and range of {count} windows</source>
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
@@ -7407,22 +7407,22 @@
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layers.py" line="79"/>
+        <location filename="../plugin/toolkit/layers.py" line="83"/>
         <source>temporary layer</source>
         <translation>warstwa tymczasowa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/pages/how_measured.py" line="109"/>
+        <location filename="../plugin/toolkit/pages/templates.py" line="121"/>
         <source>about {size:.3g} m</source>
         <translation>około {size:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/model_titles.py" line="11"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="46"/>
         <source>quotients of order 2 at most, with the terms left out that the points do not speak for</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/report.py" line="31"/>
+        <location filename="../plugin/sensors/report.py" line="123"/>
         <source>reference system of the points</source>
         <translation>układ współrzędnych punktów</translation>
     </message>
@@ -7432,682 +7432,682 @@
         <translation>Nie ma już punktów do dopasowania modelu: {why} Popraw warstwę albo wybierz inną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="14"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="13"/>
         <source>{name} holds no ground control points itself; choose a layer or a file of points.</source>
         <translation>{name} nie zawiera fotopunktów; wybierz warstwę albo plik z punktami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="16"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="14"/>
         <source>A ground control point inside {name} is no number; choose a layer or a file of points.</source>
         <translation>Fotopunkt zapisany w pliku {name} nie jest liczbą; wybierz warstwę albo plik z punktami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="18"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="16"/>
         <source>The points are of the images {names}; choose one of them, since a file that names images is read for one.</source>
         <translation>Punkty należą do obrazów {names}; wybierz jeden z nich, ponieważ plik, który podaje nazwy obrazów, jest czytany dla jednego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="32"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="30"/>
         <source>it has no height, and others have one.</source>
         <translation>nie ma wysokości, a inne mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="36"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="34"/>
         <source>The points are said to be in degrees, and one is at {x:.10g}, {y:.10g}; set the reference system that their coordinates are in.</source>
         <translation>Punkty mają być w stopniach, a jeden leży w {x:.10g}, {y:.10g}; ustaw układ współrzędnych, w którym podano ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="40"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="38"/>
         <source>Point {name} is {height:.6g} m high, as no place on earth is; give heights in metres.</source>
         <translation>Punkt {name} ma wysokość {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj wysokości w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="43"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="41"/>
         <source>By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that their coordinates are in.</source>
         <translation>Według punktów piksel ma w terenie {size:.2g} m; sprawdź, czy ich układ współrzędnych jest tym, w którym podano współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="47"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="45"/>
         <source>The points&apos; rows are negative, as QGIS&apos;s georeferencer shows them; give them from the upper edge downwards, all positive, or the .points file itself.</source>
         <translation>Wiersze punktów są ujemne, jak pokazuje je georeferencer QGIS; podaj je od górnej krawędzi w dół, wszystkie dodatnie, albo podaj sam plik .points.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="51"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="49"/>
         <source>The points lie in the image only with columns and rows interchanged; interchange the two fields.</source>
         <translation>Punkty leżą na obrazie tylko przy zamienionych kolumnach i wierszach; zamień te dwa pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="54"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="52"/>
         <source>{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose their image.</source>
         <translation>Poza obrazem {columns} × {rows} px {count:leży|leżą|leży} {count} {count:punkt|punkty|punktów} ({names}); popraw je lub usuń albo wybierz właściwy obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="58"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="56"/>
         <source>{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image&apos;s RPC holds for {first:.0f} to {last:.0f} m, so errors and recommendation mean nothing if the heights are wrong; check them and their unit.</source>
         <translation>Wysokości punktów ({count}: {names}) wynoszą od {low:.0f} do {high:.0f} m, a RPC obrazu obowiązuje od {first:.0f} do {last:.0f} m, więc błędy i zalecenie nic nie znaczą, jeśli wysokości są złe; sprawdź je i ich jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="63"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="61"/>
         <source>The image&apos;s RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, their reference system and heights, and that it is the RPC of this image.</source>
         <translation>Według RPC punkty leżą {distance:.3g} px poza obrazem; sprawdź, czy x i y nie są zamienione, ich układ współrzędnych i wysokości oraz czy jest to RPC tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="67"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="65"/>
         <source>By the image&apos;s RPC the points&apos; columns and rows are interchanged; interchange the two fields.</source>
         <translation>Według RPC obrazu kolumny i wiersze punktów są zamienione; zamień oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="70"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="68"/>
         <source>By the image&apos;s RPC the points are measured in a mirrored or turned image; count columns and rows from the upper left corner of the image that the RPC belongs to.</source>
         <translation>Według RPC obrazu punkty zmierzono na obrazie odbitym lub obróconym; licz kolumny i wiersze od lewego górnego narożnika obrazu, do którego należy RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="73"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="71"/>
         <source>The share of check points is {share:g}; give a number from 0 to {most:g}.</source>
         <translation>Udział punktów kontrolnych wynosi {share:g}; podaj liczbę od 0 do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="111"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="109"/>
         <source>{count} points miss the model by far more than the others ({names}); check them, or let blunders be looked for (ROBUST).</source>
         <translation>Punkty odbiegające od modelu znacznie bardziej niż pozostałe: {count} ({names}); sprawdź je albo włącz szukanie błędów grubych (ROBUST).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="127"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="125"/>
         <source>Terms kept, numerator / denominator of scaled coordinates: {terms}.</source>
         <translation>Zachowane wyrazy, licznik / mianownik współrzędnych przeskalowanych: {terms}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="127"/>
         <source>The fit to these points runs away from them all; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="147"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="145"/>
         <source>The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it is worst; the model corrects that.</source>
         <translation>RPC jest przesunięte w środku obrazu o {columns:.2f} kolumny i {rows:.2f} wiersza, a w najgorszym miejscu o {most:.2f} px; model to koryguje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="161"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="158"/>
         <source>No image with the RPC is written: there is no image to copy; choose it.</source>
         <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="175"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="171"/>
         <source>{name} holds no interior orientation that can be read; choose a YAML file of orthority or an AutoCal XML of MicMac.</source>
         <translation>Plik {name} nie zawiera orientacji wewnętrznej, którą można odczytać; wybierz plik YAML z orthority albo plik XML AutoCal z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="179"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="175"/>
         <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
         <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="186"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="182"/>
         <source>By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
         <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
         <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the orthoimage lies.</source>
         <translation>Wszystkie kąty w {name} są mniejsze od 3,15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="193"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
         <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
         <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="196"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="192"/>
         <source>The camera of {name} has a distortion that is not known here ({kind}); pinhole and Brown cameras of orthority and MicMac&apos;s radial distortion are.</source>
         <translation>Kamera z pliku {name} ma dystorsję, która nie jest tu znana ({kind}); znane są kamery pinhole i Brown programu orthority oraz dystorsja radialna programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="196"/>
         <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa (degrees), a GeoJSON of orthority or an Orientation XML of MicMac.</source>
         <translation>Plik {name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa (stopnie), GeoJSON z orthority albo plik XML Orientation z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
         <source>{name} does not name the image {image} just once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
         <source>An interior and an exterior orientation are needed together; give the one that is missing.</source>
         <translation>Orientacja wewnętrzna i zewnętrzna są potrzebne razem; podaj tę, której brakuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="205"/>
         <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
         <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="213"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="216"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
         <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="220"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="214"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="224"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
         <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="227"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="221"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="239"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="232"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="236"/>
         <source>{name} is no grid of the geoid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="239"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="240"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="241"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
         <source>The constant height is {height:.6g} m, as no place on earth has; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
         <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, as no place on earth has; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
         <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="275"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
         <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="279"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="283"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="293"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="286"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="296"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="289"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="299"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="292"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="302"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="294"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="44"/>
+        <location filename="../plugin/sensors/planpoints.py" line="40"/>
         <source>Plan control points</source>
         <translation>Zaplanuj fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="47"/>
+        <location filename="../plugin/sensors/planpoints.py" line="42"/>
         <source>Tells what accuracy to expect from number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. A planning figure: check points of your own say how accurate the image became.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="57"/>
+        <location filename="../plugin/sensors/planpoints.py" line="52"/>
         <source>The sensor model that is going to be fitted, with its order or form. rpc_bias needs an RPC.</source>
         <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="60"/>
+        <location filename="../plugin/sensors/planpoints.py" line="55"/>
         <source>Numbers of control points</source>
         <translation>Liczby fotopunktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="61"/>
+        <location filename="../plugin/sensors/planpoints.py" line="56"/>
         <source>One row of the table for each, such as 6, 10, 20. Check points are not counted.</source>
         <translation>Jeden wiersz tabeli na każdą z nich, na przykład 6, 10, 20. Punktów kontrolnych się nie wlicza.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="64"/>
+        <location filename="../plugin/sensors/planpoints.py" line="59"/>
         <source>Spread</source>
         <translation>Rozmieszczenie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="65"/>
+        <location filename="../plugin/sensors/planpoints.py" line="60"/>
         <source>grid: one point in each cell of a grid over the image; random: anywhere; corner: all in one corner.</source>
         <translation>grid: po jednym punkcie w każdym oczku siatki na obrazie; random: gdziekolwiek; corner: wszystkie w jednym narożniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="68"/>
+        <location filename="../plugin/sensors/planpoints.py" line="63"/>
         <source>Share of the corner</source>
         <translation>Część obrazu w narożniku</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="69"/>
+        <location filename="../plugin/sensors/planpoints.py" line="64"/>
         <source>Of the image&apos;s area, for the spread corner.</source>
         <translation>Część powierzchni obrazu, dla rozmieszczenia corner.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="72"/>
+        <location filename="../plugin/sensors/planpoints.py" line="67"/>
         <source>Standard deviation on the ground (metres)</source>
         <translation>Odchylenie standardowe w terenie (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="73"/>
+        <location filename="../plugin/sensors/planpoints.py" line="68"/>
         <source>Of each of a point&apos;s three ground coordinates, as they are going to be surveyed.</source>
         <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="76"/>
+        <location filename="../plugin/sensors/planpoints.py" line="71"/>
         <source>Standard deviation in the image (pixels)</source>
         <translation>Odchylenie standardowe na obrazie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="77"/>
+        <location filename="../plugin/sensors/planpoints.py" line="72"/>
         <source>Of a point&apos;s column and row: how well it is identified.</source>
         <translation>Kolumny i wiersza punktu: jak dobrze się go rozpoznaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="80"/>
+        <location filename="../plugin/sensors/planpoints.py" line="75"/>
         <source>Lowest terrain (metres)</source>
         <translation>Najniższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="81"/>
+        <location filename="../plugin/sensors/planpoints.py" line="76"/>
         <source>Highest terrain (metres)</source>
         <translation>Najwyższy teren (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="85"/>
+        <location filename="../plugin/sensors/planpoints.py" line="80"/>
         <source>Height above the ellipsoid. Every point lies anywhere between the lowest and the highest.</source>
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="90"/>
+        <location filename="../plugin/sensors/planpoints.py" line="85"/>
         <source>An RPC whose geometry is taken for true. Without it and without IMAGE: a nominal line scanner.</source>
         <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="95"/>
+        <location filename="../plugin/sensors/planpoints.py" line="90"/>
         <source>Of the nominal scanner, and for the model pushbroom.</source>
         <translation>Skanera nominalnego oraz modelu pushbroom.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="97"/>
+        <location filename="../plugin/sensors/planpoints.py" line="92"/>
         <source>Angle of the view (degrees)</source>
         <translation>Kąt wychylenia (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="97"/>
+        <location filename="../plugin/sensors/planpoints.py" line="92"/>
         <source>From the vertical; nominal scanner.</source>
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="98"/>
+        <location filename="../plugin/sensors/planpoints.py" line="93"/>
         <source>Pixel size (metres)</source>
         <translation>Wielkość piksela (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="98"/>
+        <location filename="../plugin/sensors/planpoints.py" line="93"/>
         <source>On the ground; nominal scanner.</source>
         <translation>W terenie; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="99"/>
+        <location filename="../plugin/sensors/planpoints.py" line="94"/>
         <source>Side of the image (km)</source>
         <translation>Bok obrazu (km)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="99"/>
+        <location filename="../plugin/sensors/planpoints.py" line="94"/>
         <source>The image is square; nominal scanner.</source>
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="39"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="177"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="104"/>
+        <location filename="../plugin/sensors/planpoints.py" line="99"/>
         <source>The same number gives the same draws.</source>
         <translation>Ta sama liczba daje te same losowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="108"/>
+        <location filename="../plugin/sensors/planpoints.py" line="103"/>
         <source>Expected accuracy</source>
         <translation>Oczekiwana dokładność</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/planpoints.py" line="110"/>
+        <location filename="../plugin/sensors/planpoints.py" line="105"/>
         <source>One row per number of points: root mean square errors in metres, of both coordinates together, that 50 % and 90 % of the draws do not exceed: over the whole image, and at check points that are measured as well as the control points.</source>
         <translation>Jeden wiersz na liczbę punktów: błędy średniokwadratowe w metrach, dla obu współrzędnych łącznie, których nie przekracza 50 % i 90 % losowań: na całym obrazie oraz na punktach kontrolnych pomierzonych tak dobrze jak fotopunkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="103"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="156"/>
         <source>Angle of the view from the vertical, in the middle of the image (degrees)</source>
         <translation>Kąt wychylenia od pionu w środku obrazu (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="104"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="157"/>
         <source>Azimuth that the image was taken from (degrees)</source>
         <translation>Azymut, z którego wykonano obraz (stopnie)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="105"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="158"/>
         <source>What the error of terrain heights moves the middle of the image by (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="265"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="64"/>
         <source>A point layer with the fields column and row (the place in the image in pixels, 0 0 being the upper left corner of the first pixel), and if there are any id, z, role (control or check) and sigma (standard deviation in pixels); or a .points file of QGIS&apos;s georeferencer, a GeoJSON of orthority, or a TIFF that holds such points. Empty: those inside the image.</source>
         <translation>Warstwa punktowa z polami column i row (miejsce na obrazie w pikselach, gdzie 0 0 to lewy górny róg pierwszego piksela) oraz, jeśli są, id, z, role (control lub check) i sigma (odchylenie standardowe w pikselach); albo plik .points z georeferencera QGIS, GeoJSON programu orthority lub TIFF, który zawiera takie punkty. Puste pole: punkty zapisane w obrazie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="288"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="85"/>
         <source>What the heights refer to: auto takes what the reference system says, and the ellipsoid with a warning where it says nothing; egm96 and egm2008 (heights above sea level) are converted if PROJ has the grid, geoid by a grid file of your own. SRTM tiles are egm96.</source>
         <translation>Do czego odnoszą się wysokości: auto przyjmuje to, co podaje układ współrzędnych, a gdy nie podaje nic, elipsoidę z ostrzeżeniem; egm96 i egm2008 (wysokości nad poziomem morza) są przeliczane, jeśli PROJ ma odpowiednią siatkę, a geoid – według własnego pliku siatki. Kafle SRTM to egm96.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="298"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="103"/>
         <source>Error of terrain heights (metres)</source>
         <translation>Błąd wysokości terenu (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="299"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="105"/>
         <source>What an error of this size moves the orthoimage by is told, from the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="306"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="91"/>
         <source>Grid of the geoid</source>
         <translation>Siatka geoidy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/sensor_parameters.py" line="307"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="93"/>
         <source>For heights that refer to geoid: how far sea level is above the ellipsoid, as .gtx, .tif or any raster.</source>
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="91"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="92"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="96"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="98"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="102"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="103"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="123"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="130"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="124"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="131"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="44"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="42"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="62"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="63"/>
         <source>The camera of an aerial photo: a YAML file of orthority, or MicMac&apos;s AutoCal XML.</source>
         <translation>Kamera zdjęcia lotniczego: plik YAML programu orthority albo AutoCal XML programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="65"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="67"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="67"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
         <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa (degrees), a GeoJSON of orthority, or MicMac&apos;s Orientation XML.</source>
         <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa (stopnie), GeoJSON z orthority albo plik XML Orientation z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="72"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="76"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="73"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="77"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="77"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="81"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/orthorectify.py" line="78"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="82"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="140"/>
+        <location filename="../plugin/imagery/messages.py" line="128"/>
         <source>{name} says &apos;{key}&apos; twice in one object; leave one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="142"/>
+        <location filename="../plugin/imagery/messages.py" line="130"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="143"/>
+        <location filename="../plugin/imagery/messages.py" line="131"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="145"/>
+        <location filename="../plugin/imagery/messages.py" line="133"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="146"/>
+        <location filename="../plugin/imagery/messages.py" line="134"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="31"/>
+        <location filename="../plugin/resolution/distance_words.py" line="32"/>
         <source>geometric mean</source>
         <translation>średnia geometryczna</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="122"/>
+        <location filename="../plugin/resolution/report.py" line="103"/>
         <source>all of them</source>
         <translation>wszyscy razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="127"/>
+        <location filename="../plugin/resolution/report.py" line="110"/>
         <source>Ground resolved distance: one bar of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="129"/>
+        <location filename="../plugin/resolution/report.py" line="111"/>
         <source>Ground resolved distance: one bar and one gap of the finest group that is resolved in every band.</source>
         <translation>Terenowa zdolność rozdzielcza: jeden pasek i jedna przerwa najdrobniejszej grupy, która jest rozróżniona w każdym kanale.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="134"/>
+        <location filename="../plugin/resolution/report.py" line="115"/>
         <source>higher</source>
         <translation>wyższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="134"/>
+        <location filename="../plugin/resolution/report.py" line="115"/>
         <source>lower</source>
         <translation>niższy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="135"/>
+        <location filename="../plugin/resolution/report.py" line="116"/>
         <source>the group&apos;s own bars against plain gaps</source>
         <translation>własne paski grupy względem gładkich przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="135"/>
+        <location filename="../plugin/resolution/report.py" line="116"/>
         <source>that of the coarsest group</source>
         <translation>amplituda najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="137"/>
+        <location filename="../plugin/resolution/report.py" line="118"/>
         <source>group {group} is {grd:.2f} cm wide, the next {coarser} number {step:.3f} times as wide</source>
         <translation>szerokość grupy {group} wynosi {grd:.2f} cm, a grupa o następnym numerze ({coarser}) jest {step:.3f} razy szersza</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="139"/>
+        <location filename="../plugin/resolution/report.py" line="120"/>
         <source>bars in each group</source>
         <translation>paski w każdej grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="140"/>
+        <location filename="../plugin/resolution/report.py" line="121"/>
         <source>widths</source>
         <translation>szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="142"/>
+        <location filename="../plugin/resolution/report.py" line="123"/>
         <source>widths are of</source>
         <translation>szerokości dotyczą</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="28"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="73"/>
         <source>one bar</source>
         <translation>jeden pasek</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="142"/>
+        <location filename="../plugin/resolution/report.py" line="123"/>
         <source>a bar and a gap together</source>
         <translation>pasek i przerwa razem</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="143"/>
+        <location filename="../plugin/resolution/report.py" line="124"/>
         <source>criterion</source>
         <translation>kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/report.py" line="144"/>
+        <location filename="../plugin/resolution/report.py" line="125"/>
         <source>full amplitude</source>
         <translation>pełna amplituda</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="28"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="73"/>
         <source>bar and gap</source>
         <translation>pasek i przerwa</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="29"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="74"/>
         <source>of the group</source>
         <translation>danej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="29"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="74"/>
         <source>of the coarsest group</source>
         <translation>najgrubszej grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="32"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="77"/>
         <source>Distance of the reference group: the width of what is chosen beside it.</source>
         <translation>GRD grupy odniesienia: szerokość tego, co wybrano obok.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="34"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="79"/>
         <source>What a distance is the width of: a bar and a gap together, as resolution is defined, or one bar, as some targets and reports count.</source>
         <translation>Czego szerokością jest wymiar: paska i przerwy razem, zgodnie z definicją rozdzielczości, czy jednego paska, jak w niektórych testach i raportach.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/target_settings.py" line="38"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="83"/>
         <source>What the amplitude has to be half of: the group&apos;s own bars against plain gaps, or the full amplitude of the coarsest group, which is stricter.</source>
         <translation>Połową czego musi być amplituda: własnych pasków grupy względem gładkich przerw czy pełnej amplitudy najgrubszej grupy, co jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="116"/>
+        <location filename="../plugin/resolution/desk/bar_dock.py" line="102"/>
         <source>Full amplitude</source>
         <translation>Pełna amplituda</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/verdict_text.py" line="18"/>
+        <location filename="../plugin/resolution/distance_words.py" line="64"/>
         <source>Group {group}, {distance}</source>
         <translation>Grupa {group}, {distance}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/verdict_text.py" line="23"/>
+        <location filename="../plugin/resolution/distance_words.py" line="69"/>
         <source>(amplitude {share:.0%} of the full one)</source>
         <translation>(amplituda {share:.0%} pełnej)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/desk/verdict_text.py" line="27"/>
+        <location filename="../plugin/resolution/distance_words.py" line="73"/>
         <source>All lines: {distances}</source>
         <translation>Wszystkie linie: {distances}</translation>
     </message>
@@ -8182,272 +8182,272 @@
         <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz malvar lub bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="44"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="42"/>
         <source>bilinear: the mean of the nearest pixels of the colour. malvar: sharper, as the colour that is seen there says where the others change too (Malvar, He and Cutler 2004). edge_aware: along edges, by OpenCV, which has to be installed.</source>
         <translation>bilinear: średnia najbliższych pikseli danej barwy. malvar: ostrzej, bo barwa zarejestrowana w danym miejscu mówi, gdzie zmieniają się też pozostałe (Malvar, He i Cutler 2004). edge_aware: wzdłuż krawędzi, przez OpenCV, które musi być zainstalowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="51"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="49"/>
         <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
         <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu paskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek pasków każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej paski, a amplituda pasków względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy pasków względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Paski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="68"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="66"/>
         <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, &apos;visible&apos; or &apos;invisible&apos;, in the fields &apos;observer&apos;, &apos;observer_2&apos; and so on.</source>
         <translation>Jedna linia w poprzek pasków każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do pasków. Obok może być zapisane, co widzieli obserwatorzy, „visible” lub „invisible”, w polach „observer”, „observer_2” i tak dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="76"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
         <source>How far either side of the line the profile is averaged; less where that is more than bars are long.</source>
         <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="96"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
         <source>Of the reference group, centimetres on the ground: the width of what the next line says.</source>
         <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="99"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="97"/>
         <source>Distances are widths of</source>
         <translation>GRD to szerokość</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="101"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="99"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
         <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="118"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="116"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
         <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="140"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="138"/>
         <source>Standard deviation along the flight (cm)</source>
         <translation>Odchylenie standardowe wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="141"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="139"/>
         <source>Standard deviation across the flight (cm)</source>
         <translation>Odchylenie standardowe w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="142"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="140"/>
         <source>Standard deviation of the mean (cm)</source>
         <translation>Odchylenie standardowe średniej (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="143"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="141"/>
         <source>Distance along the flight that all observers see (cm)</source>
         <translation>GRD wzdłuż kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="144"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="142"/>
         <source>Distance across the flight that all observers see (cm)</source>
         <translation>GRD w poprzek kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/measureresolution.py" line="145"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="143"/>
         <source>Contrast of the target, bars to gaps</source>
         <translation>Kontrast testu, paski do przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="48"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="130"/>
         <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres), several observers&apos; in &apos;grd&apos;, &apos;grd_2&apos;, &apos;grd_3&apos; and so on: their heights are averaged within the pass. Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
         <translation>Jeden wiersz na przelot z polami „height” (metry nad testem) i „grd” (centymetry), a dla kilku obserwatorów „grd”, „grd_2”, „grd_3” i tak dalej: ich wysokości są uśredniane w ramach przelotu. Wiersze zgodne w polach „sensor”, „image_type” i „direction”, o ile takie pola istnieją, tworzą grupę.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/minimumheight.py" line="68"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="150"/>
         <source>One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it.</source>
         <translation>Jeden wiersz na grupę: liczba, średnia i rozrzuty (metry), tolerancja (%) oraz uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="37"/>
+        <location filename="../plugin/resolution/distance_words.py" line="43"/>
         <source>seen by all observers {direction}: {grd:.2f} cm</source>
         <translation>widoczne dla wszystkich obserwatorów {direction}: {grd:.2f} cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="41"/>
+        <location filename="../plugin/resolution/distance_words.py" line="47"/>
         <source>contrast of the target {contrast:.1f}:1</source>
         <translation>kontrast testu {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="44"/>
+        <location filename="../plugin/resolution/distance_words.py" line="50"/>
         <source>contrast of the target, bars to gaps, {band}: {contrast:.1f}:1</source>
         <translation>kontrast testu, paski do przerw, {band}: {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="158"/>
+        <location filename="../plugin/resolution/charts.py" line="159"/>
         <source>group {group} {direction}</source>
         <translation>grupa {group} {direction}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/charts.py" line="159"/>
+        <location filename="../plugin/resolution/charts.py" line="160"/>
         <source>{grd:.2f} cm: {verdict}</source>
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="113"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="81"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="170"/>
+        <location filename="../plugin/radiometry/report.py" line="154"/>
         <source>not measurable, for the reason above</source>
         <translation>niemierzalne, z powyższej przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="128"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="96"/>
         <source>accepted</source>
         <translation>przyjęto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="128"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="96"/>
         <source>rejected</source>
         <translation>odrzucono</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="31"/>
+        <location filename="../plugin/radiometry/words.py" line="29"/>
         <source>undecided</source>
         <translation>nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="35"/>
+        <location filename="../plugin/radiometry/words.py" line="33"/>
         <source>each band</source>
         <translation>każdy kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="36"/>
+        <location filename="../plugin/radiometry/words.py" line="34"/>
         <source>luminosity</source>
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="108"/>
+        <location filename="../plugin/radiometry/words.py" line="105"/>
         <source>The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}.</source>
         <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="123"/>
+        <location filename="../plugin/radiometry/words.py" line="114"/>
         <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
         <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}; {green:.1f}; {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="140"/>
+        <location filename="../plugin/radiometry/words.py" line="125"/>
         <source>{check} is {value}; the limit is {limit}.</source>
         <translation>{check}: {value}; granica: {limit}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="146"/>
+        <location filename="../plugin/radiometry/words.py" line="131"/>
         <source>Not measurable and required: {checks}.</source>
         <translation>Niemierzalne i wymagane: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="148"/>
+        <location filename="../plugin/radiometry/words.py" line="133"/>
         <source>Not measurable and not required: {checks}.</source>
         <translation>Niemierzalne i niewymagane: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="150"/>
+        <location filename="../plugin/radiometry/words.py" line="135"/>
         <source>The rules set no limit that it could be held against.</source>
         <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="164"/>
+        <location filename="../plugin/radiometry/words.py" line="149"/>
         <source>Beyond their limits: {images}; by {checks}.</source>
         <translation>Poza granicami: {images}; reguły: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="167"/>
+        <location filename="../plugin/radiometry/words.py" line="152"/>
         <source>Not measurable and required: {checks}; in {images}.</source>
         <translation>Niemierzalne i wymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="171"/>
+        <location filename="../plugin/radiometry/words.py" line="156"/>
         <source>Not looked at: {count}.</source>
         <translation>Nie sprawdzono: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="175"/>
+        <location filename="../plugin/radiometry/words.py" line="160"/>
         <source>Not measurable and not required: {checks}; in {images}.</source>
         <translation>Niemierzalne i niewymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="178"/>
+        <location filename="../plugin/radiometry/words.py" line="163"/>
         <source>All figures keep their limits.</source>
         <translation>Wszystkie wartości mieszczą się w granicach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="189"/>
+        <location filename="../plugin/radiometry/words.py" line="174"/>
         <source>{names} and {count} more</source>
         <translation>{names} i jeszcze {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="55"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="52"/>
         <source>Holds images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="72"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="76"/>
         <source>Ready rules</source>
         <translation>Gotowe reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="71"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="68"/>
         <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
         <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum i kontrast histogramu jasności. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="78"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="75"/>
         <source>A JSON file of your own with the limits and where they come from, instead of the ready rules; the documentation has one to start from.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast gotowych reguł; dokumentacja zawiera plik wyjściowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="84"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="81"/>
         <source>Range of values</source>
         <translation>Zakres wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="86"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
         <source>The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged.</source>
         <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="91"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="88"/>
         <source>Grey areas</source>
         <translation>Szare obszary</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="93"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
         <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since no pixel tells a cast from the colour of the ground.</source>
         <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="110"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="107"/>
         <source>What may be grey</source>
         <translation>Obszary, które mogą być szare</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="113"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="110"/>
         <source>Uniform areas with little colour, where no grey areas are given: look at them, delete what is not grey, and give the others as grey areas.</source>
         <translation>Jednorodne obszary o słabej barwie, gdy nie podano obszarów szarych: obejrzyj je, usuń to, co nie jest szare, a pozostałe podaj jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="117"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="114"/>
         <source>The decision and all figures with the histograms on one HTML page.</source>
         <translation>Decyzja i wszystkie wartości z histogramami na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="118"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="115"/>
         <source>Decision: accepted, rejected or undecided</source>
         <translation>Decyzja: przyjęte, odrzucone lub nierozstrzygnięte</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="116"/>
         <source>Reasons of the decision</source>
         <translation>Uzasadnienie decyzji</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="211"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="157"/>
         <source>Decision: {word}.</source>
         <translation>Decyzja: {word}.</translation>
     </message>
@@ -8542,17 +8542,17 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="157"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="128"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="158"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="129"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="162"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="133"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
@@ -8562,132 +8562,132 @@
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="42"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="41"/>
         <source>Writes one HTML page that opens anywhere without network and prints well on A4: a summary by mosaic, a map sketch of the windows by verdict, their relative variances as in table 1 of Pyka 2010, and for each flagged window (a significant loss, or one that the observer saw) what it keeps by distance from the seam, where it lost detail, its curves, its clips at 2x, cause and observer.</source>
         <translation>Zapisuje jedną stronę HTML, która otwiera się wszędzie bez sieci i dobrze drukuje się na A4: podsumowanie według ortofotomap, szkic mapy z oknami według ocen, ich wariancje względne jak w tabeli 1 pracy Pyka 2010, a dla każdego oznaczonego okna (strata istotna lub zauważona przez obserwatora) to, co zachowuje ono w zależności od odległości od linii mozaikowania, miejsce straty detali, krzywe, wycinki 2×, przyczynę i obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="64"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="63"/>
         <source>The table of seam profiles of the same windows: how much detail is kept by distance from the seam.</source>
         <translation>Tabela profili linii mozaikowania tych samych okien: ile detali zachowano w zależności od odległości od linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/report.py" line="79"/>
         <source>The limit drawn into the seam profiles: that which the windows were inspected with.</source>
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/kept_chart.py" line="31"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="35"/>
         <source>least: {least:g}</source>
         <translation>najmniej: {least:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/kept_chart.py" line="34"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="38"/>
         <source>failed: {share:.2f} %</source>
         <translation>niezgodne: {share:.2f} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/kept_chart.py" line="36"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="40"/>
         <source>share of detail kept (kept_1)</source>
         <translation>zachowana część detali (kept_1)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/kept_chart.py" line="37"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="41"/>
         <source>metres that kept less (%)</source>
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="109"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="115"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="116"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
         <source>at least {kept:g} kept, sampled at level {level}, AQL {aql}</source>
         <translation>zachowane co najmniej {kept:g}, próba na poziomie {level}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="131"/>
         <source>at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break</source>
         <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="7"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="10"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="13"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="15"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="17"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="20"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic. Seams there are in no figure unless seamlines were given; scan again with the orthoimages that are missing.</source>
         <translation>{name}: badanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy. Tamtejszych linii mozaikowania nie ma w żadnej liczbie, chyba że podano linie; zbadaj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="24"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
         <source>{name}: the scan found the seams in the pixels, not all of which show theirs where a feather is wide. With the producer&apos;s SEAMLINES metres and lengths are those of all seams.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="27"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
         <source>{name} is a scan&apos;s picture of losses, no mosaic; no picture is cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/messages.py" line="29"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="73"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="182"/>
         <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
         <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="77"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="186"/>
         <source>As the scan wrote it: the XML refers to it, and it says how the seams were measured.</source>
         <translation>Taki, jaki zapisało badanie: XML się do niego odwołuje, a on sam mówi, jak zmierzono linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="86"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="191"/>
         <source>Failures</source>
         <translation>Usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="89"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="194"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="94"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="199"/>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="99"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="204"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/outputs.py" line="101"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="207"/>
         <source>The figures and the decision as a catalogue reads them: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
@@ -8732,397 +8732,397 @@
         <translation>kontrola ulgowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="63"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="68"/>
         <source>A piece of seam fails where the operator saw a loss in its window, whatever it kept.</source>
         <translation>Odcinek jest niezgodny tam, gdzie operator widział stratę w jego oknie, niezależnie od tego, ile zachował.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="65"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="70"/>
         <source>A piece of seam fails where it keeps less than {least} of the detail.</source>
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
         <source>can&apos;t be told</source>
         <translation>nie da się określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="50"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="265"/>
         <source>Acceptance of an orthophoto mosaic: {names}</source>
         <translation>Odbiór ortofotomapy: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="83"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="296"/>
         <source>The seams were measured (scanmosaic): {settings}.</source>
         <translation>Linie mozaikowania zmierzono (scanmosaic): {settings}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="85"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="298"/>
         <source>The delivery was decided on (acceptmosaic) by the rules &apos;{rules}&apos;.</source>
         <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="77"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="78"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="78"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="114"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="82"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="115"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="83"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="85"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="118"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="86"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="121"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="89"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="106"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="107"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="108"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="109"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
         <source>of what was measured failed (95 % interval)</source>
         <translation>ze zmierzonych jest niezgodne (przedział ufności 95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="111"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="118"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="120"/>
         <source>what the operator saw</source>
         <translation>co widział operator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="120"/>
         <source>no loss in the window of a piece</source>
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="155"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="168"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
         <source>{sheet} (no seams)</source>
         <translation>{sheet} (bez linii)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="179"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="179"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="187"/>
         <source>{kept} kept</source>
         <translation>zachowano {kept}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="222"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
         <source>{across} across.</source>
         <translation>Szerokość {across}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="198"/>
         <source>Left: {across} across</source>
         <translation>Po lewej: szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
         <source>Left: a part of it, {across} across</source>
         <translation>Po lewej: jego część, szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="226"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
         <source>{first}; right: where least is kept, {detail} across in full size.</source>
         <translation>{first}; z prawej: miejsce, gdzie zachowano najmniej, szerokość {detail}, w pełnej wielkości.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="234"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
         <source>plan</source>
         <translation>plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="234"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
         <source>ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql}</source>
         <translation>ISO 2859-1, plan jednostopniowy, poziom {level}, {severity}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
         <source>code letter</source>
         <translation>znak literowy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>lot</source>
         <translation>partia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="237"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>{count} pieces of seam</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
         <source>sample</source>
         <translation>próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
         <source>{count} pieces of seam, of which {measured} were measured</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>accepted up to</source>
         <translation>przyjęcie do</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>{count} failed pieces in the sample</source>
         <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="241"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
         <source>found</source>
         <translation>stwierdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
         <source>producer&apos;s risk</source>
         <translation>ryzyko dostawcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
         <source>{risk}: a delivery as good as the AQL is rejected</source>
         <translation>{risk}: odrzucenie dostawy o jakości równej AQL</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="219"/>
         <source>consumer&apos;s risk</source>
         <translation>ryzyko odbiorcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="248"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
         <source>seed of the drawing</source>
         <translation>ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="230"/>
         <source>first and second observer</source>
         <translation>pierwszy i drugi obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="255"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="230"/>
         <source>first observer and tool</source>
         <translation>pierwszy obserwator i narzędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="94"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="108"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="94"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="108"/>
         <source>Whether the delivery keeps to the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="95"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
         <source>All rules together: the delivery is accepted where none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="105"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="119"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="122"/>
         <source>Each piece of seam: what the operator saw in its window.</source>
         <translation>Każdy odcinek linii mozaikowania: co operator widział w jego oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="131"/>
         <source>Length of the pieces of seam that failed, by the length that was measured.</source>
         <translation>Długość niezgodnych odcinków względem długości zmierzonej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="128"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="139"/>
         <source>Length of the longest row of failed pieces that follow each other without a break, across sheets too.</source>
         <translation>Długość najdłuższego nieprzerwanego ciągu niezgodnych odcinków, także przez granice arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="148"/>
         <source>Share of the finest detail of the orthoimages that is left in the piece of seam that kept least.</source>
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="165"/>
         <source>ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql}, code letter {letter}; accepted up to {most} failed pieces.</source>
         <translation>ISO 2859-1, plan jednostopniowy: poziom kontroli {level}, {severity}, AQL {aql}, znak literowy {letter}; liczba kwalifikująca (niezgodne odcinki): {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="156"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="172"/>
         <source>Drawn at random with the seed {seed}.</source>
         <translation>Wylosowano z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="159"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="175"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="163"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="179"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="166"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="182"/>
         <source>Pieces of seam in the sample that failed.</source>
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="170"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="186"/>
         <source>risks of the plan of sampling</source>
         <translation>ryzyka planu kontroli wyrywkowej</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="172"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="188"/>
         <source>Producer&apos;s risk: probability that a delivery as good as the AQL is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of 10 % (consumer&apos;s risk).</source>
         <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy o jakości równej AQL. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem 10 % (ryzyko odbiorcy).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="177"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="193"/>
         <source>producer&apos;s risk; limiting quality</source>
         <translation>ryzyko dostawcy; jakość graniczna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="199"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="187"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="203"/>
         <source>Length of seam that could be measured, by the length of all seams.</source>
         <translation>Długość linii mozaikowania, którą można było zmierzyć, do długości wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="195"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="209"/>
         <source>95 % interval of the share that failed</source>
         <translation>przedział ufności 95 % udziału niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="196"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="210"/>
         <source>Where the share of failed metres lies with a confidence of 95 %.</source>
         <translation>Gdzie z ufnością 95 % leży udział niezgodnych metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="197"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="211"/>
         <source>lower end; upper end</source>
         <translation>dolny koniec; górny koniec</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="202"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="216"/>
         <source>agreement of two observers (kappa)</source>
         <translation>zgodność dwóch obserwatorów (kappa)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="203"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="217"/>
         <source>agreement of the observer with the measurement (kappa)</source>
         <translation>zgodność obserwatora z pomiarem (kappa)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="210"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="224"/>
         <source>Cohen&apos;s kappa of {count} windows that both judged: 1 where both always agree, 0 where they do as often as by chance.</source>
         <translation>Kappa Cohena dla {count} {count:okna ocenionego|okien ocenionych|okien ocenionych} przez obu: 1, gdy obaj zawsze są zgodni, 0, gdy są zgodni tak często jak przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="213"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="227"/>
         <source>Windows judged by eye at 2x magnification.</source>
         <translation>Okna oceniane okiem w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="228"/>
         <source>Windows as they were placed on the seams.</source>
         <translation>Okna tak, jak rozmieszczono je na liniach mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="228"/>
         <source>Windows on the seams of the delivery.</source>
         <translation>Okna na liniach mozaikowania dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_elements.py" line="217"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="231"/>
         <source>kappa; lower end; upper end (95 %)</source>
         <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="111"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="139"/>
         <source>AQL {aql} %: rejected in {risk} % (producer&apos;s risk)</source>
         <translation>AQL {aql} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="150"/>
         <source>failed pieces in the delivery (%)</source>
         <translation>niezgodne odcinki w dostawie (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="123"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="151"/>
         <source>probability of acceptance (%)</source>
         <translation>prawdopodobieństwo przyjęcia (%)</translation>
     </message>
@@ -9382,607 +9382,607 @@
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
         <source>Where failures begin and end inside the pieces is estimated from what these kept: the longest is known to some {longest:.0f} m, all failed metres to some {all:.0f} m.</source>
         <translation>Początki i końce usterek wewnątrz odcinków oszacowano z tego, co te zachowały: najdłuższą zna się z dokładnością do około {longest:.0f} m, wszystkie niezgodne metry do około {all:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="127"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
         <source>The longest failure, {low:.0f} to {high:.0f} m, can&apos;t be told apart from the limit of {limit:.1f} m; scan with a shorter PIECE to know it better.</source>
         <translation>Najdłuższej usterki, od {low:.0f} do {high:.0f} m, nie da się odróżnić od granicy {limit:.1f} m; zbadaj krótszymi odcinkami (PIECE), by poznać ją lepiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
         <source>The failed share, {low:.2%} to {high:.2%} of the measured metres, can&apos;t be told apart from the limit of {limit:.2%}; scan with a shorter PIECE to know it better.</source>
         <translation>Udziału niezgodnego, od {low:.2%} do {high:.2%} zmierzonych metrów, nie da się odróżnić od granicy {limit:.2%}; zbadaj krótszymi odcinkami (PIECE), by poznać go lepiej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="135"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
         <source>A piece fails when it keeps less than 0, which none can: what was measured passes whatever it kept.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="140"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
         <source>The limits are for all metres of a delivery, and here they speak of the sample alone; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="149"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="146"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
         <source>The operators&apos; words are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="149"/>
         <source>None of the {count} windows was judged; judge them in the dock and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
         <source>The windows in {name} were neither inspected nor judged: they lend the failures no cause and no remark.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
         <source>The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
         <source>Both operators judged {count} windows and agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="176"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="173"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
         <source>The layers of seams are empty; choose those of a scan that found seams.</source>
         <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>{count} pieces of seam are given twice, the same line that kept the same; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="196"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="196"/>
         <source>kept_1 of {count} pieces of {name} is no number (&apos;{value}&apos;, say; a decimal point is a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); check whether they are shares.</source>
         <translation>kept_1 jest większe, niż może zachować linia mozaikowania (odcinki w {name}: {count}, największe {value:g}); sprawdź, czy to udziały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
         <source>The field length of {count} pieces of {name} says something else than their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="211"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>The layers are in degrees; places and lengths are told in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="216"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
         <source>The AQL {aql} is none of the standard&apos;s; known are {known}.</source>
         <translation>Normy nie przewidują AQL {aql}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="42"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="47"/>
         <source>Accept or reject a delivery</source>
         <translation>Przyjmij lub odrzuć dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="45"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="49"/>
         <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of it. A piece of seam fails when it kept less than is asked for. What could not be measured never counts as passed.</source>
         <translation>Rozstrzyga o dostawie według linii mozaikowania z jednego badania albo z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy i czy według reguł lub planu ISO 2859-1 dostawa jest przyjęta, wraz z ryzykiem tej decyzji. Odcinek linii mozaikowania jest niezgodny, gdy zachował mniej, niż jest wymagane. To, czego nie można było zmierzyć, nigdy nie liczy się jako zgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="57"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="61"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm „Zaplanuj kontrolę”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="64"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="68"/>
         <source>Plan</source>
         <translation>Plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="66"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="70"/>
         <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lot.</source>
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="73"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="77"/>
         <source>Rules that come with the plugin, instead of the limits above; these then stay as they are.</source>
         <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="78"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="82"/>
         <source>A JSON file of your own with limits and where they come from, instead of the limits above; these then stay as they are. The documentation shows one.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="85"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="89"/>
         <source>Windows that were inspected, and judged perhaps: their causes and remarks go to the failures in them, and the agreement of operators and tool is told.</source>
         <translation>Okna skontrolowane, ewentualnie z opiniami: ich przyczyny i uwagi trafiają do usterek, które w nich leżą, a zgodność operatorów i narzędzia jest podawana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="90"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="94"/>
         <source>Who judges</source>
         <translation>Kto ocenia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="92"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="96"/>
         <source>tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what nobody judged counts as not measured.</source>
         <translation>tool: o niezgodności odcinka decyduje to, co zachował. observer: decyduje to, co operator widział w oknie na odcinku; czego nikt nie ocenił, liczy się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="100"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="103"/>
         <source>The plan&apos;s operating characteristic; without a plan how many metres kept how much.</source>
         <translation>Krzywa operacyjno-charakterystyczna planu; bez planu: ile metrów zachowało ile detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="103"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="106"/>
         <source>Accepted (1) or not (0)</source>
         <translation>Przyjęta (1) lub nie (0)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="105"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="108"/>
         <source>Length that was measured (metres)</source>
         <translation>Długość zmierzona (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="106"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="109"/>
         <source>Length that failed (metres)</source>
         <translation>Długość niezgodna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="107"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="110"/>
         <source>Share of the measured length that failed (%)</source>
         <translation>Udział niezgodnych w zmierzonej długości (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="108"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="111"/>
         <source>Longest failure without a break (metres)</source>
         <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="172"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="214"/>
         <source>Least share of detail kept</source>
         <translation>Najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="173"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="215"/>
         <source>A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.</source>
         <translation>Odcinek linii mozaikowania jest niezgodny, gdy jego kept_1 jest mniejsze; odcinek, który zachowuje dokładnie tyle, jest zgodny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="177"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="219"/>
         <source>Largest share that may fail (%)</source>
         <translation>Największy udział niezgodnych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="179"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="221"/>
         <source>Of the metres of seam that were measured.</source>
         <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="185"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="227"/>
         <source>Failed pieces that follow each other, across seams and sheets where they touch.</source>
         <translation>Niezgodne odcinki, które następują po sobie, także na kolejnych liniach mozaikowania i arkuszach, jeśli się stykają.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="189"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="231"/>
         <source>Least share that has to be measured (%)</source>
         <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/acceptmosaic.py" line="192"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="234"/>
         <source>With less of the metres measured a delivery is not accepted.</source>
         <translation>Jeśli zmierzono mniejszą część metrów, dostawa nie jest przyjmowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="53"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="44"/>
         <source>Plan an inspection</source>
         <translation>Zaplanuj kontrolę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="56"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="46"/>
         <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the dock to be judged. The same seed draws the same sample.</source>
         <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859-1, jak wymagają podane ryzyka albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="65"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="55"/>
         <source>Layers &apos;Seams&apos; of scans, a sheet each, or plain seamlines: these are cut into pieces first.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="71"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="61"/>
         <source>How many: iso2859, as the standard&apos;s tables say for the lot; risk, as few as keep the risks below; count, as many as you say.</source>
         <translation>Liczność próby: iso2859 – według tablic normy dla danej partii; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="80"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="70"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
         <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="84"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="74"/>
         <source>Unit</source>
         <translation>Jednostka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="85"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="75"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
         <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="90"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="80"/>
         <source>What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same seed, windows and pieces are one sample.</source>
         <translation>Na czym rozmieszczane są okna; odcinki, które na niej nie leżą, nie należą do partii. Z nią i przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="99"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="89"/>
         <source>Length of a piece (metres)</source>
         <translation>Długość odcinka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="100"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="90"/>
         <source>Plain seamlines are cut into pieces of about this length; those of a scan stay as they are.</source>
         <translation>Zwykłe linie mozaikowania są dzielone na odcinki mniej więcej tej długości; odcinki z badania pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="103"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="93"/>
         <source>Field of the sheets</source>
         <translation>Pole arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="104"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="94"/>
         <source>Whose values the sample is drawn from in proportion. Empty: layer by layer.</source>
         <translation>Pole, którego wartości są w próbie reprezentowane proporcjonalnie. Puste: warstwa po warstwie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="108"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="98"/>
         <source>Sample</source>
         <translation>Próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="109"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="99"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; says of how many.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="112"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="102"/>
         <source>Pieces in the sample</source>
         <translation>Odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="113"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="103"/>
         <source>How many of them may fail</source>
         <translation>Ile z nich może być niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="114"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="104"/>
         <source>Pieces in the lot</source>
         <translation>Odcinki w partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="116"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="106"/>
         <source>Code letter of the plan</source>
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="157"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="146"/>
         <source>Of the plan &apos;risk&apos;, in percent of the pieces.</source>
         <translation>Dla planu „risk”, w procentach odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="158"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="147"/>
         <source>Good: failing pieces (%)</source>
         <translation>Dobra: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="160"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="149"/>
         <source>Producer&apos;s risk (%)</source>
         <translation>Ryzyko dostawcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="161"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="150"/>
         <source>How often a lot that is good may be rejected.</source>
         <translation>Jak często może być odrzucona partia, która jest dobra.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="164"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="153"/>
         <source>Bad: failing pieces (%)</source>
         <translation>Zła: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="166"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="155"/>
         <source>Consumer&apos;s risk (%)</source>
         <translation>Ryzyko odbiorcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="167"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="156"/>
         <source>How often a lot that is bad may be accepted.</source>
         <translation>Jak często może być przyjęta partia, która jest zła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="171"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="160"/>
         <source>Likeness along a seam</source>
         <translation>Podobieństwo wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="173"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="162"/>
         <source>How much alike pieces of one seam are, 0 to 1 (intraclass correlation); the sample grows with it. Empty: as a scan&apos;s kept_1 says, or 0.3 without one.</source>
         <translation>Jak bardzo odcinki jednej linii mozaikowania są do siebie podobne, od 0 do 1 (korelacja wewnątrzklasowa); próba rośnie wraz z nią. Puste pole: według kept_1 z badania albo 0,3, gdy badania nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="180"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="169"/>
         <source>What counts as failed where likeness along seams is taken from a scan.</source>
         <translation>Co liczy się jako niezgodne, gdy podobieństwo odcinków wzdłuż linii mozaikowania jest brane z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="292"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="231"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/planinspection.py" line="292"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="231"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="21"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="159"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="22"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="160"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="25"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="163"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="26"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="164"/>
         <source>The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="29"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="167"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="30"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="168"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="33"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="171"/>
         <source>Inspection</source>
         <translation>Kontrola</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="34"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="172"/>
         <source>Normal; tightened after two of five lots were rejected; reduced after ten that were accepted.</source>
         <translation>Normalna; obostrzona po odrzuceniu dwóch z pięciu partii; ulgowa po przyjęciu dziesięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/algorithms/plan_parameters.py" line="41"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="179"/>
         <source>Of the drawing: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="55"/>
+        <location filename="../plugin/photos/report.py" line="44"/>
         <source>photo</source>
         <translation>zdjęcie</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="71"/>
+        <location filename="../plugin/photos/report.py" line="60"/>
         <source>marks measured</source>
         <translation>znaczki zmierzone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="71"/>
+        <location filename="../plugin/photos/report.py" line="60"/>
         <source>marks given</source>
         <translation>znaczki podane</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="72"/>
+        <location filename="../plugin/photos/report.py" line="61"/>
         <source>marks failed</source>
         <translation>znaczki odrzucone</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="77"/>
+        <location filename="../plugin/photos/report.py" line="66"/>
         <source>root mean square of the residuals</source>
         <translation>średnia kwadratowa odchyłek</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="111"/>
+        <location filename="../plugin/photos/report.py" line="99"/>
         <source>pixel size</source>
         <translation>wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="112"/>
+        <location filename="../plugin/photos/report.py" line="100"/>
         <source>rotation</source>
         <translation>obrót</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="113"/>
+        <location filename="../plugin/photos/report.py" line="101"/>
         <source>shear</source>
         <translation>nieortogonalność osi</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="114"/>
+        <location filename="../plugin/photos/report.py" line="102"/>
         <source>principal point</source>
         <translation>punkt główny</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="118"/>
+        <location filename="../plugin/photos/report.py" line="106"/>
         <source>focal length</source>
         <translation>ogniskowa</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="124"/>
+        <location filename="../plugin/photos/report.py" line="112"/>
         <source>calibration</source>
         <translation>kalibracja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="127"/>
+        <location filename="../plugin/photos/report.py" line="115"/>
         <source>marks drawn as</source>
         <translation>znaczki narysowane jako</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="130"/>
+        <location filename="../plugin/photos/report.py" line="118"/>
         <source>template</source>
         <translation>wzorzec</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="133"/>
+        <location filename="../plugin/photos/report.py" line="121"/>
         <source>smallest correlation</source>
         <translation>najmniejsza korelacja</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="134"/>
+        <location filename="../plugin/photos/report.py" line="122"/>
         <source>search</source>
         <translation>zasięg szukania</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="135"/>
+        <location filename="../plugin/photos/report.py" line="123"/>
         <source>surface</source>
         <translation>powierzchnia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="137"/>
+        <location filename="../plugin/photos/report.py" line="125"/>
         <source>farthest that a mark may be off</source>
         <translation>największe dopuszczalne odchylenie znaczka</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/report.py" line="148"/>
+        <location filename="../plugin/photos/report.py" line="136"/>
         <source>failed; it should be here</source>
         <translation>odrzucony; powinien być tutaj</translation>
     </message>
@@ -10077,97 +10077,97 @@
         <translation>klin</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="46"/>
+        <location filename="../plugin/photos/interiororientation.py" line="73"/>
         <source>The scan: any raster that GDAL reads, 1 to 16 bit or more; colour is turned to grey. Black is a grey value though the file calls it nodata.</source>
         <translation>Skan: dowolny raster, który odczytuje GDAL, od 1 do 16 bitów lub więcej; barwa jest zamieniana na odcienie szarości. Czerń jest wartością szarości, choćby plik oznaczał ją jako brak danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="61"/>
+        <location filename="../plugin/photos/interiororientation.py" line="88"/>
         <source>A mark cut out of this photo or one like it, with some ground around. It is used for its own mark first; marks that look otherwise are measured by drawn ones. A template that looks alike turned by 180 degrees is measured by its own centre, else by its middle.</source>
         <translation>Znaczek wycięty z tego lub podobnego zdjęcia, z kawałkiem tła wokół. Służy najpierw do pomiaru swojego znaczka; znaczki o innym wyglądzie są mierzone wzorcami rysowanymi. Wzorzec, który po obrocie o 180 stopni wygląda tak samo, jest mierzony względem własnego środka symetrii, inny – względem środka wycinka.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="77"/>
+        <location filename="../plugin/photos/interiororientation.py" line="104"/>
         <source>Off: the positions were measured by hand and are taken as they are; the other marks are measured. One that lies off by more than a thousandth of the frame fails as a measured mark does.</source>
         <translation>Wyłączone: położenia zmierzono ręcznie i są brane bez zmian; pozostałe znaczki są mierzone. Znaczek odległy o więcej niż jedną tysięczną ramki jest odrzucany tak samo jak zmierzony.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="147"/>
+        <location filename="../plugin/photos/interiororientation.py" line="164"/>
         <source>MicMac measurement</source>
         <translation>Pomiar MicMac</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="147"/>
+        <location filename="../plugin/photos/interiororientation.py" line="164"/>
         <source>XML files (*.xml)</source>
         <translation>Pliki XML (*.xml)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="150"/>
+        <location filename="../plugin/photos/interiororientation.py" line="166"/>
         <source>The measured and given marks as MicMac reads them: save it as Ori-InterneScan/MeasuresIm-PHOTO.xml, with the photo&apos;s whole file name, as in MeasuresIm-114.jpg.xml.</source>
         <translation>Zmierzone i podane znaczki w postaci, którą odczytuje MicMac: zapisz jako Ori-InterneScan/MeasuresIm-PHOTO.xml, z pełną nazwą pliku zdjęcia, jak w MeasuresIm-114.jpg.xml.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="42"/>
+        <location filename="../plugin/photos/comparemarks.py" line="51"/>
         <source>Compares two measurements of the same marks: count, mean, standard deviation, maximum and minimum of the distances, in pixels and micrometres, as tables 1 to 4 of Mikrut and Chwastek 2007 do, and whether the mean is within a limit. Two operators differed there by 0.25 px, so a program has to stay within that. Many photos are compared in one run: give folders, or merged layers with a field &apos;photo&apos;.</source>
         <translation>Porównuje dwa pomiary tych samych znaczków: liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, w pikselach i mikrometrach, jak w tabelach od 1 do 4 pracy Mikruta i Chwastka z 2007 r., oraz czy średnia mieści się w granicy. Dwaj operatorzy różnili się tam o 0,25 px, więc program musi się w tym zmieścić. Wiele zdjęć porównuje się za jednym razem: podaj katalogi albo połączone warstwy z polem „photo”.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="56"/>
+        <location filename="../plugin/photos/comparemarks.py" line="65"/>
         <source>Instead of the layer: all files of this folder, layers with the field &apos;mark&apos; (of the photo in their field &apos;photo&apos;, else of the one that the file is called like) and MicMac&apos;s MeasuresIm-*.xml.</source>
         <translation>Zamiast warstwy: wszystkie pliki tego katalogu, warstwy z polem „mark” (dla zdjęcia z ich pola „photo”, a bez niego dla zdjęcia o nazwie pliku) oraz pliki MeasuresIm-*.xml z programu MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="60"/>
+        <location filename="../plugin/photos/comparemarks.py" line="69"/>
         <source>First measurement, a folder</source>
         <translation>Pierwszy pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="61"/>
+        <location filename="../plugin/photos/comparemarks.py" line="70"/>
         <source>Second measurement, a folder</source>
         <translation>Drugi pomiar, katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="72"/>
+        <location filename="../plugin/photos/comparemarks.py" line="81"/>
         <source>Largest mean distance (px)</source>
         <translation>Największa średnia odległość (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="75"/>
+        <location filename="../plugin/photos/comparemarks.py" line="84"/>
         <source>The verdict is &apos;within&apos; where the mean distance is at most that; in the paper 0.25 px.</source>
         <translation>Ocena brzmi „within”, gdy średnia odległość jest nie większa; w artykule 0,25 px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="87"/>
+        <location filename="../plugin/photos/comparemarks.py" line="96"/>
         <source>Count, mean, standard deviation, maximum and minimum of the distances, the limit and the verdict, a row for each unit.</source>
         <translation>Liczba, średnia, odchylenie standardowe, maksimum i minimum odległości, granica i ocena, po jednym wierszu na jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="93"/>
+        <location filename="../plugin/photos/comparemarks.py" line="101"/>
         <source>Photos</source>
         <translation>Zdjęcia</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="95"/>
+        <location filename="../plugin/photos/comparemarks.py" line="102"/>
         <source>Count, mean, maximum (px) and verdict of each photo.</source>
         <translation>Liczba, średnia, maksimum (px) i ocena każdego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="106"/>
+        <location filename="../plugin/photos/comparemarks.py" line="113"/>
         <source>Marks in both measurements</source>
         <translation>Znaczki w obu pomiarach</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="107"/>
+        <location filename="../plugin/photos/comparemarks.py" line="114"/>
         <source>1 where the mean distance is within the limit, else 0</source>
         <translation>1, gdy średnia odległość mieści się w granicy, w przeciwnym razie 0</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="170"/>
+        <location filename="../plugin/photos/comparemarks.py" line="173"/>
         <source>The mean distance is within the limit of {limit:g} px.</source>
         <translation>Średnia odległość mieści się w granicy {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="171"/>
+        <location filename="../plugin/photos/comparemarks.py" line="174"/>
         <source>The mean distance is beyond the limit of {limit:g} px.</source>
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
@@ -10204,7 +10204,7 @@
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="37"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="52"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
@@ -10257,7 +10257,7 @@
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="100"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="176"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
@@ -10514,7 +10514,7 @@
         <translation>podane</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="179"/>
         <source>{name} is read by the Python package PyYAML, which is not there; install it, or give an AutoCal XML of MicMac.</source>
         <translation>Do odczytu pliku {name} potrzebny jest pakiet Pythona PyYAML, którego nie ma; zainstaluj go albo podaj AutoCal XML programu MicMac.</translation>
     </message>
@@ -10529,12 +10529,12 @@
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="244"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="219"/>
         <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="114"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="142"/>
         <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
         <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
     </message>
@@ -10671,62 +10671,62 @@
         <translation>Skontroluj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/ready_rules.py" line="12"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="223"/>
         <source>Seam Inspector&apos;s own</source>
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="11"/>
+        <location filename="../plugin/imagery/messages.py" line="13"/>
         <source>{name} is a device, a pipe or memory, not a file; copy its data to a file.</source>
         <translation>{name} jest urządzeniem, potokiem albo pamięcią, a nie plikiem; skopiuj dane do pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="12"/>
+        <location filename="../plugin/imagery/messages.py" line="14"/>
         <source>{name} is a VRT that leads to {path}, which is no file; mend the VRT.</source>
         <translation>{name} jest plikiem VRT, który prowadzi do {path}, a to nie jest plik; popraw plik VRT.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="13"/>
+        <location filename="../plugin/imagery/messages.py" line="15"/>
         <source>{name} is a VRT of more than {most} files; make VRTs of parts of the block.</source>
         <translation>{name} jest plikiem VRT złożonym z więcej niż {most} plików; utwórz pliki VRT z części bloku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="14"/>
+        <location filename="../plugin/imagery/messages.py" line="16"/>
         <source>{name} has {count} bands and {most} are the most; take out those that are to be measured.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, a może mieć najwyżej {most}; wydziel te, które mają być mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="16"/>
+        <location filename="../plugin/imagery/messages.py" line="18"/>
         <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles.</source>
         <translation>Raster {name} jest zapisany w blokach {width} × {height} px, zbyt dużych do odczytu; zapisz go ponownie w kaflach.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="18"/>
+        <location filename="../plugin/imagery/messages.py" line="20"/>
         <source>{name} says it has {columns} x {rows} px, as no raster has; the file is damaged, so copy it anew.</source>
         <translation>Raster {name} ma mieć {columns} × {rows} px, jakich nie ma żaden raster; plik jest uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="20"/>
+        <location filename="../plugin/imagery/messages.py" line="22"/>
         <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="22"/>
+        <location filename="../plugin/imagery/messages.py" line="24"/>
         <source>{name} is {columns} px wide and {most} are the most; cut it into sheets first.</source>
         <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="60"/>
+        <location filename="../plugin/plugin.py" line="59"/>
         <source>The first inspection in five minutes, and a page for every algorithm</source>
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="180"/>
+        <location filename="../plugin/seams/desk/dock.py" line="174"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="180"/>
+        <location filename="../plugin/seams/desk/dock.py" line="174"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -10756,22 +10756,22 @@
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/window_orders.py" line="70"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="76"/>
         <source>Significant losses first; within a verdict the greatest loss.</source>
         <translation>Najpierw straty istotne; w obrębie oceny największa strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judge_bar.py" line="256"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="437"/>
         <source>The key S takes the seamlines and a scan&apos;s layers off the map, and puts them back.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/judging_progress.py" line="38"/>
+        <location filename="../plugin/seams/desk/judging.py" line="76"/>
         <source>nothing to judge yet</source>
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging/notes_row.py" line="93"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="110"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -10781,37 +10781,37 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="108"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="114"/>
         <source>the plugin&apos;s standard ({parameter})</source>
         <translation>standard wtyczki ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="125"/>
         <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="138"/>
+        <location filename="../plugin/imagery/messages.py" line="126"/>
         <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/comparemarks.py" line="79"/>
+        <location filename="../plugin/photos/comparemarks.py" line="88"/>
         <source>Pixel size (µm)</source>
         <translation>Wielkość piksela (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="53"/>
+        <location filename="../plugin/photos/interiororientation.py" line="179"/>
         <source>Root mean square of the residuals (µm)</source>
         <translation>Średnia kwadratowa odchyłek (µm)</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/interiororientation.py" line="127"/>
+        <location filename="../plugin/photos/interiororientation.py" line="254"/>
         <source>{marks} marks, {model} model, root mean square of the residuals {rms:.1f} µm.</source>
         <translation>{marks} {marks:znaczek|znaczki|znaczków}, model {model}, średnia kwadratowa odchyłek {rms:.1f} µm.</translation>
     </message>
     <message>
-        <location filename="../plugin/photos/algorithms/photo_parameters.py" line="128"/>
+        <location filename="../plugin/photos/interiororientation.py" line="150"/>
         <source>A point for each mark of the calibration: column and row (pixel centres at .5), millimetres, residuals in µm, correlation, status, reason and the photo&apos;s name.</source>
         <translation>Punkt dla każdego znaczka kalibracji: kolumna i wiersz (środki pikseli mają końcówkę ,5), milimetry, odchyłki w µm, korelacja, stan, przyczyna i nazwa zdjęcia.</translation>
     </message>
@@ -10824,117 +10824,117 @@
         <translation>Odchyłka y, µm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/algorithms/simulatebayer.py" line="51"/>
+        <location filename="../plugin/resolution/simulatebayer.py" line="49"/>
         <source>A GeoTIFF: red, green and blue on the image&apos;s own pixels, in its data type.</source>
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/algorithms/fitsensormodel.py" line="97"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="176"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="134"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="26"/>
+        <location filename="../plugin/seams/report/window_words.py" line="98"/>
         <source>Looks at ratio 1 in whole windows. Significant: {limit:.2f} or less. Reduced: below 1. Preserved: 1 or more.</source>
         <translation>Patrzy na stosunek 1 w całych oknach. Istotna strata: {limit:.2f} lub mniej. Osłabione: poniżej 1. Zachowane: 1 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="21"/>
+        <location filename="../plugin/seams/report/window_words.py" line="93"/>
         <source>Significant: {percent} % or less of the finest detail is kept along the seam, or the whole window is blurred badly. Reduced: surely less than all is kept. Preserved: no loss is sure.</source>
         <translation>Istotna strata: wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="18"/>
+        <location filename="../plugin/seams/report/window_words.py" line="90"/>
         <source>flagged</source>
         <translation>oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="18"/>
+        <location filename="../plugin/seams/report/window_words.py" line="90"/>
         <source>Has a significant loss, or one that the observer saw.</source>
         <translation>Okno z istotną stratą lub ze stratą, którą zauważył obserwator.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="28"/>
+        <location filename="../plugin/seams/report/window_words.py" line="100"/>
         <source>the paper&apos;s rule</source>
         <translation>reguła z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="29"/>
+        <location filename="../plugin/seams/report/window_words.py" line="101"/>
         <source>What the operator saw at 2x magnification.</source>
         <translation>Co operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="31"/>
+        <location filename="../plugin/seams/report/window_words.py" line="103"/>
         <source>The share of the sources&apos; finest detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
         <translation>Część najdrobniejszych detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="45"/>
+        <location filename="../plugin/seams/report/window_words.py" line="117"/>
         <source>The mosaic&apos;s relative variance at level 1 divided by a source&apos;s; a window&apos;s is the largest over its sources.</source>
         <translation>Wariancja względna ortofotomapy na poziomie 1 podzielona przez wariancję ortoobrazu źródłowego; stosunek okna jest największym spośród jego źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="48"/>
+        <location filename="../plugin/seams/report/window_words.py" line="120"/>
         <source>The share of a clip&apos;s variance that lies in the details of each level, and in the background that is left (wavelet decomposition; Pyka 2010).</source>
         <translation>Część wariancji wycinka przypadająca na detale każdego poziomu i na pozostałe tło (dekompozycja falkowa; Pyka 2010).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="51"/>
+        <location filename="../plugin/seams/report/window_words.py" line="123"/>
         <source>level of detail</source>
         <translation>poziom detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="51"/>
+        <location filename="../plugin/seams/report/window_words.py" line="123"/>
         <source>Level 1 is the finest, of some 2 px; each further one is twice as coarse.</source>
         <translation>Poziom 1 jest najdrobniejszy, około 2 px; każdy następny jest dwa razy grubszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="41"/>
+        <location filename="../plugin/seams/report/window_words.py" line="113"/>
         <source>sharpness 1</source>
         <translation>ostrość 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="42"/>
+        <location filename="../plugin/seams/report/window_words.py" line="114"/>
         <source>The contrast of the finest detail in the whole window, 1 for that of its sources in the mosaic&apos;s tones.</source>
         <translation>Kontrast najdrobniejszych detali w całym oknie; 1 to kontrast jego ortoobrazów źródłowych w tonach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="54"/>
+        <location filename="../plugin/seams/report/window_words.py" line="126"/>
         <source>What the mosaic would be if its sources had been cut along the seam and nothing were mixed.</source>
         <translation>Czym byłaby ortofotomapa, gdyby jej źródła przycięto wzdłuż linii mozaikowania i niczego nie zmieszano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="58"/>
+        <location filename="../plugin/seams/report/window_words.py" line="130"/>
         <source>What would be left of the sources&apos; detail if the two were averaged.</source>
         <translation>Ile zostałoby z detali ortoobrazów źródłowych, gdyby dwa z nich uśredniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="61"/>
+        <location filename="../plugin/seams/report/window_words.py" line="133"/>
         <source>seam profile</source>
         <translation>profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="67"/>
+        <location filename="../plugin/seams/report/window_words.py" line="139"/>
         <source>lost detail</source>
         <translation>utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="68"/>
+        <location filename="../plugin/seams/report/window_words.py" line="140"/>
         <source>The colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
         <translation>Barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="71"/>
+        <location filename="../plugin/seams/report/window_words.py" line="143"/>
         <source>clips</source>
         <translation>wycinki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="72"/>
+        <location filename="../plugin/seams/report/window_words.py" line="144"/>
         <source>The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes a little of it from all of them.</source>
         <translation>Część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali, wszystkie z jednakowym rozciągnięciem. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
@@ -10955,137 +10955,137 @@
         <translation>Okno {number}: wariancja względna według poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="15"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="30"/>
         <source>station (m)</source>
         <translation>pikietaż (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="16"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="31"/>
         <source>length (m)</source>
         <translation>długość (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="18"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="33"/>
         <source>verdict by the paper&apos;s rule</source>
         <translation>ocena według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="19"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="34"/>
         <source>verdict against</source>
         <translation>ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="21"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="36"/>
         <source>sources that took part</source>
         <translation>liczba ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="23"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="38"/>
         <source>orthoimage on the left</source>
         <translation>ortoobraz z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="24"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="39"/>
         <source>orthoimage on the right</source>
         <translation>ortoobraz z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="25"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="40"/>
         <source>its date, left</source>
         <translation>jego data, z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="26"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="41"/>
         <source>its date, right</source>
         <translation>jego data, z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="65"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="140"/>
         <source>ratio of the background</source>
         <translation>stosunek tła</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="27"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="42"/>
         <source>kept 1, at least</source>
         <translation>zachowane 1, co najmniej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="28"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="43"/>
         <source>kept 1, at most</source>
         <translation>zachowane 1, co najwyżej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="29"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="44"/>
         <source>width of the band (m)</source>
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="77"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="153"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="141"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="214"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="155"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="229"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="160"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="234"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="36"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="51"/>
         <source>failure</source>
         <translation>usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="38"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="53"/>
         <source>picture</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="41"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="56"/>
         <source>kept {level}</source>
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="69"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="145"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="73"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="149"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="42"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="57"/>
         <source>kept {level} in the window</source>
         <translation>zachowane {level} w oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="43"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="58"/>
         <source>kept {level} in the strip</source>
         <translation>zachowane {level} w pasie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="44"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="59"/>
         <source>contrast {level}</source>
         <translation>kontrast {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="45"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="60"/>
         <source>sharpness {level}</source>
         <translation>ostrość {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="46"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="61"/>
         <source>added detail {level}</source>
         <translation>dodane detale {level}</translation>
     </message>
@@ -11099,42 +11099,42 @@
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="32"/>
+        <location filename="../plugin/imagery/messages.py" line="34"/>
         <source>{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="227"/>
         <source>{asked} m is too small for this mosaic</source>
         <translation>{asked} m to za mało dla tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
         <source>{asked} m is too large for this mosaic</source>
         <translation>{asked} m to za dużo dla tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="218"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/map/window_words.py" line="15"/>
+        <location filename="../plugin/seams/desk/map/window_tool.py" line="319"/>
         <source>{width} x {height} m, {columns} x {rows} px</source>
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="131"/>
+        <location filename="../plugin/seams/words.py" line="175"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="133"/>
+        <location filename="../plugin/seams/words.py" line="177"/>
         <source>a part of it matches none of these sources</source>
         <translation>jej część nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="134"/>
+        <location filename="../plugin/seams/words.py" line="178"/>
         <source>{value} % of it match none of these sources</source>
         <translation>{value} % jej pikseli nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
@@ -11149,7 +11149,7 @@
         <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="121"/>
+        <location filename="../plugin/seams/window_summary.py" line="291"/>
         <source>{percent} % of the pixels match none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -11159,72 +11159,72 @@
         <translation>{name} ma {columns} x {rows} px, a żadne zeskanowane zdjęcie nie ma na boku więcej niż {most} px; wybierz skan jednego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="9"/>
+        <location filename="../plugin/imagery/messages.py" line="11"/>
         <source>{name} may not be read; ask its owner for permission to read it, or copy it.</source>
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="106"/>
+        <location filename="../plugin/imagery/messages.py" line="140"/>
         <source>Permission denied</source>
         <translation>brak dostępu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="107"/>
+        <location filename="../plugin/imagery/messages.py" line="151"/>
         <source>Operation not permitted</source>
         <translation>operacja niedozwolona</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <location filename="../plugin/imagery/messages.py" line="148"/>
         <source>No such file or directory</source>
         <translation>nie ma takiego pliku ani katalogu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="109"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>Is a directory</source>
         <translation>jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="150"/>
         <source>Not a directory</source>
         <translation>nie jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>File exists</source>
         <translation>plik już istnieje</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="146"/>
         <source>Too many levels of symbolic links</source>
         <translation>zbyt wiele poziomów dowiązań symbolicznych</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="147"/>
         <source>File name too long</source>
         <translation>zbyt długa nazwa pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="114"/>
+        <location filename="../plugin/imagery/messages.py" line="149"/>
         <source>No space left on device</source>
         <translation>brak miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="115"/>
+        <location filename="../plugin/imagery/messages.py" line="141"/>
         <source>Disk quota exceeded</source>
         <translation>przekroczony limit miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <location filename="../plugin/imagery/messages.py" line="152"/>
         <source>Read-only file system</source>
         <translation>system plików tylko do odczytu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="144"/>
         <source>Input/output error</source>
         <translation>błąd wejścia/wyjścia</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="143"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
     </message>
@@ -11233,12 +11233,12 @@
         <translation>Znaczenie słów podano za oznaczonymi oknami, w części Jak to czytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="35"/>
+        <location filename="../plugin/imagery/messages.py" line="37"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="55"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="54"/>
         <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; is no verdict), and the measures &apos;kept_1&apos;, &apos;visibility&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
         <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „visibility”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
     </message>
@@ -11248,17 +11248,17 @@
         <translation>Prostokąty w zmierzonych granicach, z oceną, z tym, co zachowano wzdłuż linii mozaikowania, z tym, na ile oko widzi stratę w powiększeniu 2× („visibility”, 1 to strata ledwie widoczna), i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="129"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="126"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees the loss at 2x, and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="113"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="187"/>
         <source>visibility</source>
         <translation>widoczność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="116"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="189"/>
         <source>How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable differences, JND).</source>
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
@@ -11268,82 +11268,82 @@
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="36"/>
+        <location filename="../plugin/seams/report/window_words.py" line="108"/>
         <source>visibility at 2x (JND)</source>
         <translation>widoczność w powiększeniu 2× (JND)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="37"/>
+        <location filename="../plugin/seams/report/window_words.py" line="109"/>
         <source>How many times more of the detail along the seam was lost than an eye just sees side by side at 2x: just noticeable differences of contrast, by the sensitivity of the eye to the size and contrast of the detail.</source>
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/variance_table.py" line="86"/>
+        <location filename="../plugin/seams/report/window_words.py" line="61"/>
         <source>visibility at 2x (JND): {value:.1f}</source>
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="196"/>
+        <location filename="../plugin/seams/window_summary.py" line="366"/>
         <source>, less than an eye just sees at 2x</source>
         <translation>, mniej niż oko ledwie dostrzega w powiększeniu 2×</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="197"/>
+        <location filename="../plugin/seams/window_summary.py" line="367"/>
         <source>, {times} times what an eye just sees at 2x</source>
         <translation>, {times} raza tyle, ile oko ledwie dostrzega w powiększeniu 2×</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="64"/>
+        <location filename="../plugin/seams/words.py" line="114"/>
         <source>blur took {value} %</source>
         <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="81"/>
+        <location filename="../plugin/seams/words.py" line="128"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="83"/>
+        <location filename="../plugin/seams/words.py" line="129"/>
         <source>Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="110"/>
+        <location filename="../plugin/seams/words.py" line="155"/>
         <source>clipping took {value} %</source>
         <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="121"/>
+        <location filename="../plugin/seams/words.py" line="166"/>
         <source>Images that meet in the mosaic do not lie on each other there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="150"/>
+        <location filename="../plugin/seams/words.py" line="192"/>
         <source>resampling took {value} %</source>
         <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="167"/>
+        <location filename="../plugin/seams/words.py" line="209"/>
         <source>compression took {value} %</source>
         <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="85"/>
+        <location filename="../plugin/seams/window_summary.py" line="150"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="122"/>
+        <location filename="../plugin/seams/words.py" line="167"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="123"/>
+        <location filename="../plugin/seams/window_summary.py" line="246"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="199"/>
+        <location filename="../plugin/seams/words.py" line="239"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
@@ -11368,32 +11368,32 @@
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="105"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="181"/>
         <source>feather width</source>
         <translation>szerokość wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="108"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="183"/>
         <source>Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut.</source>
         <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="123"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
         <source>misfit</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="124"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="196"/>
         <source>How far apart the two images lie where they meet, as the mosaic has them.</source>
         <translation>O ile oba obrazy są od siebie odsunięte tam, gdzie się stykają, tak jak leżą w ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="83"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="159"/>
         <source>All that happened to the contrast, what took most first.</source>
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/more_columns.py" line="39"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="220"/>
         <source>{length} px</source>
         <translation>{length} px</translation>
     </message>
@@ -11403,82 +11403,82 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="63"/>
+        <location filename="../plugin/seams/window_summary.py" line="119"/>
         <source>This is told by the mixture of the images, as the ground around is mixed too.</source>
         <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="92"/>
+        <location filename="../plugin/seams/window_summary.py" line="148"/>
         <source>it is softened along the seam</source>
         <translation>jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="119"/>
+        <location filename="../plugin/seams/window_summary.py" line="175"/>
         <source>, where mixing alone would leave {percent} %</source>
         <translation>, a samo zmieszanie zostawiłoby {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="60"/>
+        <location filename="../plugin/seams/window_summary.py" line="116"/>
         <source>This is told by the mixture of the images, as there is too little unmixed ground around.</source>
         <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="62"/>
+        <location filename="../plugin/seams/window_summary.py" line="118"/>
         <source>This is told by the mixture of the images, as other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="127"/>
+        <location filename="../plugin/seams/window_summary.py" line="183"/>
         <source>Besides: {others}.</source>
         <translation>Poza tym: {others}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="96"/>
+        <location filename="../plugin/seams/window_summary.py" line="152"/>
         <source>images are mixed over {width} m by another rule than weights</source>
         <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="98"/>
+        <location filename="../plugin/seams/window_summary.py" line="154"/>
         <source>images {apart} px apart are mixed by another rule than weights</source>
         <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="100"/>
+        <location filename="../plugin/seams/window_summary.py" line="156"/>
         <source>images {apart} px apart are feathered over {width} m</source>
         <translation>na szerokości {width} m wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="101"/>
+        <location filename="../plugin/seams/window_summary.py" line="157"/>
         <source>images {apart} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="104"/>
+        <location filename="../plugin/seams/window_summary.py" line="160"/>
         <source>, and most of that is their misfit</source>
         <translation>, a większość tego zabrało ich niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="106"/>
+        <location filename="../plugin/seams/window_summary.py" line="162"/>
         <source>images are feathered over {width} m</source>
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="211"/>
+        <location filename="../plugin/seams/window_summary.py" line="381"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="203"/>
+        <location filename="../plugin/seams/window_summary.py" line="373"/>
         <source>The rest is as sharp as its sources.</source>
         <translation>Reszta jest tak ostra jak jej ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/field_titles.py" line="30"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="45"/>
         <source>width of the feather (m)</source>
         <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_fields.py" line="122"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
         <source>images apart in the mosaic (px)</source>
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
@@ -11487,22 +11487,22 @@
         <translation>wtopione na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/cause_words.py" line="68"/>
+        <location filename="../plugin/seams/words.py" line="118"/>
         <source>Two images that differ were mixed by weights along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/reading_terms.py" line="62"/>
+        <location filename="../plugin/seams/report/window_words.py" line="134"/>
         <source>The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 drops below the dashed line, the loss is significant. The dotted line is the share of the image beyond the seam in the mixture of the two.</source>
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="70"/>
+        <location filename="../plugin/seams/window_summary.py" line="126"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
         <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="69"/>
+        <location filename="../plugin/seams/window_summary.py" line="125"/>
         <source>the seam took {value} %</source>
         <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
@@ -11517,12 +11517,12 @@
         <translation>{name} nie wyjaśnia w oknie niczego ponad to, co inne ortoobrazy źródłowe, tak jak kopia ortofotomapy; nie bierze tam udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/what_happened.py" line="89"/>
+        <location filename="../plugin/seams/window_summary.py" line="145"/>
         <source>more than {width}</source>
         <translation>ponad {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="146"/>
+        <location filename="../plugin/seams/window_summary.py" line="316"/>
         <source>The whole window lost sharpness: it has {percent} % of that of its sources.</source>
         <translation>Całe okno straciło ostrość: ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -11542,7 +11542,7 @@
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="134"/>
+        <location filename="../plugin/imagery/messages.py" line="122"/>
         <source>the file there is damaged</source>
         <translation>istniejący plik jest uszkodzony</translation>
     </message>
