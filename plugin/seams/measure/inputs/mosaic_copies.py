@@ -78,11 +78,15 @@ def leave_out_copies(
                 copies.append(source)
             elif likeness is Likeness.COARSER:
                 notices.append(messages.OVERVIEW_AMONG_SOURCES(name=source.ref.name))
-        turning = [one for one in alike if _takes_turns(one, [*kept, *alike], mosaic, pool)]
+        places = _places_with_content(mosaic, pool) if alike else []
+        lacking = {one: _lacking(one, mosaic, places, pool) for one in (*kept, *alike)}
+        turning = [
+            one for one in alike if _takes_turns(own := lacking[one], [of for of in lacking.values() if of is not own])
+        ]
         alike = [one for one in alike if one not in turning]
         known = {*kept, *turning}
         true = [one for one in sources if one in known]
-        if alike and not _explain([one for one in true if _has_judged_band(one, mosaic, pool)], mosaic, pool):
+        if alike and not _explain([lacking[one] for one in true if _has_judged_band(one, mosaic, pool)]):
             # Which of them the mosaic was cut from can't be told.
             true = [one for one in sources if one in known or one in alike]
         else:
@@ -221,15 +225,10 @@ def _same_place(first: Extent, second: Extent, tolerance: float) -> bool:
     return max(abs(a - b) for a, b in zip(first, second)) < tolerance
 
 
-def _takes_turns(source: Source, sources: Sequence[Source], mosaic: Raster, pool: RasterPool) -> bool:
+def _takes_turns(own: np.ndarray, others: Sequence[np.ndarray]) -> bool:
     """Whether one that is like the mosaic everywhere explains it best here, and there another one does and it lacks
-    much more: it is an orthoimage, as no copy turns away from its mosaic."""
-    others = [one for one in sources if one is not source]
-    found = [
-        [_least_lacking(given, mosaic, place, pool) for given in ([source], others)]
-        for place in _places_with_content(mosaic, pool)
-    ]
-    own, best = np.array(found).reshape(-1, 2).T
+    much more: it is an orthoimage, as no copy turns away from its mosaic. By what each lacks (``_lacking``)."""
+    best = np.fmin.reduce([np.full_like(own, np.nan), *others])
     wins, is_beaten = best > PLAINLY * own + NEARLY_ALL, own > PLAINLY * best + NEARLY_ALL
     if min(np.count_nonzero(wins), np.count_nonzero(is_beaten)) < FEWEST_TURNS:
         return False
@@ -246,12 +245,12 @@ def _has_judged_band(source: Source, mosaic: Raster, pool: RasterPool) -> bool:
         return False
 
 
-def _explain(sources: Sequence[Source], mosaic: Raster, pool: RasterPool) -> bool:
-    """Whether in most places one of the sources is like the mosaic."""
-    if not sources:
+def _explain(lacking: Sequence[np.ndarray]) -> bool:
+    """Whether in most places one of the sources is like the mosaic, by what each lacks."""
+    if not lacking:
         return False
-    lacking = [_least_lacking(sources, mosaic, place, pool) for place in _places_with_content(mosaic, pool)]
-    return sum(one <= 1 - MEDIAN_LIKE**2 for one in lacking) >= 0.5 * len(lacking)
+    best = np.fmin.reduce(lacking)
+    return int(np.count_nonzero(best <= 1 - MEDIAN_LIKE**2)) >= 0.5 * len(best)
 
 
 @dataclass(frozen=True, eq=False)
@@ -264,9 +263,9 @@ class _MosaicPlace:
     valid: np.ndarray
 
 
-def _places_with_content(mosaic: Raster, pool: RasterPool) -> Iterator[_MosaicPlace]:
+def _places_with_content(mosaic: Raster, pool: RasterPool) -> list[_MosaicPlace]:
     """Spread over the mosaic, those with content."""
-    grid, opened = mosaic.grid, pool.open(mosaic.ref)
+    grid, opened, found = mosaic.grid, pool.open(mosaic.ref), []
     side = min(SIDE_PX, grid.columns, grid.rows)
     for row in np.linspace(0, grid.rows - side, EXPLAINED_PLACES).astype(int).tolist():
         for column in np.linspace(0, grid.columns - side, EXPLAINED_PLACES).astype(int).tolist():
@@ -274,27 +273,24 @@ def _places_with_content(mosaic: Raster, pool: RasterPool) -> Iterator[_MosaicPl
             ours = opened.read(window)
             values = ours.bands[:1].astype(np.float64)
             if ours.valid.mean() >= 0.5 and content_of(values, ours.valid) >= LEAST_CONTENT:
-                yield _MosaicPlace(window, values, ours.valid)
+                found.append(_MosaicPlace(window, values, ours.valid))
+    return found
 
 
-def _least_lacking(sources: Sequence[Source], mosaic: Raster, place: _MosaicPlace, pool: RasterPool) -> float:
-    """Share of the mosaic's detail at a place that the best of some sources does not explain; nan where none has pixels
-    there."""
-    clips = (_clip(one, mosaic, place, pool) for one in sources_in(sources, mosaic.grid.window_extent(place.window)))
-    best = max((correlation_of(place.values, *clip) for clip in clips if clip is not None), default=np.nan)
-    return float(1 - np.maximum(best, 0.0) ** 2)
-
-
-def _clip(
-    source: Source, mosaic: Raster, place: _MosaicPlace, pool: RasterPool
-) -> tuple[np.ndarray, np.ndarray] | None:
-    """First band of a source, (1, rows, columns), and where both have pixels; None where they hardly have any."""
-    try:
-        values, valid = first_band(source, mosaic, place.window, pool)
-    except RasterError:
-        return None
-    both = place.valid & valid
-    return (values, both) if both.mean() > 0.2 and content_of(values, both) > 0 else None
+def _lacking(source: Source, mosaic: Raster, places: Sequence[_MosaicPlace], pool: RasterPool) -> np.ndarray:
+    """Share of the mosaic's detail that a source does not explain, (places,); nan where it has hardly any pixels."""
+    found = np.full(len(places), np.nan)
+    for number, place in enumerate(places):
+        if not sources_in([source], mosaic.grid.window_extent(place.window)):
+            continue
+        try:
+            values, valid = first_band(source, mosaic, place.window, pool)
+        except RasterError:
+            continue
+        both = place.valid & valid
+        if both.mean() > 0.2 and content_of(values, both) > 0:
+            found[number] = 1 - max(correlation_of(place.values, values, both), 0.0) ** 2
+    return found
 
 
 def is_made_of(ref: RasterRef, mosaic: RasterRef) -> bool:
