@@ -49,15 +49,18 @@ class _Desk:
         self.taken: list[str] = []
         self.editing = False
         self.has_windows = True
-        self.keys = DeskKeys(body, self.window, self)  # which has the map's tool
+        self.keys = DeskKeys(body, self.window, self)  # type: ignore[arg-type]  # which has the map's tool
         self.keys.set_actions({"visible": self._judge, "next": self._next})
         self.keys.listen(True)
 
     def mapTool(self) -> _Desk:
         return self
 
-    def flags(self) -> QgsMapTool.Flags:
-        return QgsMapTool.Flag.EditTool if self.editing else QgsMapTool.Flag.Transient
+    def flags(self) -> _Desk:
+        return self
+
+    def __and__(self, flag: object) -> bool:
+        return self.editing and flag == QgsMapTool.Flag.EditTool
 
     def _judge(self) -> bool:
         if self.has_windows:
