@@ -77,7 +77,7 @@ class Assessment:
         return min((histogram.pixels for histogram in self.histograms.values()), default=0)
 
 
-_Found = tuple[float, Optional[Spot]]
+_Found = tuple[float, Optional["Spot"]]
 """A figure, and where it comes from."""
 
 
