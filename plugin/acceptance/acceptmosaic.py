@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
@@ -21,6 +20,7 @@ from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
+from ..toolkit.layers import reference_system
 from ..toolkit.translation import filled, tr
 from . import stated_rules as stated
 from .measure import messages
@@ -169,7 +169,7 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         run.tell(*told)
         delivery = with_sheets(delivery, run)
         if run.parameters.get(WINDOWS):
-            crs = QgsCoordinateReferenceSystem.fromWkt(delivery.wkt)
+            crs = reference_system(delivery.wkt)
             delivery = replace(delivery, windows=judged_windows(run.source(WINDOWS), crs, run))
         return decide(delivery, rules, run.whole(LOT_SIZE) or None, run.whole(SEED), self._by_observer(run))
 

@@ -31,6 +31,7 @@ from ..imagery.errors import Message, SettingsError, WindowError
 from ..imagery.reference_systems import utm_wkt
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
+from ..toolkit.layers import reference_system
 from ..toolkit.table_fields import Attributes, attributes, number, text, whole_number
 from .measure import messages
 from .measure.delivered_rows import LayerDoubts, united_delivery
@@ -215,7 +216,7 @@ def common_system(
         place = QgsCoordinateTransform(first.crs, wgs84, transforms).transform(middle)
     except QgsCsException:
         raise SettingsError(messages.NOT_TRANSFORMED(name=first.sheet)) from None
-    return QgsCoordinateReferenceSystem.fromWkt(utm_wkt(place.x(), place.y()))
+    return reference_system(utm_wkt(place.x(), place.y()))
 
 
 def _pieces(

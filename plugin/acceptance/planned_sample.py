@@ -24,6 +24,7 @@ from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
+from ..toolkit.layers import reference_system
 from ..toolkit.table_fields import column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
 from . import stated_rules as stated
@@ -220,7 +221,7 @@ def write_sample(
         windows = [sampled_window(mosaic, piece, wkt, run.real(SIDE)) for piece in sample]
         outlines = [layers.rectangle(mosaic.grid.window_extent(window)) for window in windows]
     else:
-        crs, columns = QgsCoordinateReferenceSystem.fromWkt(wkt), PIECE_COLUMNS
+        crs, columns = reference_system(wkt), PIECE_COLUMNS
         kind = QgsWkbTypes.Type.LineString
         outlines = [QgsGeometry(QgsLineString(*piece.vertices.T.tolist())) for piece in sample]
     fields = column_fields(columns)

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsCsException,
     QgsGeometry,
     QgsLineString,
@@ -19,6 +18,7 @@ from qgis.core import (
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
+from ..toolkit.layers import reference_system
 from ..toolkit.table_fields import attributes, text
 from ..toolkit.translation import tr
 from .measure import messages
@@ -61,7 +61,7 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
     field = next((name for wanted in _NAME_FIELDS for name in names if name.lower() == wanted), None)
     if field is None:
         raise SettingsError(messages.SHEETS_WITHOUT_NAMES(fields=", ".join(_NAME_FIELDS)))
-    transform = run.transform(source, QgsCoordinateReferenceSystem.fromWkt(delivery.wkt))
+    transform = run.transform(source, reference_system(delivery.wkt))
     outlines: list[tuple[str, QgsGeometry]] = []
     for row in attributes(features(source), names):
         outline = QgsGeometry(row.feature.geometry())

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessing,
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
@@ -24,6 +23,7 @@ from ..imagery.errors import PhotoError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
+from ..toolkit.layers import reference_system
 from ..toolkit.translation import filled, sentence, tr
 from .measure import limits, messages
 
@@ -206,7 +206,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         made = orient_photo(photo, calibration, positions, settings, run.is_cancelled)
         run.progress(0.8)
         wkt = photo.raster.wkt
-        crs = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
+        crs = reference_system(wkt)
         sink, destination = run.sink(OUTPUT, mark_tables.mark_fields(), QgsWkbTypes.Type.Point, crs)
         run.write(sink, (mark_tables.mark_feature(mark, photo) for mark in made.marks))
         run.style(destination, "marks")

@@ -17,7 +17,7 @@ from qgis.core import (
 from ..imagery.grids import PixelWindow
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
-from ..toolkit.layers import rectangle
+from ..toolkit.layers import rectangle, reference_system
 from ..toolkit.table_fields import column_features, column_fields, feature, table_fields
 from ..toolkit.translation import sentence
 from .image_set import has_map
@@ -81,7 +81,7 @@ def maybe_grey_features(
     found, image = result.maybe_grey, result.image
     if found is None or not has_map(image):
         return
-    system = QgsCoordinateReferenceSystem.fromWkt(image.wkt)
+    system = reference_system(image.wkt)
     transform = QgsCoordinateTransform(system, _first_system(images), transforms)
     fields = table_fields(*_AREA_FIELDS)
     for (column, row), means, spread in zip(found.corners.tolist(), found.means.tolist(), found.spreads.tolist()):
@@ -96,7 +96,7 @@ def maybe_grey_features(
 
 def _first_system(images: Sequence[Raster]) -> QgsCoordinateReferenceSystem:
     wkt = next((image.wkt for image in images if has_map(image)), "")
-    return QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
+    return reference_system(wkt)
 
 
 def limit_text(rule: Rule) -> str | None:

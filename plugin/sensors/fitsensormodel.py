@@ -20,6 +20,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ..imagery.errors import SensorModelError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
+from ..toolkit.layers import reference_system
 from ..toolkit.translation import filled, tr
 from .measure import messages, registry
 from .sensor_parameters import IMAGE_RPC, ROBUST, TERRAIN_ERROR, SensorAlgorithm, image_box, view_numbers
@@ -155,7 +156,7 @@ class FitSensorModel(SensorAlgorithm):
             notices.append(view.told(run.real(TERRAIN_ERROR)))
         run.tell(*notices)
         run.progress(0.6)
-        crs = QgsCoordinateReferenceSystem.fromWkt(points.wkt)
+        crs = reference_system(points.wkt)
         if not crs.isValid():
             crs = QgsCoordinateReferenceSystem(points.wkt)
         sink, output = run.sink(OUTPUT, point_tables.residual_fields(), QgsWkbTypes.Type.Point, crs)

@@ -88,9 +88,19 @@ def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:
     return crs.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED_GDAL) if crs.isValid() else ""
 
 
+def reference_system(wkt: str) -> QgsCoordinateReferenceSystem:
+    """What a text tells, by its authority's code where it has one; an invalid one for no text."""
+    found = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
+    if wkt and not found.isValid():
+        # QGIS keeps its answer for good, also where it could not tell in a thread that was about to end.
+        QgsCoordinateReferenceSystem.invalidateCache()
+        found = QgsCoordinateReferenceSystem.fromWkt(wkt)
+    return found
+
+
 def mosaic_crs(mosaic: Raster) -> QgsCoordinateReferenceSystem:
-    """The mosaic's reference system, by its authority's code where it has one."""
-    return QgsCoordinateReferenceSystem.fromWkt(mosaic.wkt)
+    """The mosaic's reference system."""
+    return reference_system(mosaic.wkt)
 
 
 def features(source: QgsProcessingFeatureSource) -> Iterator[QgsFeature]:

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsProcessingException,
     QgsProcessingUtils,
     QgsProviderRegistry,
@@ -17,6 +16,7 @@ from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...imagery.open_raster import describe_mosaic, describe_placed
 from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms.run import Run
+from ...toolkit.layers import reference_system
 from ...toolkit.pages.templates import whole_path
 from ..acceptmosaic import DEFECTS, MOST_PICTURES, QUALITY, REPORT
 from ..measure import messages
@@ -95,7 +95,7 @@ def _write_defects(
 ) -> dict[str, Any]:
     """The layer; fills in the pictures by the failures' numbers, for the report too."""
     try:
-        crs = QgsCoordinateReferenceSystem.fromWkt(decision.delivery.wkt)
+        crs = reference_system(decision.delivery.wkt)
         layout = defect_fields(), QgsWkbTypes.Type.MultiLineString, crs
         sink, destination = run.optional_sink(DEFECTS, *layout)
     except QgsProcessingException:

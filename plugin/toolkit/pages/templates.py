@@ -17,12 +17,13 @@ from typing import NamedTuple
 import numpy as np
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup, escape
-from qgis.core import Qgis, QgsCoordinateReferenceSystem
+from qgis.core import Qgis
 
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import Message, printable
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import is_geographic
+from ..layers import reference_system
 from ..resources import plugin_version, reports_path
 from ..translation import filled, formatted, language, sentence, shown_number, tr
 
@@ -103,7 +104,7 @@ def whole_path(address: str) -> str:
 
 def system_name(wkt: str) -> str:
     """The name of a reference system and its code; empty for none."""
-    crs = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
+    crs = reference_system(wkt)
     if not crs.isValid():
         return ""
     return f"{crs.authid()}, {crs.description()}" if crs.authid() else crs.description()
@@ -111,7 +112,7 @@ def system_name(wkt: str) -> str:
 
 def system_code(wkt: str) -> str:
     """The code of a reference system, such as EPSG:2180; empty for one without."""
-    crs = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
+    crs = reference_system(wkt)
     return str(crs.authid())
 
 

@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from qgis.core import (
-    QgsCoordinateReferenceSystem,
     QgsMapLayer,
     QgsProject,
     QgsRasterLayer,
@@ -21,6 +20,7 @@ from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import raster_writer
 from ....imagery.rasters import RasterRef
 from ....toolkit.background_tasks import Cancelled, Job
+from ....toolkit.layers import reference_system
 from ...measure.window.explained_window import WindowComposite, window_composite
 from ...measure.window.window_request import WindowRequest
 
@@ -54,7 +54,7 @@ def private_layer(ref: RasterRef) -> QgsRasterLayer:
     options.skipCrsValidation = True  # that would ask the user
     layer = QgsRasterLayer(ref.path, ref.name, "gdal", options)
     if ref.wkt and not layer.crs().isValid():
-        layer.setCrs(QgsCoordinateReferenceSystem.fromWkt(ref.wkt))
+        layer.setCrs(reference_system(ref.wkt))
     layer.moveToThread(QCoreApplication.instance().thread())
     return layer
 
