@@ -13,7 +13,7 @@ from .plugin.seams.measure.window.window_request import WindowRequest as WindowR
 from .plugin.seams.measure.window.window_result import WindowResult as WindowResult
 from .plugin.seams.measure.profile.seam_profile import SeamProfile as SeamProfile
 from .plugin.seams.measure.profile.seam_profile import ProfileBin as ProfileBin
-from .plugin.seams.measure.profile.loss_picture import LossPicture as LossPicture
+from .plugin.seams.measure.profile.window_detail import LossPicture as LossPicture
 from .plugin.seams.measure.verdicts import Verdict as Verdict
 from .plugin.seams.measure.causes import Cause as Cause
 from .plugin.seams.measure.verdicts import Judgement as Judgement

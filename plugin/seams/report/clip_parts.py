@@ -16,7 +16,7 @@ from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
 from ..measure.greatest_loss import greatest_loss
 from ..measure.inspection import Block, InspectionSettings, inspect_window, window_request
-from ..measure.profile.loss_picture import LossPicture
+from ..measure.profile.window_detail import LossPicture
 from ..measure.source_images import Source
 from ..words import LOSS_OPACITY, loss_rgba
 

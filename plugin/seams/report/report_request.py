@@ -12,7 +12,7 @@ from ...imagery.limits import judged_band
 from ...toolkit import layers
 from ..measure import limits
 from ..measure.inspection import Block
-from ..measure.profile.loss_picture import LossPicture
+from ..measure.profile.window_detail import LossPicture
 from ..measure.window.window_result import WindowResult
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
 

@@ -22,7 +22,7 @@ from ....imagery.grids import PixelWindow
 from ....toolkit.desk.theme import readable_on, readable_palette
 from ....toolkit.translation import filled, tr
 from ...clip_pictures import ClipPicture
-from ...measure.profile.loss_picture import LossPicture
+from ...measure.profile.window_detail import LossPicture
 from ...words import LOSS_OPACITY, loss_rgba
 from ..map.picture_overlay import rgba_image
 from .viewport import Viewport

@@ -325,7 +325,7 @@ class ProfileOnMap(QObject):
             import numpy as np
             from scipy import ndimage
 
-            from ...measure.profile.loss_picture import SAMPLE_PX
+            from ...measure.profile.window_detail import SAMPLE_PX
 
             window = result.window
             assert window is not None

@@ -13,11 +13,10 @@ from itertools import combinations
 import numpy as np
 from scipy import ndimage
 
-from ..profile.energy_response import EnergyResponse, fit_response, sampled
+from ..profile.ground import EnergyResponse, fit_response, sampled
 from .best_ground import MIN_ALIKE_STRANGE, MIN_EVEN_LEFT, MIN_STRANGE, learn_best_ground
 from .boxes import box_means, enlarged, near_border, opened, square_sums
-from .followed_source import CELL_PX, NEAR_CELLS, WIDE_CELLS
-from .following_rule import LEAST_ENERGY, weights_of_two
+from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS, weights_of_two
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
 MIN_TEXTURE = 0.3  # of the energy that a source would have

@@ -13,8 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from .cell_table import CELL_PX, EDGES_PX, CellTable, WholeCells
-from .energy_response import log_energies
-from .ground import LevelGround
+from .ground import LevelGround, log_energies
 from .intervals import Kept
 from .seam_profile import in_strip, strip_bins
 

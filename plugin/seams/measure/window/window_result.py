@@ -10,8 +10,8 @@ from ....imagery.wavelets import Curve, Directions
 from ..causes import Cause
 from ..compared_image import Change
 from ..explanation import Explanation
-from ..profile.loss_picture import LossPicture
 from ..profile.seam_profile import SeamProfile
+from ..profile.window_detail import LossPicture
 from ..verdicts import MAX_KEPT_LOW, Judgement, Ratios, Verdict
 from ..window_records import COMPOSITE, REFERENCES
 from .window_request import WindowRequest

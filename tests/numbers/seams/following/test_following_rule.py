@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.following.following_rule import highest, is_sure, local_correlation, mixtures
+from seam_inspector.plugin.seams.measure.following.followed_source import highest, is_sure, local_correlation, mixtures
 
 COUNT = 20_000  # samples, which chance makes differ by 1 %
 

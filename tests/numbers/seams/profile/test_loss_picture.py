@@ -5,7 +5,7 @@ import pickle
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.seams.measure.profile.loss_picture import LOSS_CELL_PX, LossPicture, loss_picture
+from seam_inspector.plugin.seams.measure.profile.window_detail import LOSS_CELL_PX, LossPicture, loss_picture
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.numbers.seams.profile.blends import SIDE, WAVELET, Blend, blend

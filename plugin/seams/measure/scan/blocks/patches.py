@@ -13,10 +13,10 @@ from .....imagery.wavelets import placed_components
 from ...following.best_ground import learn_best_ground
 from ...following.boxes import enlarged, in_squares, opened
 from ...following.expected_mosaic import mosaic_of
-from ...following.followed_source import high_pass
-from ...following.following_rule import (
+from ...following.followed_source import (
     LEAST_ENERGY,
     MIN_WINNER_LEAD,
+    high_pass,
     highest,
     is_sure,
     local_correlation,

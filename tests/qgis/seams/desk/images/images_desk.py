@@ -21,7 +21,7 @@ from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
 from seam_inspector.plugin.seams.desk.images.picture_view import PictureView
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.session import LossView
-from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
+from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.toolkit.desk.widgets import ClippedLabel
 

@@ -12,7 +12,7 @@ from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture
 from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
 from seam_inspector.plugin.seams.desk.images.picture_strip import distinct
-from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
+from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 
 from tests.qgis.seams.desk.images.images_desk import (
     Session,

@@ -12,8 +12,8 @@ from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.session import LossView
 from seam_inspector.plugin.seams.measure.inspection import WindowResult
 from seam_inspector.plugin.seams.measure.live_window import LiveWindow
-from seam_inspector.plugin.seams.measure.profile.loss_picture import LossPicture
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
+from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
