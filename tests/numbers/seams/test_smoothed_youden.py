@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.seams.measure.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.verdict_statistics import smoothed_threshold
+from seam_inspector.plugin.seams.measure.verdict_statistics import _smoothed_shares, smoothed_threshold
 
 from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, coverage
 from tests.examples import at_most
@@ -71,3 +71,16 @@ def test_classes_of_many_values_change_nothing_to_speak_of() -> None:
     fitted = (visible.mean() + invisible.mean()) / 2  # the best threshold of two normals that spread alike
     assert many.value == pytest.approx(fitted, abs=0.015)
     assert many.low < 0.65 < many.high
+
+
+@given(VALUES, st.floats(0.1, 1.5))
+def test_smoothing_keeps_mean_and_standard_deviation(values: list[float], bandwidth: float) -> None:
+    """As Silverman and Young 1987 ask of it, by the moments of the shares themselves."""
+    verdicts = np.array([values])
+    mean, deviation = float(verdicts.mean()), float(verdicts.std(ddof=1))
+    thresholds = np.linspace(mean - 12 * deviation, mean + 12 * deviation, 4001)[np.newaxis]
+    shares = _smoothed_shares(verdicts, np.ones_like(verdicts), thresholds, bandwidth, least=1e-9)[0]
+    middles, mass = (thresholds[0, 1:] + thresholds[0, :-1]) / 2, np.diff(shares)
+    assert mass.sum() == pytest.approx(1, abs=1e-6)
+    assert (mass * middles).sum() == pytest.approx(mean, abs=1e-3 * deviation)
+    assert np.sqrt((mass * (middles - mean) ** 2).sum()) == pytest.approx(deviation, rel=2e-3)
