@@ -20,7 +20,7 @@ from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.layers import reference_system
+from ..toolkit.reference_systems import reference_system
 from ..toolkit.translation import filled, tr
 from . import stated_rules as stated
 from .measure import messages

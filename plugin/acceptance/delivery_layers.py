@@ -31,7 +31,7 @@ from ..imagery.errors import Message, SettingsError, WindowError
 from ..imagery.reference_systems import utm_wkt
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.layers import reference_system
+from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import Attributes, attributes, number, text, whole_number
 from .measure import messages
 from .measure.delivered_rows import LayerDoubts, united_delivery

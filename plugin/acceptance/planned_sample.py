@@ -24,7 +24,7 @@ from ..imagery.records import Column
 from ..imagery.reference_systems import transform_points
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
-from ..toolkit.layers import reference_system
+from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
 from . import stated_rules as stated

@@ -18,7 +18,7 @@ from qgis.core import (
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.layers import reference_system
+from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import attributes, text
 from ..toolkit.translation import tr
 from .measure import messages

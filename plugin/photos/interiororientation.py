@@ -23,7 +23,7 @@ from ..imagery.errors import PhotoError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.base import INTERIOR_ORIENTATION, SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
-from ..toolkit.layers import reference_system
+from ..toolkit.reference_systems import reference_system
 from ..toolkit.translation import filled, sentence, tr
 from .measure import limits, messages
 

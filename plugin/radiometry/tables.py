@@ -17,7 +17,8 @@ from qgis.core import (
 from ..imagery.grids import PixelWindow
 from ..imagery.rasters import Raster
 from ..imagery.records import Column
-from ..toolkit.layers import rectangle, reference_system
+from ..toolkit.layers import rectangle
+from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import column_features, column_fields, feature, table_fields
 from ..toolkit.translation import sentence
 from .image_set import has_map

@@ -20,7 +20,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ..imagery.errors import SensorModelError
 from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
-from ..toolkit.layers import reference_system
+from ..toolkit.reference_systems import reference_system
 from ..toolkit.translation import filled, tr
 from .measure import messages, registry
 from .sensor_parameters import IMAGE_RPC, ROBUST, TERRAIN_ERROR, SensorAlgorithm, image_box, view_numbers

@@ -33,6 +33,7 @@ from ..imagery.errors import RasterError, WindowError, WindowLayerError
 from ..imagery.grids import Extent
 from ..imagery.rasters import Raster, RasterRef
 from . import messages
+from .reference_systems import reference_system
 from .translation import tr
 
 
@@ -86,16 +87,6 @@ def layer_address(layer: QgsVectorLayer) -> str:
 def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:
     """WKT as GDAL writes it; empty for an invalid system."""
     return crs.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED_GDAL) if crs.isValid() else ""
-
-
-def reference_system(wkt: str) -> QgsCoordinateReferenceSystem:
-    """What a text tells, by its authority's code where it has one; an invalid one for no text."""
-    found = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
-    if wkt and not found.isValid():
-        # QGIS keeps its answer for good, also where it could not tell in a thread that was about to end.
-        QgsCoordinateReferenceSystem.invalidateCache()
-        found = QgsCoordinateReferenceSystem.fromWkt(wkt)
-    return found
 
 
 def mosaic_crs(mosaic: Raster) -> QgsCoordinateReferenceSystem:

@@ -16,8 +16,8 @@ from ...imagery.errors import CancelledError, RasterError, SettingsError
 from ...imagery.open_raster import describe_mosaic, describe_placed
 from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms.run import Run
-from ...toolkit.layers import reference_system
 from ...toolkit.pages.templates import whole_path
+from ...toolkit.reference_systems import reference_system
 from ..acceptmosaic import DEFECTS, MOST_PICTURES, QUALITY, REPORT
 from ..measure import messages
 from ..measure.decision import Decision, Defect

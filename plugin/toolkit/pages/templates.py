@@ -23,7 +23,7 @@ from ...imagery.atomic_files import whole_file
 from ...imagery.errors import Message, printable
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import is_geographic
-from ..layers import reference_system
+from ..reference_systems import reference_system
 from ..resources import plugin_version, reports_path
 from ..translation import filled, formatted, language, sentence, shown_number, tr
 

@@ -3,8 +3,8 @@ from __future__ import annotations
 
 import pytest
 from qgis.core import QgsCoordinateReferenceSystem
-from seam_inspector.plugin.toolkit import layers
-from seam_inspector.plugin.toolkit.layers import reference_system
+from seam_inspector.plugin.toolkit import reference_systems
+from seam_inspector.plugin.toolkit.reference_systems import reference_system
 
 from tests.numbers.synthetic import UTM33, wkt
 
@@ -33,6 +33,6 @@ def test_an_answer_that_could_not_be_given_once_is_asked_for_again(monkeypatch: 
         def invalidateCache(disableCache: bool = False) -> None:
             forgotten.append(True)
 
-    monkeypatch.setattr(layers, "QgsCoordinateReferenceSystem", Once)
+    monkeypatch.setattr(reference_systems, "QgsCoordinateReferenceSystem", Once)
     assert reference_system(wkt(UTM33)).authid() == f"EPSG:{UTM33}"
     assert forgotten == [True]

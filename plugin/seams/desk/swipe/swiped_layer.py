@@ -20,7 +20,7 @@ from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import raster_writer
 from ....imagery.rasters import RasterRef
 from ....toolkit.background_tasks import Cancelled, Job
-from ....toolkit.layers import reference_system
+from ....toolkit.reference_systems import reference_system
 from ...measure.window.explained_window import WindowComposite, window_composite
 from ...measure.window.window_request import WindowRequest
 

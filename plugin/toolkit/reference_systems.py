@@ -1,0 +1,14 @@
+"""Reference systems as QGIS has them, of the texts that rasters and results hold."""
+from __future__ import annotations
+
+from qgis.core import QgsCoordinateReferenceSystem
+
+
+def reference_system(wkt: str) -> QgsCoordinateReferenceSystem:
+    """What a text tells, by its authority's code where it has one; an invalid one for no text."""
+    found = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
+    if wkt and not found.isValid():
+        # QGIS keeps its answer for good, also where it could not tell in a thread that was about to end.
+        QgsCoordinateReferenceSystem.invalidateCache()
+        found = QgsCoordinateReferenceSystem.fromWkt(wkt)
+    return found
