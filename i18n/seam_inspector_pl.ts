@@ -774,17 +774,17 @@
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="238"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="124"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="242"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="128"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="249"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="135"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
@@ -799,12 +799,12 @@
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="364"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="250"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="367"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="253"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
@@ -884,12 +884,12 @@
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="239"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="125"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="243"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="129"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
@@ -2399,142 +2399,142 @@
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="59"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="60"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="62"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="70"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="71"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="237"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="238"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="75"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="76"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="77"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="80"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="84"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="90"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="94"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="97"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="118"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="121"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="121"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="123"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="123"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="123"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="124"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="127"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="128"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="128"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="129"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="129"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="130"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="244"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="244"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="245"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="246"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
@@ -4326,32 +4326,32 @@
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="42"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="43"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="43"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
         <source>polynomials of space, without physics</source>
         <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="45"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="49"/>
         <source>the direct linear transformation, without physics</source>
         <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="49"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="50"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="50"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="51"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
@@ -6055,117 +6055,117 @@
         <translation>Przeciągnij, aby porównać ortofotomapę z drugim obrazem. X zamienia je stronami, Esc kończy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="70"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="56"/>
         <source>How sure you are, 0 to 100 %: the keys 1 to 9 set 10 to 90 %, 0 sets 100 %. It can be left out.</source>
         <translation>Pewność opinii, od 0 do 100 %: klawisze od 1 do 9 ustawiają od 10 do 90 %, 0 ustawia 100 %. Można ją pominąć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="78"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="64"/>
         <source>A remark on the window (R); Enter keeps it and Esc leaves it as it was.</source>
         <translation>Uwaga o oknie (R); Enter ją zapisuje, a Esc zostawia taką, jaka była.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="85"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="71"/>
         <source>remark</source>
         <translation>uwaga</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="111"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="97"/>
         <source>Remark:</source>
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="169"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="55"/>
         <source>First operator</source>
         <translation>Pierwszy operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="169"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="55"/>
         <source>What is said goes to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="170"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="56"/>
         <source>Second operator</source>
         <translation>Drugi operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="170"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="56"/>
         <source>What is said goes to the field &apos;observer_2&apos;, beside the first one&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="177"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="63"/>
         <source>Blind</source>
         <translation>W ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="178"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
         <source>Hides what the tool found, and what the other operator said: in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="182"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="68"/>
         <source>Agreement of both ...</source>
         <translation>Zgodność obu...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="183"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
         <source>How often both operators say the same, and how much of that is not chance.</source>
         <translation>Jak często obaj operatorzy są zgodni i ile z tego nie jest przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="195"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="81"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="195"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="81"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="196"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="82"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="197"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
         <source>Who judges: the first or the second operator; blind or not; how well both agree.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="246"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="132"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="246"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="132"/>
         <source>It can&apos;t be said. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="250"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="136"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="252"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="138"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="255"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="141"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="350"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
         <source>Window {numbers}. What was found is hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="436"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="322"/>
         <source>Then the next window comes. Click again to take it back.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
@@ -7177,12 +7177,12 @@
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="328"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="214"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="362"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="248"/>
         <source>No window is left to judge. Select one to judge it again.</source>
         <translation>Nie ma już okien do oceny. Wybierz okno, aby ocenić je ponownie.</translation>
     </message>
@@ -7407,7 +7407,7 @@
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layers.py" line="83"/>
+        <location filename="../plugin/toolkit/layers.py" line="84"/>
         <source>temporary layer</source>
         <translation>warstwa tymczasowa</translation>
     </message>
@@ -7417,7 +7417,7 @@
         <translation>około {size:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="46"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="47"/>
         <source>quotients of order 2 at most, with the terms left out that the points do not speak for</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
@@ -7872,47 +7872,47 @@
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="103"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="109"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="130"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="131"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="131"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="132"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
@@ -9842,12 +9842,12 @@
         <translation>Co liczy się jako niezgodne, gdy podobieństwo odcinków wzdłuż linii mozaikowania jest brane z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="231"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="232"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="231"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="232"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
@@ -10761,7 +10761,7 @@
         <translation>Najpierw straty istotne; w obrębie oceny największa strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="437"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="323"/>
         <source>The key S takes the seamlines and a scan&apos;s layers off the map, and puts them back.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -10771,7 +10771,7 @@
         <translation>jeszcze nic do oceny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="110"/>
+        <location filename="../plugin/seams/desk/notes_row.py" line="96"/>
         <source>Remark on window {number}:</source>
         <translation>Uwaga do okna {number}:</translation>
     </message>
@@ -10829,7 +10829,7 @@
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>

@@ -166,19 +166,9 @@ def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
     filters = filter_pair(wavelet)
     for level, parts in enumerate(detail_components(bands, wavelet, levels), 1):
         low, high = (round(delay / 2**level) for delay in filters.delays_px(level))
-        placed = np.empty_like(parts)
-        for target, part, (down, across) in zip(placed, parts, ((high, low), (low, high), (high, high))):
-            _roll(part, down, across, target)
-        yield placed
-
-
-def _roll(part: np.ndarray, down: int, across: int, target: np.ndarray) -> None:
-    """As numpy's ``roll`` along the last two axes, into what is there already."""
-    rows, columns = (-shift % length for shift, length in zip((down, across), part.shape[1:]))
-    for to_row, row in ((np.s_[: part.shape[1] - rows], np.s_[rows:]), (np.s_[part.shape[1] - rows :], np.s_[:rows])):
-        beside = target[:, to_row]
-        beside[..., : part.shape[2] - columns] = part[:, row, columns:]
-        beside[..., part.shape[2] - columns :] = part[:, row, :columns]
+        yield np.stack([
+            np.roll(part, shift, (1, 2)) for part, shift in zip(parts, ((high, low), (low, high), (high, high)))
+        ])
 
 
 def _curve(own: np.ndarray, total: float, pixels: int) -> Curve:

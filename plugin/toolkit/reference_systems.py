@@ -8,7 +8,7 @@ def reference_system(wkt: str) -> QgsCoordinateReferenceSystem:
     """What a text tells, by its authority's code where it has one; an invalid one for no text."""
     found = QgsCoordinateReferenceSystem.fromWkt(wkt) if wkt else QgsCoordinateReferenceSystem()
     if wkt and not found.isValid():
-        # QGIS keeps its answer for good, also where it could not tell in a thread that was about to end.
+        # QGIS keeps its answer for good; asked anew, it may know.
         QgsCoordinateReferenceSystem.invalidateCache()
         found = QgsCoordinateReferenceSystem.fromWkt(wkt)
     return found

@@ -112,8 +112,7 @@ def system_name(wkt: str) -> str:
 
 def system_code(wkt: str) -> str:
     """The code of a reference system, such as EPSG:2180; empty for one without."""
-    crs = reference_system(wkt)
-    return str(crs.authid())
+    return str(reference_system(wkt).authid())
 
 
 def _pixel_size(raster: Raster) -> str:
