@@ -24,14 +24,25 @@ from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit
 from . import messages
 from .heights import ELLIPSOID, HIGHEST_M, LOWEST_M, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
+from .lenses import BrownLens, FisheyeLens, Lens
 from .limits import EXTERIOR_DATUMS
 from .rpc import Domain
-from .sensor_model import WGS84, SensorModel, file_content, reprojected
+from .sensor_model import WGS84, SensorModel, file_content, newton, reprojected
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
-_RADIAL, _TANGENTIAL = ("k1", "k2", "k3"), ("p1", "p2")
-_KNOWN = {"type", "im_size", "focal_len", "sensor_size", "cx", "cy", *_RADIAL, *_TANGENTIAL}
+START_REACH = 0.8  # of what the lens shows, where the search for the inverse of its distortion begins at most
+TANGENT_STEP = 1e-6  # that derivatives of the distortion are taken with
+SMALLEST_OFFSET = 1e-12  # tangents: the centre itself has no direction
+_CAMERA = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
+_BROWN = ("k1", "k2", "k3", "p1", "p2")
+_LENSES = {
+    "pinhole": (),
+    "brown": _BROWN,
+    "opencv": (*_BROWN, "k4", "k5", "k6", "s1", "s2", "s3", "s4"),
+    "fisheye": ("k1", "k2", "k3", "k4"),
+}
+"""orthority's types of cameras and the coefficients of each."""
 _FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
 _DIGITS = 1e-4  # how far from orthonormal axes in a text may be
 _SHOWN = 5
@@ -49,22 +60,25 @@ class FrameInterior:
     """(2,) focal length along columns and rows, px."""
     principal: np.ndarray
     """(2,) column and row of the principal point."""
-    radial: np.ndarray
-    """(k,), one at least: coefficients of r^2, r^4, ..., r the distance from ``distortion_centre`` in focal lengths."""
-    tangential: np.ndarray
-    """(2,) Brown's p1 (rows) and p2 (columns), in focal lengths."""
-    distortion_centre: np.ndarray
+    lens: Lens
+    """Its distortion, about ``centre``."""
+    centre: np.ndarray
     """(2,) column and row that distortion is symmetric about."""
 
-    def distorted(self, ideal: np.ndarray) -> np.ndarray:
-        """(n, 2) px where a camera without distortion sees points -> where this one does (Brown 1971)."""
-        x, y = ((ideal - self.distortion_centre) / self.focal).T
-        squared = x * x + y * y
-        scale = 1 + squared * np.polynomial.polynomial.polyval(squared, self.radial)
-        first, second = self.tangential
-        across = x * scale + 2 * first * x * y + second * (squared + 2 * x * x)
-        down = y * scale + first * (squared + 2 * y * y) + 2 * second * x * y
-        return self.distortion_centre + self.focal * np.column_stack([across, down])
+    def shown(self, across: np.ndarray, down: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Column and row of views whose tangents along the camera's columns and rows are given."""
+        x, y = self.lens.distorted(*(
+            tangent + (principal - centre) / focal
+            for tangent, principal, centre, focal in zip((across, down), self.principal, self.centre, self.focal)
+        ))
+        return self.centre[0] + self.focal[0] * x, self.centre[1] + self.focal[1] * y
+
+    def tangents(self, image: np.ndarray) -> np.ndarray:
+        """(n, 2) column, row -> (n, 2) tangents of the views that are shown there; NaN where the lens shows none."""
+        offset = (image - self.centre) / self.focal
+        share = START_REACH * self.lens.reach / np.maximum(np.hypot(*offset.T), SMALLEST_OFFSET)
+        start = offset * np.minimum(share, 1.0)[:, None] + (self.centre - self.principal) / self.focal
+        return newton(lambda tangents: np.column_stack(self.shown(*tangents.T)), image, start, TANGENT_STEP)
 
 
 @dataclass(frozen=True)
@@ -84,16 +98,34 @@ class FrameCamera(SensorModel):
 
     def project(self, ground: np.ndarray) -> np.ndarray:
         """(n, 3) x, y, height -> (n, 2) column, row."""
-        seen = (ground - self.position) @ self.axes
-        depth = np.where(seen[:, 2] > 0, seen[:, 2], np.nan)
-        interior = self.interior
-        return interior.distorted(interior.principal + interior.focal * seen[:, :2] / depth[:, None])
+        return np.column_stack(self.seen(*ground.T))
 
-    def place_at(self, height: float) -> np.ndarray:
-        """(2,) x and y where the view along the camera's axis meets a height below the camera."""
-        view = self.axes[:, 2]
-        down = (height - self.position[2]) / view[2] if view[2] < 0 else 0.0
-        return self.position[:2] + max(down, 0.0) * view[:2]
+    def seen(self, x: np.ndarray, y: np.ndarray, height: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Column and row of places whose x, y and height are given in arrays that numpy broadcasts."""
+        (x, y, height), axes = (one - origin for one, origin in zip((x, y, height), self.position)), self.axes
+        depth = x * axes[0, 2] + y * axes[1, 2] + height * axes[2, 2]
+        depth[depth <= 0] = np.nan
+        ideal = []
+        for axis in (0, 1):
+            along = x * axes[0, axis] + y * axes[1, axis] + height * axes[2, axis]
+            along /= depth
+            ideal.append(along)
+        return self.interior.shown(*ideal)
+
+    def views(self, image: np.ndarray) -> np.ndarray:
+        """(n, 3) directions on the ground, of length 1, in which the camera sees (n, 2) column, row.
+
+        Raises SensorModelError for places that the lens can't show.
+        """
+        tangents = self.interior.tangents(image)
+        if not np.isfinite(tangents).all():
+            raise SensorModelError(messages.LENS_FOLDS())
+        views = np.column_stack([tangents, np.ones(len(tangents))]) @ self.axes.T
+        return np.asarray(views / np.linalg.norm(views, axis=1, keepdims=True))
+
+    def places_at(self, views: np.ndarray, heights: np.ndarray) -> np.ndarray:
+        """(n, 2) x and y where views (n, 3) that go down meet heights (n,) below the camera."""
+        return np.asarray(self.position[:2] + views[:, :2] * ((heights - self.position[2]) / views[:, 2])[:, None])
 
 
 def camera_axes(omega: float, phi: float, kappa: float) -> np.ndarray:
@@ -118,7 +150,8 @@ def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInteri
             made, own_size = _micmac_interior(content, path)
         else:
             made, own_size = _orthority_interior(content, path, camera)
-        values = np.concatenate([made.focal, made.principal, made.radial, made.tangential, made.distortion_centre])
+        lens = map(np.atleast_1d, vars(made.lens).values())
+        values = np.concatenate([made.focal, made.principal, made.centre, *lens])
         sound = own_size.shape == (2,) and np.isfinite(values).all() and min(*made.focal, *own_size) > 0
     except (ParseError, ValueError, TypeError, KeyError, IndexError, AttributeError):
         sound = False
@@ -134,9 +167,7 @@ def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInteri
         )
     if not 1 / MAX_PIXEL_RATIO <= made.focal[0] / made.focal[1] <= MAX_PIXEL_RATIO:
         raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=path.name, ratio=float(made.focal[1] / made.focal[0])))
-    return FrameInterior(
-        made.focal * scale, made.principal * scale, made.radial, made.tangential, made.distortion_centre * scale
-    )
+    return replace(made, focal=made.focal * scale, principal=made.principal * scale, centre=made.centre * scale)
 
 
 def _orthority_interior(content: bytes, path: Path, camera: str) -> tuple[FrameInterior, np.ndarray]:
@@ -159,9 +190,9 @@ def _orthority_interior(content: bytes, path: Path, camera: str) -> tuple[FrameI
     if name is None:
         raise SensorModelError(messages.CAMERA_UNKNOWN(name=path.name, names=", ".join(map(str, cameras))))
     values: Mapping[str, Any] = cameras[name]
-    others = [str(key) for key, value in values.items() if key not in _KNOWN and value]
     kind = str(values.get("type", "pinhole"))
-    if kind not in ("pinhole", "brown", "opencv") or others:  # a distortion that is not computed here
+    others = [str(key) for key, value in values.items() if value and key not in (*_CAMERA, *_LENSES.get(kind, ()))]
+    if kind not in _LENSES or others:  # a distortion that is not computed here
         raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=", ".join([kind, *others])))
     size = np.array(values["im_size"], float)
     sensor = values.get("sensor_size")
@@ -170,8 +201,22 @@ def _orthority_interior(content: bytes, path: Path, camera: str) -> tuple[FrameI
         focal = np.array(values["focal_len"], float) * (size / np.array(sensor, float) if sensor else size[0])
     offset = np.array([values.get("cx") or 0.0, values.get("cy") or 0.0], float)
     principal = size / 2 + offset * size.max()
-    radial, tangential = (np.array([values.get(key) or 0.0 for key in keys], float) for keys in (_RADIAL, _TANGENTIAL))
-    return FrameInterior(np.broadcast_to(focal, 2).copy(), principal, radial, tangential, principal), size
+    given = {key: float(values.get(key) or 0.0) for key in _LENSES[kind]}
+    return FrameInterior(np.broadcast_to(focal, 2).copy(), principal, lens_of(kind, given), principal), size
+
+
+def lens_of(kind: str, given: Mapping[str, float]) -> Lens:
+    """One of ``_LENSES`` by its coefficients as OpenCV names them; those that are not given are 0."""
+
+    def of(*names: str) -> tuple[float, ...]:
+        return tuple(given.get(name, 0.0) for name in names)
+
+    if not any(given.values()) and kind != "fisheye":
+        return Lens()
+    if kind == "fisheye":
+        return FisheyeLens(of("k1", "k2", "k3", "k4"))
+    first, second = of("p1", "p2")
+    return BrownLens(of("k1", "k2", "k3"), (first, second), of("k4", "k5", "k6"), of("s1", "s2", "s3", "s4"))
 
 
 def _micmac_interior(content: bytes, path: Path) -> tuple[FrameInterior, np.ndarray]:
@@ -181,23 +226,22 @@ def _micmac_interior(content: bytes, path: Path) -> tuple[FrameInterior, np.ndar
     if inner is None:
         raise ValueError
     focal, size = _numbers(inner, "F"), _numbers(inner, "SzIm")
-    principal, centre, radial = _numbers(inner, "PP"), None, np.zeros(1)
+    principal, centre = _numbers(inner, "PP"), None
+    radial: tuple[float, ...] = ()
     for kind in (part for distortion in inner.iterfind("CalibDistortion") for part in distortion):
         if kind.tag == "ModRad" and centre is None:
             centre = _numbers(kind, "CDist")
             coefficients = [float(one.text or "") for one in kind.iterfind("CoeffDist")]
-            radial = np.array([one * focal[0] ** (2 * power) for power, one in enumerate(coefficients, 1)])
+            radial = tuple(one * float(focal[0]) ** (2 * power) for power, one in enumerate(coefficients, 1))
         elif kind.tag not in ("ModNoDist", "NoDist"):
             raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=kind.tag))
     convention = inner.findtext("KnownConv") or inner.findtext("ConvOri/KnownConv") or "eConvApero_DistM2C"
-    if radial.any() and convention != "eConvApero_DistM2C":  # which bends the way from the ground to the image
+    if any(radial) and convention != "eConvApero_DistM2C":  # which bends the way from the ground to the image
         raise SensorModelError(messages.DISTORTION_UNKNOWN(name=path.name, kind=convention))
     if math.isnan(size.sum()) or len(size) != 2 or len(principal) != 2:
         raise ValueError
-    return (
-        FrameInterior(np.repeat(focal[:1], 2), principal, radial, np.zeros(2), principal if centre is None else centre),
-        size,
-    )
+    lens = BrownLens(radial) if any(radial) else Lens()
+    return FrameInterior(np.repeat(focal[:1], 2), principal, lens, principal if centre is None else centre), size
 
 
 def _numbers(element: Element, name: str) -> np.ndarray:
@@ -340,8 +384,15 @@ def oriented_frame(
         place = reprojected(camera.position[None], wkt, WGS84)
         camera = replace(camera, position=np.append(camera.position[:2], above_ellipsoid(place, vertical)))
     low, high = (height, height) if dem is None else _range_of_heights(dem)
-    _check_view(camera, image, low, high)
-    middle = camera.place_at((low + high) / 2)
+    if camera.position[2] <= high:
+        raise SensorModelError(
+            messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=float(camera.position[2]), low=low, high=high)
+        )
+    corners = np.array([[0, 0], [image.columns, 0], [0, image.rows], [image.columns, image.rows]], float)
+    views = camera.views(np.vstack([corners, corners.mean(axis=0)]))
+    if views[:, 2].max() > -MIN_DIP:
+        raise SensorModelError(messages.CAMERA_LOOKS_UP(name=image.ref.name))
+    (middle,) = camera.places_at(views[-1:], np.array([(low + high) / 2]))
     domain = Domain((0.0, image.columns), (0.0, image.rows), (low, high), (float(middle[0]), float(middle[1])))
     return OrientedFrame(camera, wkt, domain, ELLIPSOID if files.datum == AS_TERRAIN else dem_datum, notices)
 
@@ -368,16 +419,3 @@ def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
     if not heights.size:
         raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))
     return float(heights.min()), float(heights.max())
-
-
-def _check_view(camera: FrameCamera, image: OpenRaster, low: float, high: float) -> None:
-    """Raise SensorModelError for a camera that is not above the ground, or sees more than the ground."""
-    if camera.position[2] <= high:
-        raise SensorModelError(
-            messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=float(camera.position[2]), low=low, high=high)
-        )
-    corners = np.array([[0, 0], [image.columns, 0], [0, image.rows], [image.columns, image.rows]], float)
-    across = (corners - camera.interior.principal) / camera.interior.focal
-    views = np.column_stack([across, np.ones(len(across))]) @ camera.axes.T
-    if views[:, 2].max() > -MIN_DIP * np.linalg.norm(views, axis=1).max():
-        raise SensorModelError(messages.CAMERA_LOOKS_UP(name=image.ref.name))

@@ -189,8 +189,8 @@ CAMERA_UNKNOWN = Message(
     "{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file."
 )
 DISTORTION_UNKNOWN = Message(
-    "The camera of {name} has a distortion that is not known here ({kind}); pinhole and Brown cameras of orthority and "
-    "MicMac's radial distortion are."
+    "The camera of {name} has a distortion that is not known here ({kind}); orthority's pinhole, brown, opencv and "
+    "fisheye cameras and MicMac's radial distortion are."
 )
 NO_EXTERIOR = Message(
     "{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, "
@@ -214,9 +214,17 @@ CAMERA_BELOW_TERRAIN = Message(
     "The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, "
     "their units and the reference system."
 )
+ORTHO_APPROXIMATE = Message(
+    "The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the model.",
+    WARNING,
+)
 CAMERA_LOOKS_UP = Message(
     "The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; "
     "check omega, phi and kappa."
+)
+LENS_FOLDS = Message(
+    "The distortion of the camera shows no view at a part of the photo's edge; check its coefficients and the size of "
+    "the image that they belong to."
 )
 TERRAIN_EMPTY = Message("The terrain model {name} has no heights at all; choose another one.")
 EXTERIOR_SYSTEM_TAKEN = Message("The exterior orientation is taken as in the image's own reference system.", INFO)

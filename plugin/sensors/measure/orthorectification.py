@@ -1,12 +1,16 @@
-"""Orthorectification: an image, a model in space and terrain heights, through GDAL's warper with an RPC."""
+"""Orthorectification: an image, a model in space and terrain heights.
+
+Photos are seen by their own camera, pixel by pixel; all other models go through GDAL's warper with an RPC.
+"""
 from __future__ import annotations
 
+import os
 import uuid
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 from osgeo import gdal
@@ -15,27 +19,35 @@ from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, Message, RasterError, SensorModelError, SettingsError
 from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing, vrt_parts
 from ...imagery.grids import Extent
+from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
-from ...imagery.raster_writer import whole_raster
+from ...imagery.raster_writer import GEOTIFF, raster_writer, whole_raster
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import extent_on, horizontal_wkt, transform_points, utm_wkt
 from . import limits, messages
 from .frames import FrameCamera
 from .heights import Datum, Terrain, constant_terrain, load_terrain
+from .photo_warp import MapGrid, PhotoWarp
 from .point_checks import HIGHEST_M, LOWEST_M
 from .polynomials import Rational
 from .rpc import Domain, RpcOfModel, image_with_rpc, located, open_image, rpc_of
-from .sensor_model import WGS84, SensorModel, bounding_box, reprojected
+from .sensor_model import WGS84, Map, SensorModel, bounding_box, reprojected
 
 ORTHO_GRID = 21  # points a side on which an orthoimage's error is measured
+TOLERATED_PX = 0.5  # how far GDAL may be from the exact model without a warning
 _NO_HEIGHT = -32768.0
+_COMPRESSED = ("COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS")
+_CREATION = {"GTiff": [*_COMPRESSED, "TILED=YES"], "COG": [*_COMPRESSED]}
 _STRIP_ROWS = 256
 COVER_GRID = 256  # places a side that terrain heights are looked for at
 FINEST_MESH_M, COARSEST_MESH_M = 9.0, 32.0  # 10 to 30 m (Kurczynski and Wolniewicz, conclusion 7); SRTM has 31
 
 
-def uncovered_share(image: OpenRaster, rpc: Rational, terrain: Terrain, footprint: np.ndarray) -> float:
-    """Share of the image's own pixels, those that hold something, that have no terrain heights."""
+def uncovered_share(image: OpenRaster, project: Map, terrain: Terrain, footprint: np.ndarray) -> float:
+    """Share of the image's own pixels, those that hold something, that have no terrain heights.
+
+    ``project`` takes (n, 3) longitude, latitude, height to (n, 2) column, row; ``footprint`` (n, 3) of the former.
+    """
     sides = (np.linspace(footprint[:, axis].min(), footprint[:, axis].max(), COVER_GRID) for axis in (0, 1))
     places = np.stack(np.meshgrid(*sides), axis=-1).reshape(-1, 2)
     heights = terrain.at(places)
@@ -43,7 +55,7 @@ def uncovered_share(image: OpenRaster, rpc: Rational, terrain: Terrain, footprin
     if not missing.any():
         return 0.0
     ground = np.column_stack([places, np.where(missing, footprint[:, 2].mean(), heights)])
-    column, row = rpc.project(ground).T
+    column, row = project(ground).T
     inside = (column >= 0) & (row >= 0) & (column < image.columns) & (row < image.rows)
     held = _held(image)
     down, across = held.shape
@@ -139,7 +151,8 @@ class _Plan:
     """All that the warper needs."""
 
     image: OpenRaster
-    rpc: RpcOfModel
+    rpc: RpcOfModel | None
+    """What GDAL sees it by; None for a photo, which is seen by its camera."""
     terrain: Terrain
     footprint: np.ndarray
     """(n, 3) longitude, latitude, height of places all over the image."""
@@ -161,24 +174,32 @@ def orthorectify(
     if request.height is not None and not LOWEST_M <= request.height <= HIGHEST_M:
         raise SettingsError(messages.HEIGHT_IMPLAUSIBLE(height=request.height))
     plan = _plan(request)
-    wkt, extent, size = _target(request, plan)
-    columns, rows = (max(round((extent[i + 2] - extent[i]) / size), 1) for i in (0, 1))
-    if columns > 2**31 - 1 or rows > 2**31 - 1 or columns * rows > 1e12:
-        raise SettingsError(messages.ORTHO_TOO_LARGE(width=columns, height=rows))
-    source = image_with_rpc(plan.image, plan.rpc.rpc)
-    meshes = mesh_warnings(plan.terrain, isinstance(request.model, FrameCamera))
-    name, notices = plan.terrain.name, [*plan.terrain.notices, *meshes]
-    uncovered = plan.uncovered
+    grid = _target(request, plan)
+    if grid.columns > 2**31 - 1 or grid.rows > 2**31 - 1 or grid.columns * grid.rows > 1e12:
+        raise SettingsError(messages.ORTHO_TOO_LARGE(width=grid.columns, height=grid.rows))
+    meshes = mesh_warnings(plan.terrain, plan.rpc is None)
+    name, notices, uncovered = plan.terrain.name, [*plan.terrain.notices, *meshes], plan.uncovered
     if uncovered > 0:
         notices.append(messages.DEM_PARTLY_COVERING(name=name, share=uncovered))
+    rms = most = 0.0
     with _heights(plan.terrain) as heights:
-        options = [
-            "METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO",
-        ]  # fmt: skip
-        rms, most = _error(request, plan, source, options, wkt, extent, size)
-        del plan  # GDAL has the terrain now
-        _warp(request, source, options, (wkt, extent, columns, rows), progress, cancelled)
-    return Ortho(request.output, wkt, extent, size, columns, rows, rms, most, uncovered, tuple(notices))
+        if plan.rpc is None:
+            del plan  # GDAL has the terrain now
+            _warp_photo(request, heights, grid, progress, cancelled)
+        else:
+            source = image_with_rpc(plan.image, plan.rpc.rpc)
+            options = [
+                "METHOD=RPC", f"RPC_DEM={heights}", "RPC_DEMINTERPOLATION=bilinear", "RPC_DEM_APPLY_VDATUM_SHIFT=NO",
+            ]  # fmt: skip
+            rms, most = _error(request, plan, source, options, grid)
+            if most > TOLERATED_PX:
+                notices.append(messages.ORTHO_APPROXIMATE(most=most))
+            del plan
+            _warp(request, source, options, grid, progress, cancelled)
+    extent = grid.extent
+    return Ortho(
+        request.output, grid.wkt, extent, grid.size, grid.columns, grid.rows, rms, most, uncovered, tuple(notices)
+    )
 
 
 def rpc_domain(rpc: Rational, image: Raster) -> Domain:
@@ -191,22 +212,45 @@ def rpc_domain(rpc: Rational, image: Raster) -> Domain:
 # --- the plan --------------------------------------------------------------------------------------------------
 
 
+class _Sight(NamedTuple):
+    """How an image and the ground see each other, by longitude, latitude and height."""
+
+    on_ground: Map
+    """(n,) heights of the plan's places in the image -> (n, 3) ground."""
+    project: Map
+    """(n, 3) ground -> (n, 2) column, row."""
+    rpc: RpcOfModel | None
+
+
+def _sight_of_camera(camera: FrameCamera, wkt: str, places: np.ndarray) -> _Sight:
+    views = camera.views(places)
+    return _Sight(
+        lambda heights: reprojected(np.column_stack([camera.places_at(views, heights), heights]), wkt, WGS84),
+        lambda ground: camera.project(reprojected(ground, WGS84, wkt)),
+        None,
+    )
+
+
+def _sight_of_rpc(rpc: RpcOfModel, wkt: str, domain: Domain, places: np.ndarray) -> _Sight:
+    ((longitude, latitude),) = transform_points(np.array([domain.middle]), wkt, WGS84).tolist()
+    geographic = replace(domain, middle=(longitude, latitude))
+    return _Sight(
+        lambda heights: located(rpc.rpc, WGS84, np.column_stack([places, heights]), geographic), rpc.rpc.project, rpc
+    )
+
+
 def _plan(request: OrthoRequest) -> _Plan:
-    image = open_image(request.image)
+    image, model = open_image(request.image), request.model
     domain = replace(request.domain, columns=(0.0, float(image.columns)), rows=(0.0, float(image.rows)))
-    rpc = rpc_of(request.model, request.wkt, domain)
     side = np.linspace(0, 1, ORTHO_GRID)
     places = np.stack(np.meshgrid(side * image.columns, side * image.rows), axis=-1).reshape(-1, 2)
+    if isinstance(model, FrameCamera):
+        sight = _sight_of_camera(model, request.wkt, places)
+    else:
+        sight = _sight_of_rpc(rpc_of(model, request.wkt, domain), request.wkt, domain, places)
     if request.height is not None:
         domain = replace(domain, heights=(request.height, request.height))
-    ((longitude, latitude),) = transform_points(np.array([domain.middle]), request.wkt, WGS84).tolist()
-    geographic = replace(domain, middle=(longitude, latitude))
-
-    def on_ground(heights: np.ndarray) -> np.ndarray:
-        """(n, 3) longitude, latitude, height of the places."""
-        return located(rpc.rpc, WGS84, np.column_stack([places, heights]), geographic)
-
-    around = np.concatenate([on_ground(np.full(len(places), height)) for height in domain.heights])[:, :2]
+    around = np.concatenate([sight.on_ground(np.full(len(places), height)) for height in domain.heights])[:, :2]
     margin = 0.02 * np.ptp(around, axis=0) + 1e-4
     extent = bounding_box(np.concatenate([around - margin, around + margin]))
     if request.dem is None:
@@ -216,7 +260,7 @@ def _plan(request: OrthoRequest) -> _Plan:
         terrain = load_terrain(request.dem, extent, request.datum)
     heights = np.full(len(places), float(np.nanmean(terrain.heights)))
     for _ in range(limits.MAX_NEWTON_ITERATIONS):
-        ground = on_ground(heights)
+        ground = sight.on_ground(heights)
         found = terrain.at(ground)
         missing = ~np.isfinite(found)
         change = np.abs(found - heights)[~missing].max(initial=0)
@@ -226,15 +270,15 @@ def _plan(request: OrthoRequest) -> _Plan:
     if missing.all():
         west, south, east, north = extent
         raise RasterError(messages.DEM_NOT_COVERING(name=terrain.name, west=west, east=east, south=south, north=north))
-    if rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
-        terrain_heights = (float(heights.min()), float(heights.max()))
-        rpc = rpc_of(request.model, request.wkt, replace(domain, heights=terrain_heights))
+    rpc = sight.rpc
+    if rpc is not None and rpc.max_px > 0:  # a fitted RPC holds best where the terrain is
+        rpc = rpc_of(model, request.wkt, replace(domain, heights=(float(heights.min()), float(heights.max()))))
     footprint = np.column_stack([ground[:, :2], heights])
-    return _Plan(image, rpc, terrain, footprint, uncovered_share(image, rpc.rpc, terrain, footprint))
+    return _Plan(image, rpc, terrain, footprint, uncovered_share(image, sight.project, terrain, footprint))
 
 
-def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:
-    """Reference system, extent and pixel size of the orthoimage."""
+def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
+    """The orthoimage's pixels."""
     centre = plan.footprint[len(plan.footprint) // 2]
     wkt = request.target_wkt or utm_wkt(float(centre[0]), float(centre[1]))
     places = transform_points(plan.footprint, WGS84, wkt)
@@ -251,9 +295,9 @@ def _target(request: OrthoRequest, plan: _Plan) -> tuple[str, Extent, float]:
         own = extent_on(bounding_box(plan.footprint), WGS84, wkt)
         if bounds[0] >= own[2] or bounds[2] <= own[0] or bounds[1] >= own[3] or bounds[3] <= own[1]:
             raise SettingsError(messages.EXTENT_OUTSIDE())
-    low = [np.floor(bounds[i] / size) * size for i in (0, 1)]
-    high = [np.ceil(bounds[i] / size) * size for i in (2, 3)]
-    return wkt, (float(low[0]), float(low[1]), float(high[0]), float(high[1])), size
+    left, bottom = (float(np.floor(bounds[i] / size) * size) for i in (0, 1))
+    right, top = (float(np.ceil(bounds[i] / size) * size) for i in (2, 3))
+    return MapGrid(wkt, left, top, size, max(round((right - left) / size), 1), max(round((top - bottom) / size), 1))
 
 
 # --- GDAL ------------------------------------------------------------------------------------------------------
@@ -281,19 +325,17 @@ def _heights(terrain: Terrain) -> Iterator[str]:
 
 
 def _error(
-    request: OrthoRequest, plan: _Plan, source: gdal.Dataset, options: list[str], wkt: str, extent: Extent, size: float
+    request: OrthoRequest, plan: _Plan, source: gdal.Dataset, options: list[str], grid: MapGrid
 ) -> tuple[float, float]:
     """Root mean square and largest distance, px, between where GDAL and where the exact model see the orthoimage."""
-    columns, rows = ((extent[i + 2] - extent[i]) / size for i in (0, 1))
     side = (np.arange(ORTHO_GRID) + 0.5) / ORTHO_GRID
-    pixels = np.stack(np.meshgrid(side * columns, side * rows), axis=-1).reshape(-1, 2)
-    places = np.column_stack([extent[0] + pixels[:, 0] * size, extent[3] - pixels[:, 1] * size])
-    geographic = transform_points(places, wkt, WGS84)
+    pixels = np.stack(np.meshgrid(side * grid.columns, side * grid.rows), axis=-1).reshape(-1, 2)
+    geographic = transform_points(grid.places(*pixels.T), grid.wkt, WGS84)
     ground = np.column_stack([geographic, plan.terrain.at(geographic)])
     with gdal_silenced():
-        target = gdal.GetDriverByName("VRT").Create("", max(round(columns), 1), max(round(rows), 1), 1)
-        target.SetGeoTransform((extent[0], size, 0.0, extent[3], 0.0, -size))
-        target.SetProjection(horizontal_wkt(wkt))
+        target = gdal.GetDriverByName("VRT").Create("", grid.columns, grid.rows, 1)
+        target.SetGeoTransform(grid.geotransform)
+        target.SetProjection(horizontal_wkt(grid.wkt))
         transformer = gdal.Transformer(source, target, options)
         seen, sound = transformer.TransformPoints(1, [(float(x), float(y), 0.0) for x, y in pixels])
     by_gdal = np.array(seen)[:, :2]
@@ -312,14 +354,12 @@ def _warp(
     request: OrthoRequest,
     source: gdal.Dataset,
     options: list[str],
-    target: tuple[str, Extent, int, int],
+    grid: MapGrid,
     progress: Callable[[float], None],
     cancelled: Callable[[], bool],
 ) -> None:
-    wkt, extent, columns, rows = target
     nodata = source.GetRasterBand(1).GetNoDataValue()
     is_virtual = bool(vrt_parts(request.image.path))  # in another thread GDAL would print which of its files lacks
-    creation = ["COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS"]
 
     def report(share: float, message: str, data: Any) -> int:
         progress(share)
@@ -332,10 +372,10 @@ def _warp(
                 unfinished,
                 source,
                 format=request.format,
-                dstSRS=wkt,
-                outputBounds=extent,
-                width=columns,
-                height=rows,
+                dstSRS=grid.wkt,
+                outputBounds=grid.extent,
+                width=grid.columns,
+                height=grid.rows,
                 resampleAlg=request.resampling,
                 rpc=True,
                 transformerOptions=options,
@@ -343,7 +383,7 @@ def _warp(
                 multithread=not is_virtual,
                 warpOptions=["NUM_THREADS=ALL_CPUS", "UNIFIED_SRC_NODATA=YES"],
                 dstNodata=0 if nodata is None else nodata,
-                creationOptions=creation if request.format == "COG" else [*creation, "TILED=YES"],
+                creationOptions=_CREATION[request.format],
                 callback=report,
             )
             error = gdal.GetLastErrorMsg() if made is None else ""
@@ -359,3 +399,39 @@ def _warp(
             raise RasterError(failure)
         with gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=request.output)):
             made = None  # closing writes the file
+
+
+def _warp_photo(
+    request: OrthoRequest,
+    heights: str,
+    grid: MapGrid,
+    progress: Callable[[float], None],
+    cancelled: Callable[[], bool],
+) -> None:
+    image = open_image(request.image)
+    nodata = 0.0 if image.nodata is None else image.nodata
+    made = replace(
+        image.raster, columns=grid.columns, rows=grid.rows, geotransform=grid.geotransform,
+        own_wkt=horizontal_wkt(grid.wkt),
+    )  # fmt: skip
+    names, kind = made.band_names, np.dtype(made.data_type)
+    assert isinstance(request.model, FrameCamera)
+    photo = PhotoWarp(image, request.model, request.wkt, gdal.Open(heights), grid)
+
+    def write(path: str) -> None:
+        with raster_writer(path, made, len(names), kind, names[:3] == COLOURS and len(names) == 3, nodata) as file:
+            for row, strip in photo.strips(request.resampling, nodata, cancelled):
+                file.write(row, strip)
+                progress((row + strip.shape[1]) / grid.rows)
+            if cancelled():
+                raise CancelledError(imagery_messages.CANCELLED())
+
+    if request.format == GEOTIFF:
+        write(str(request.output))
+        return
+    with whole_raster(str(request.output)) as unfinished, gdal_silenced():
+        plain = f"{unfinished}.tif"
+        write(plain)
+        with gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=request.output)):
+            gdal.Translate(unfinished, plain, format=request.format, creationOptions=_CREATION[request.format])
+        os.remove(plain)

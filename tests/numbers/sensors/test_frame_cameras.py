@@ -16,6 +16,7 @@ from osgeo import gdal
 from scipy.ndimage import map_coordinates
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.imagery.reference_systems import transform_points
 from seam_inspector.plugin.sensors.measure.frames import (
     FrameCamera,
     FrameFiles,
@@ -26,6 +27,7 @@ from seam_inspector.plugin.sensors.measure.frames import (
     read_exterior,
     read_interior,
 )
+from seam_inspector.plugin.sensors.measure.lenses import BrownLens, FisheyeLens, Lens
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
 from seam_inspector.plugin.sensors.measure.rpc import open_image
 
@@ -82,23 +84,107 @@ def test_points_lie_where_orthority_sees_them(data_folder: Path, exterior: str) 
     assert np.abs(made.camera.project(table[:, :3]) - table[:, 3:]).max() < 2e-4
 
 
-def test_an_orthoimage_takes_each_pixel_from_where_the_camera_saw_it(folder: Path) -> None:
+BROWN = YAML.replace("pinhole", "brown") + "  k1: -0.264\n  k2: 0.1\n  k3: -0.02\n  p1: 0.002\n  p2: -0.001\n"
+
+
+@pytest.mark.parametrize(("camera", "angles", "system", "size"), [
+    (YAML, "1,-2,30", 32633, 4.0),
+    (BROWN, "1,-2,30", 32633, 4.0),  # no quotient of polynomials of the third degree
+    (BROWN, "20,-25,110", 32633, 8.0),  # 30 degrees off the vertical
+    (BROWN, "20,-25,110", 4326, 8e-5),
+    (YAML.replace("pinhole", "fisheye") + "  k1: -0.05\n  k2: 0.01\n", "1,-2,30", 32633, 4.0),
+])  # fmt: skip
+def test_an_orthoimage_takes_each_pixel_from_where_the_camera_saw_it(
+    folder: Path, camera: str, angles: str, system: int, size: float
+) -> None:
+    (folder / "camera.yaml").write_text(camera)
+    (folder / "places.csv").write_text(TABLE.replace("1,-2,30", angles))
     made, output = oriented(folder), folder / "ortho.tif"
     ortho = orthorectify(OrthoRequest(
         RasterRef(str(folder / "photo.tif")), made.camera, made.wkt, made.domain, RasterRef(str(folder / "dem.tif")),
-        made.terrain_datum, None, output, made.wkt, 4.0, resampling="bilinear",
+        made.terrain_datum, None, output, wkt(system), size, resampling="bilinear",
     ))
-    assert ortho.max_px < 0.02
+    assert (ortho.rms_px, ortho.max_px) == (0, 0)
     opened = gdal.Open(str(output))
     seen, place = opened.ReadAsArray(), opened.GetGeoTransform()
     rows, columns = np.mgrid[0:seen.shape[1], 0:seen.shape[2]]
-    x, y = place[0] + (columns + 0.5) * place[1], place[3] + (rows + 0.5) * place[5]
+    at = np.stack([place[0] + (columns + 0.5) * place[1], place[3] + (rows + 0.5) * place[5]], axis=-1).reshape(-1, 2)
+    x, y = transform_points(at, wkt(system), wkt(32633)).T.reshape(2, *columns.shape)
     terrain = gdal.Open(str(folder / "dem.tif")).ReadAsArray()
     z = map_coordinates(terrain, [(CENTRE[1] + 2000 - y) / 20 - 0.5, (x - CENTRE[0] + 2000) / 20 - 0.5], order=1)
     expected = made.camera.project(np.stack([x, y, z], axis=-1).reshape(-1, 3)).T.reshape(seen.shape)
     inner = (expected[0] > 2) & (expected[0] < COLUMNS - 2) & (expected[1] > 2) & (expected[1] < ROWS - 2)
-    assert inner.sum() > 10_000
-    assert np.abs(seen - expected)[:, inner].max() < 0.02
+    known = (np.abs(x - CENTRE[0]) < 1900) & (np.abs(y - CENTRE[1]) < 1900)  # where the terrain reaches
+    assert (inner & known).sum() > 10_000
+    assert np.abs(seen - expected)[:, inner & known].max() < 0.02
+    beyond = (expected < -2).any(axis=0) | (expected[0] > COLUMNS + 2) | (expected[1] > ROWS + 2)
+    assert not seen[:, beyond & known].any()
+
+
+@pytest.mark.parametrize("form", ["GTiff", "COG"])
+def test_dark_pixels_are_not_empty_ones(folder: Path, form: str) -> None:
+    """In the photo's data type and colours, black where it is black, empty outside of it alone."""
+    pixels = np.full((3, ROWS, COLUMNS), 200, np.uint8)
+    pixels[:, 20:40, 30:50] = 0
+    photo = gdal.GetDriverByName("GTiff").Create(str(folder / "photo.tif"), COLUMNS, ROWS, 3, gdal.GDT_Byte)
+    photo.WriteArray(pixels)
+    photo = None
+    made, output = oriented(folder), folder / "ortho.tif"
+    orthorectify(OrthoRequest(
+        RasterRef(str(folder / "photo.tif")), made.camera, made.wkt, made.domain, None, made.terrain_datum, 100.0,
+        output, made.wkt, 4.0, resampling="cubic", format=form,
+    ))
+    assert sorted(path.name for path in folder.glob("ortho*")) == ["ortho.tif"]
+    opened = gdal.Open(str(output))
+    assert gdal.Info(opened, format="json")["metadata"]["IMAGE_STRUCTURE"].get("LAYOUT") == {"COG": "COG"}.get(form)
+    bands = [opened.GetRasterBand(number) for number in (1, 2, 3)]
+    assert [band.GetColorInterpretation() for band in bands] == [
+        gdal.GCI_RedBand, gdal.GCI_GreenBand, gdal.GCI_BlueBand
+    ]
+    assert all(band.GetNoDataValue() == 0 and band.DataType == gdal.GDT_Byte for band in bands)
+    seen = opened.ReadAsArray()
+    held = (seen != 0).any(axis=0)
+    assert held.sum() * 16 == pytest.approx(COLUMNS * ROWS * (1400 / 60) ** 2, rel=0.02)
+    assert 0.03 < ((seen <= 1).all(axis=0) & held).sum() / held.sum() < 0.1
+
+
+def test_what_a_lens_folds_back_is_not_shown() -> None:
+    lens = BrownLens((-0.3,))
+    distance = np.linspace(0, 3, 3001)
+    shown, _ = lens.distorted(distance, np.zeros(3001))
+    turn = 1 / np.sqrt(0.9)  # of r - 0.3 r^3
+    assert np.isfinite(shown[distance < turn - 0.01]).all()
+    assert np.isnan(shown[distance > turn + 0.01]).all()
+
+
+@given(st.lists(st.floats(-0.05, 0.05), min_size=4, max_size=4), st.integers(0, 10_000))
+def test_a_fisheye_is_opencv_s(angular: list[float], seed: int) -> None:
+    places = np.random.default_rng(seed).uniform(-0.8, 0.8, (20, 2))
+    expected = cv2.fisheye.distortPoints(places[:, None], np.eye(3), np.array(angular))[:, 0]
+    shown = FisheyeLens(tuple(angular)).distorted(*places.T)
+    assert np.column_stack(shown) == pytest.approx(expected, abs=1e-9)
+
+
+@given(st.lists(st.floats(-0.05, 0.05), min_size=12, max_size=12), st.integers(0, 10_000))
+def test_a_lens_with_all_terms_is_opencv_s(terms: list[float], seed: int) -> None:
+    places = np.random.default_rng(seed).uniform(-0.6, 0.6, (20, 2))
+    k1, k2, p1, p2, k3, k4, k5, k6, *prism = terms
+    lens = BrownLens((k1, k2, k3), (p1, p2), (k4, k5, k6), tuple(prism))
+    ahead = np.column_stack([places, np.ones(20)])
+    expected, _ = cv2.projectPoints(ahead, np.zeros(3), np.zeros(3), np.eye(3), np.array(terms))
+    assert np.column_stack(lens.distorted(*places.T)) == pytest.approx(expected[:, 0], abs=1e-9)
+
+
+@given(st.floats(-0.28, 0.1), st.integers(0, 10_000))
+def test_views_are_the_way_back(k1: float, seed: int) -> None:
+    camera = FrameCamera(
+        FrameInterior(np.full(2, FOCAL), np.array([41.0, 28.0]), BrownLens((k1, 0.05), (0.001, -0.002)),
+                      np.array([40.0, 30.0])), CENTRE, camera_axes(10, -20, 70),
+    )  # fmt: skip
+    image = np.random.default_rng(seed).uniform(0, 60, (30, 2))
+    heights = np.random.default_rng(seed + 1).uniform(0, 300, 30)
+    ground = np.column_stack([camera.places_at(camera.views(image), heights), heights])
+    assert camera.project(ground) == pytest.approx(image, abs=1e-5)
 
 
 def test_values_that_are_no_heights_are_not_in_their_range_though_no_nodata_says_so(folder: Path) -> None:
@@ -113,8 +199,7 @@ def test_values_that_are_no_heights_are_not_in_their_range_though_no_nodata_says
 @given(st.tuples(*[st.floats(-0.2, 0.2)] * 3), st.tuples(*[st.floats(-0.01, 0.01)] * 2), st.integers(0, 10_000))
 def test_brown_s_distortion_is_opencv_s(radial: tuple[float, ...], tangential: tuple[float, ...], seed: int) -> None:
     interior = FrameInterior(
-        np.array([FOCAL, 1.1 * FOCAL]), np.array([41.0, 28.0]), np.array(radial), np.array(tangential),
-        np.array([41.0, 28.0]),
+        np.array([FOCAL, 1.1 * FOCAL]), np.array([41.0, 28.0]), BrownLens(radial, tangential), np.array([41.0, 28.0]),
     )
     axes = camera_axes(3.0, -2.0, 40.0)
     ground = CENTRE - [0, 0, 1500] + np.random.default_rng(seed).uniform(-300, 300, (20, 3)) * [1, 1, 0.3]
@@ -128,7 +213,7 @@ def test_brown_s_distortion_is_opencv_s(radial: tuple[float, ...], tangential: t
 def test_without_angles_a_camera_looks_down_with_its_columns_to_the_east() -> None:
     assert camera_axes(0, 0, 0) == pytest.approx(np.diag([1, -1, -1]))
     behind = FrameCamera(
-        FrameInterior(np.full(2, FOCAL), np.zeros(2), np.zeros(1), np.zeros(2), np.zeros(2)), CENTRE,
+        FrameInterior(np.full(2, FOCAL), np.zeros(2), Lens(), np.zeros(2)), CENTRE,
         camera_axes(0, 0, 0),
     ).project(CENTRE[None] + [0, 0, 10])
     assert np.isnan(behind).all()
@@ -178,7 +263,8 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"camera.yaml": YAML.replace("60\n  sensor", "-1\n  sensor")}, "no interior orientation"),
     ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "[60, 80]\n  focal")}, "another shape"),
     ({"camera.yaml": YAML + "  k6: 0.2\n"}, "distortion that is not known"),
-    ({"camera.yaml": YAML.replace("pinhole", "fisheye")}, "distortion that is not known"),
+    ({"camera.yaml": YAML.replace("pinhole", "spherical")}, "distortion that is not known"),
+    ({"camera.yaml": YAML.replace("pinhole", "brown") + "  k1: -2\n"}, "shows no view at a part"),
     ({"camera.yaml": YAML + YAML.replace("cam:", "two:")}, "several cameras (cam, two)"),
     ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "640\n  focal")}, "no interior orientation"),
     ({"camera.yaml": YAML.replace("sensor_size: [80, 60]", "sensor_size: [60, 80]")}, "times as wide as it is high"),

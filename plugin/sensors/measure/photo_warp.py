@@ -1,0 +1,200 @@
+"""Orthoimages of photos: every pixel is seen by the camera itself and resampled where the photo shows it."""
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from threading import Lock
+from typing import Callable
+
+import numpy as np
+from osgeo import gdal
+
+from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.grids import Extent, PixelWindow
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import GeoTransform
+from ...imagery.reference_systems import horizontal_wkt, same_system, transform_points
+from .frames import FrameCamera
+from .resampling import Resampler
+
+STRIP_ROWS = 256  # a tile of a GeoTIFF, so that none is written twice
+_PART_COLUMNS, _NARROWEST = 512, 16  # px that are made at once, fewer where each is made of many
+_KNOT_PX = 16  # between places whose reference system is changed; the ones between lie on the Earth's curve within mm
+_MOST_THREADS = 4
+
+
+@dataclass(frozen=True)
+class MapGrid:
+    """The pixels of an orthoimage."""
+
+    wkt: str
+    """Reference system."""
+    left: float
+    """x of the left edge, map units."""
+    top: float
+    """y of the upper edge, map units."""
+    size: float
+    """Of a pixel, map units."""
+    columns: int
+    """Number of columns, px."""
+    rows: int
+    """Number of rows, px."""
+
+    @property
+    def extent(self) -> Extent:
+        """xmin, ymin, xmax, ymax."""
+        return self.left, self.top - self.rows * self.size, self.left + self.columns * self.size, self.top
+
+    @property
+    def geotransform(self) -> GeoTransform:
+        """As GDAL has it."""
+        return self.left, self.size, 0.0, self.top, 0.0, -self.size
+
+    def places(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """(n, 2) x and y of (n,) columns and rows, px."""
+        return np.column_stack([self.left + columns * self.size, self.top - rows * self.size])
+
+
+@dataclass(frozen=True)
+class PhotoWarp:
+    """A photo, its camera and the ground that it shows."""
+
+    image: OpenRaster
+    """The photo."""
+    camera: FrameCamera
+    """In its pixels."""
+    wkt: str
+    """Reference system of the camera's position."""
+    terrain: gdal.Dataset
+    """Heights in the camera's own kind, with nodata where there are none."""
+    grid: MapGrid
+    """What is made."""
+
+    def strips(
+        self, resampling: str, nodata: float, cancelled: Callable[[], bool]
+    ) -> Iterator[tuple[int, np.ndarray]]:
+        """First row and (bands, rows, columns) of strip after strip, in the photo's own data type.
+
+        Pixels that the photo doesn't show are ``nodata``. Ends early when cancelled. Raises RasterError where the photo
+        can't be read.
+        """
+        grid, reading = self.grid, Lock()  # GDAL's datasets belong to one thread at a time
+        step, heights = self._step_px(), self._heights()
+        resampler = Resampler.of(resampling, step)
+        raster = self.image.raster
+        kind, bands = np.dtype(raster.data_type), len(raster.band_names)
+        width = max(int(_PART_COLUMNS / max(step[0] * step[1], 1)), _NARROWEST)
+        with ThreadPoolExecutor(min(os.cpu_count() or 1, _MOST_THREADS)) as threads:
+            for top in range(0, grid.rows, STRIP_ROWS):
+                high = min(STRIP_ROWS, grid.rows - top)
+                strip = np.full((bands, high, grid.columns), nodata, kind)
+
+                def fill(left: int, top: int = top, strip: np.ndarray = strip) -> None:
+                    if not cancelled():
+                        part = PixelWindow(left, top, min(width, grid.columns - left), strip.shape[1])
+                        self._fill(strip[:, :, left : left + width], part, heights, resampler, nodata, reading)
+
+                list(threads.map(fill, range(0, grid.columns, width)))
+                if cancelled():
+                    return
+                yield top, strip
+
+    def _fill(
+        self, target: np.ndarray, part: PixelWindow, heights: gdal.Dataset, resampler: Resampler, nodata: float,
+        reading: Lock,
+    ) -> None:  # fmt: skip
+        with reading:
+            height = heights.ReadAsArray(part.column, part.row, part.width, part.height)
+        if not self._may_show(part, height):
+            return
+        column, row = self._seen(part, height)
+        across, down = resampler.margin_px
+        shown = (column >= 0) & (row >= 0) & (column < self.image.columns) & (row < self.image.rows)
+        column, row = column[shown], row[shown]
+        if not column.size:
+            return
+        left, top = int(column.min()) - across, int(row.min()) - down
+        window = PixelWindow(left, top, int(column.max()) + across + 1 - left, int(row.max()) + down + 1 - top)
+        inside = window.cut_to(self.image.columns, self.image.rows)
+        with reading:
+            block = self.image.read(inside)
+        beside = window.margins_of(inside)
+        whole = inside == window
+        valid = None if whole and block.invalid is None else np.pad(block.valid, beside)
+        bands = block.bands if whole else np.pad(block.bands, ((0, 0), *beside))
+        values, sound = resampler.at(bands, valid, column - left, row - top)
+        if target.dtype.kind in "iu":
+            limits = np.iinfo(target.dtype)
+            np.clip(np.rint(values, out=values), limits.min, limits.max, out=values)
+            values[:, (values == nodata).all(axis=0)] = nodata + (1 if nodata < limits.max else -1)  # dark, not missing
+        if not sound.all():
+            shown[shown] = sound
+            values = values[:, sound]
+        for band, value in zip(target, values):
+            band[shown] = value
+
+    def _heights(self) -> gdal.Dataset:
+        """The terrain on the orthoimage's pixels, computed where it is read; NaN without."""
+        grid = self.grid
+        with gdal_silenced():
+            return gdal.Warp(
+                "", self.terrain, format="VRT", dstSRS=horizontal_wkt(grid.wkt), outputBounds=grid.extent,
+                width=grid.columns, height=grid.rows, resampleAlg="bilinear", dstNodata=float("nan"),
+            )  # fmt: skip
+
+    def _may_show(self, part: PixelWindow, height: np.ndarray) -> bool:
+        """Whether a part may be in the photo, by a few of its places at its lowest and its highest height."""
+        known = height[np.isfinite(height)]
+        if not known.size:
+            return False
+        seen = [self._seen(part, np.full((9, 9), level, float), 9) for level in (known.min(), known.max())]
+        column, row = (np.stack(axis) for axis in zip(*seen))
+        if np.isnan(column).any():
+            return not np.isnan(column).all()
+        across, down = (np.ptp(axis) / 8 for axis in (column, row))  # an edge bends by less
+        return bool(
+            column.max() >= -across and column.min() <= self.image.columns + across
+            and row.max() >= -down and row.min() <= self.image.rows + down
+        )  # fmt: skip
+
+    def _seen(self, part: PixelWindow, height: np.ndarray, count: int = 0) -> tuple[np.ndarray, np.ndarray]:
+        """Columns and rows of the photo that show a part's places at their ``height``; NaN for those it doesn't.
+
+        All arrays are (rows, columns) of the part, or ``count`` places a side.
+        """
+        columns, rows = (
+            np.linspace(first, first + size, count) if count else first + np.arange(size) + 0.5
+            for first, size in ((part.column, part.width), (part.row, part.height))
+        )
+        if same_system(self.grid.wkt, self.wkt):
+            x, y = self.grid.left + columns * self.grid.size, self.grid.top - rows[:, None] * self.grid.size
+            return self.camera.seen(x, y, height)
+        knots = [np.append(np.arange(side[0], side[-1], _KNOT_PX), side[-1]) for side in (columns, rows)]
+        at = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
+        coarse = transform_points(at, self.grid.wkt, self.wkt).T.reshape(2, len(knots[1]), len(knots[0]))
+        across, down = (_interpolation(knot, side) for knot, side in zip(knots, (columns, rows)))
+        x, y = down @ coarse @ across.T
+        return self.camera.seen(x, y, height)
+
+    def _step_px(self) -> tuple[float, float]:
+        """How far apart the photo shows neighbouring pixels of the orthoimage, along its columns and rows, px."""
+        grid, steps = self.grid, np.linspace(0.1, 0.9, 9)
+        columns, rows = (side.ravel() for side in np.meshgrid(steps * grid.columns, steps * grid.rows))
+        heights, ground = self._heights(), []
+        for right, down in ((0, 0), (1, 0), (0, 1)):
+            places = transform_points(grid.places(columns + right, rows + down), grid.wkt, self.wkt)
+            height = [float(heights.ReadAsArray(int(x), int(y), 1, 1)[0, 0]) for x, y in zip(columns, rows)]
+            ground.append(self.camera.project(np.column_stack([places, height])))
+        changes = np.stack([ground[1] - ground[0], ground[2] - ground[0]])
+        known = np.isfinite(changes).all(axis=(0, 2))
+        if not known.any():
+            return 1.0, 1.0
+        along = np.median(np.linalg.norm(changes[:, known], axis=0), axis=0)
+        return float(along[0]), float(along[1])
+
+
+def _interpolation(knots: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """(places, knots) weights of linear interpolation."""
+    return np.stack([np.interp(places, knots, one) for one in np.eye(len(knots))], axis=1)

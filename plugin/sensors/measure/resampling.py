@@ -1,0 +1,113 @@
+"""Pixels at places between pixels, by the kernels that GDAL's warper has under the same names."""
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Callable
+
+import numpy as np
+
+_PHASES = 4096  # places between two pixels that weights are tabled for: at most 0.0001 px off
+_SMALLEST_WEIGHT = 1e-6
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """How much pixels weigh."""
+
+    radius: float
+    """As far as pixels have a weight, in pixels or steps, whichever are wider."""
+    weight: Callable[[np.ndarray, float], np.ndarray]
+    """By their distance from the place, px, and by the wider of a pixel and a step, px."""
+
+
+def _catmull_rom(distance: np.ndarray) -> np.ndarray:
+    near = (1.5 * distance - 2.5) * distance**2 + 1
+    return np.where(distance < 1, near, ((2.5 - 0.5 * distance) * distance - 4) * distance + 2)
+
+
+def _b_spline(distance: np.ndarray) -> np.ndarray:
+    return np.where(distance < 1, (distance / 2 - 1) * distance**2 + 2 / 3, (2 - distance) ** 3 / 6)
+
+
+_NEAREST = "nearest"
+KERNELS = {
+    _NEAREST: Kernel(1.0, lambda distance, wide: np.ones_like(distance)),
+    "bilinear": Kernel(1.0, lambda distance, wide: 1 - distance / wide),
+    "cubic": Kernel(2.0, lambda distance, wide: _catmull_rom(distance / wide)),
+    "cubicspline": Kernel(2.0, lambda distance, wide: _b_spline(distance / wide)),
+    "lanczos": Kernel(3.0, lambda distance, wide: np.sinc(distance / wide) * np.sinc(distance / wide / 3)),
+    "average": Kernel(1.0, lambda distance, wide: np.clip(wide / 2 + 0.5 - distance, 0, 1)),
+}
+
+
+@dataclass(frozen=True)
+class Resampler:
+    """A kernel for a step between places, widened where places are further apart than pixels."""
+
+    tables: tuple[np.ndarray, np.ndarray]
+    """(taps, phases + 1) float32 weights along columns and rows, the sum of each phase 1."""
+    nearest: bool
+    """Whether the pixel that a place lies in is all."""
+
+    @classmethod
+    def of(cls, name: str, step_px: tuple[float, float]) -> Resampler:
+        """``name``: one of ``KERNELS``; ``step_px``: between neighbouring places, along columns and rows."""
+        kernel = KERNELS[name]
+        tables = []
+        for step in step_px:
+            wide = max(step, 1.0)
+            half = math.ceil(kernel.radius * wide)
+            distance = np.abs(np.arange(1 - half, half + 1)[:, None] - np.arange(_PHASES + 1) / _PHASES)
+            weights = np.where(distance < kernel.radius * wide, kernel.weight(distance, wide), 0.0)
+            tables.append((weights / weights.sum(axis=0)).astype(np.float32))
+        return cls((tables[0], tables[1]), name == _NEAREST)
+
+    @property
+    def margin_px(self) -> tuple[int, int]:
+        """Pixels around a place, along columns and rows, that have a share."""
+        return len(self.tables[0]) // 2, len(self.tables[1]) // 2
+
+    def at(
+        self, bands: np.ndarray, valid: np.ndarray | None, columns: np.ndarray, rows: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """(bands, n) values at places (n,), 0.5 the middle of the first pixel, and (n,) bool where there are any.
+
+        ``bands`` (bands, rows, columns) reach ``margin_px`` beyond the places; ``valid`` (rows, columns) bool where not
+        all are. A place has a value where the pixel that it lies in has one; the others around it play no part then.
+        """
+        width = bands.shape[2]
+        column, row = columns.astype(np.int64), rows.astype(np.int64)
+        own = row * width + column
+        sound = np.ones(len(columns), bool) if valid is None else valid.ravel().take(own)
+        if self.nearest:
+            return bands.reshape(len(bands), -1).take(own, axis=1), sound
+        left, top = np.floor(columns - 0.5), np.floor(rows - 0.5)
+        phases = [((place - 0.5 - first) * _PHASES + 0.5).astype(np.int32)
+                  for place, first in ((columns, left), (rows, top))]
+        before = [side - 1 for side in self.margin_px]
+        first = (top.astype(np.int64) - before[1]) * width + left.astype(np.int64) - before[0]
+        across, down = ([line.take(phase) for line in table] for table, phase in zip(self.tables, phases))
+        if valid is None or valid.all():
+            return np.stack([_convolved(band, first, across, down) for band in bands]), sound
+        held = valid.astype(np.float32)
+        weight = _convolved(held, first, across, down)
+        sound &= weight > _SMALLEST_WEIGHT
+        weight[~sound] = 1.0
+        return np.stack([_convolved(np.where(valid, band, 0), first, across, down) / weight for band in bands]), sound
+
+
+def _convolved(band: np.ndarray, first: np.ndarray, across: list[np.ndarray], down: list[np.ndarray]) -> np.ndarray:
+    """(n,) sums of a band's pixels from ``first`` on (the flat index of the upper left one), weighted."""
+    pixels, width = np.ascontiguousarray(band, np.result_type(band, np.float32)).ravel(), band.shape[1]
+    found = np.zeros(len(first), pixels.dtype)
+    taken, line = np.empty_like(found), np.empty_like(found)
+    for below, weight_down in enumerate(down):
+        line.fill(0)
+        for beside, weight in enumerate(across):
+            pixels[below * width + beside :].take(first, out=taken, mode="clip")
+            taken *= weight
+            line += taken
+        line *= weight_down
+        found += line
+    return found
