@@ -27,8 +27,8 @@ class CompareSensorModels(SensorAlgorithm):
     HELP = QT_TR_NOOP(
         "Fits every sensor model that the points allow and judges each on points that its fit has not seen: check "
         "points, or, where they are fewer than five, every point predicted from the others. The table is that of "
-        "Kurczynski and Wolniewicz; the recommendation follows their conclusions: a parametric model first, the "
-        "vendor's RPC with a correction before quotients, polynomials for small and flat areas only."
+        "Kurczynski and Wolniewicz. Of the models whose errors differ by no more than chance, the one with the "
+        "fewest unknowns is recommended; plane polynomials for flat ground only."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:

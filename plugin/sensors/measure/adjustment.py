@@ -24,7 +24,7 @@ TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
 ROBUST_STEPS = 15  # of each stage; the weights have settled before
 MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
 MAX_LEFT_OUT = 40  # fits of leave-one-out; with more points they are left out in groups
-MAX_WORSE = 1.25  # a model that the paper prefers may be this much worse than the best, relative
+MAX_STANDARD_ERRORS = 1.0  # by which a model of fewer unknowns may be worse (the rule of Breiman et al. 1984)
 CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
 
@@ -265,6 +265,10 @@ class JudgedModel:
     condition: float | None
     reason: Message | None = None
     """Why there are no errors, or why to distrust them."""
+    misses: np.ndarray | None = None
+    """(n,) errors of all points, m on the ground; NaN for those that the fit has seen or that are blunders."""
+    unknowns: float = 0.0
+    """How many the points have determined."""
 
 
 @dataclass(frozen=True)
@@ -318,40 +322,60 @@ def _judged(
     given = replace(points, check=np.zeros(len(points), bool)) if one_by_one else points
     try:
         done = adjust(request, given, robust)
-        errors = _left_out_errors(request, given.only(~done.blunder), cancelled) if one_by_one else done.check
+        unseen = points.check & ~done.blunder
+        px, metres = done.residuals_px, done.residuals_m
+        if one_by_one:
+            unseen, px, metres = _left_out(request, given, ~done.blunder, cancelled)
     except SeamInspectorError as error:
         return JudgedModel(request, None, None, count, None, error.message)
+    errors = accuracy(px[unseen], metres[unseen]) if unseen.any() else None
+    misses = np.where(unseen, np.linalg.norm(metres, axis=1), np.nan)
     fitted = done.fitted
     doubt = None if fitted.converged else messages.NOT_CONVERGED(iterations=fitted.iterations)
-    return JudgedModel(request, errors, done.control, done.control.count, fitted.condition, doubt)
+    return JudgedModel(
+        request, errors, done.control, done.control.count, fitted.condition, doubt, misses, fitted.unknowns
+    )
 
 
-def _left_out_errors(request: ModelRequest, points: Points, cancelled: Callable[[], bool]) -> Accuracy | None:
-    """The errors of points that were left out of the fit in turn; None when cancelled before the first."""
-    px, metres = [], []
-    turns = min(len(points), MAX_LEFT_OUT)
+def _left_out(
+    request: ModelRequest, points: Points, used: np.ndarray, cancelled: Callable[[], bool]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Residuals of the ``used`` points, each left out of the fit in turn: (n,) bool which, (n, 2) px and (n, 2) m."""
+    px, metres = np.full((2, len(points), 2), np.nan)
+    seen = np.flatnonzero(used)
+    turns = min(len(seen), MAX_LEFT_OUT)
     for turn in range(turns):
         if cancelled():
             break
-        left_out = np.arange(len(points)) % turns == turn
-        done = adjust(request, replace(points, check=left_out))
-        px.append(done.residuals_px[left_out])
-        metres.append(done.residuals_m[left_out])
-    return accuracy(np.concatenate(px), np.concatenate(metres)) if px else None
+        left_out = np.arange(len(seen)) % turns == turn
+        done = adjust(request, replace(points.only(used), check=left_out))
+        px[seen[left_out]], metres[seen[left_out]] = done.residuals_px[left_out], done.residuals_m[left_out]
+    return np.isfinite(metres).all(axis=1), px, metres
 
 
 def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | None, Message]:
-    """The model to take, and why: the paper's conclusions 1 to 3 applied to the errors measured.
+    """The model to take, and why: the one of fewest unknowns whose errors are not worse than the best's by more than
+    chance, as far as the points that both have not seen tell; of as many the one that the paper prefers.
 
-    Of the models whose error is at most a quarter larger than the smallest one, the one that the paper prefers.
+    Plane models only where the ground is ``flat`` (conclusion 3).
     """
-    errors = [row.errors.rmse if row.errors is not None and row.reason is None else None for row in rows]
-    judged = [(error, row) for error, row in zip(errors, rows) if error is not None and np.isfinite(error)]
-    sound = [(error, row) for error, row in judged if flat or row.request.needs_heights] or judged
+    judged = [(row.errors.rmse, row) for row in rows if row.errors is not None and row.reason is None]
+    known = [(error, row) for error, row in judged if error is not None and np.isfinite(error)]
+    sound = [(error, row) for error, row in known if flat or row.request.needs_heights] or known
     if not sound:
         return None, messages.NOTHING_TO_RECOMMEND()
-    smallest = min(error for error, _ in sound)
-    near = [(row.request.variant, error, row) for error, row in sound if error <= MAX_WORSE * smallest]
-    _, error, chosen = min(near, key=lambda one: (one[0].rank, one[0].unknowns, one[1]))
-    why = chosen.request.kind.recommendation
-    return chosen, why(model=chosen.request.name, rmse=error, best=smallest)
+    smallest, best = min(sound, key=lambda one: one[0])
+    near = [(error, row) for error, row in sound if row is best or _is_as_good(row, best)]
+    error, chosen = min(near, key=lambda one: (round(one[1].unknowns), one[1].request.variant.rank, one[0]))
+    return chosen, chosen.request.kind.recommendation(model=chosen.request.name, rmse=error, best=smallest)
+
+
+def _is_as_good(row: JudgedModel, best: JudgedModel) -> bool:
+    """Whether a model's squared errors exceed another's by no more than the standard error of their differences."""
+    assert row.misses is not None
+    assert best.misses is not None
+    worse = row.misses**2 - best.misses**2
+    worse = worse[np.isfinite(worse)]
+    if len(worse) < 2:
+        return False
+    return bool(worse.mean() <= MAX_STANDARD_ERRORS * worse.std(ddof=1) / np.sqrt(len(worse)))

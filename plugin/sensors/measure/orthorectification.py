@@ -18,7 +18,7 @@ from osgeo import gdal
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, Message, RasterError, SensorModelError, SettingsError
 from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing, vrt_parts
-from ...imagery.grids import Extent
+from ...imagery.grids import Extent, extents_meet
 from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_writer import GEOTIFF, raster_writer, whole_raster
@@ -293,7 +293,7 @@ def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
     bounds = request.extent or bounding_box(places)
     if request.extent is not None:
         own = extent_on(bounding_box(plan.footprint), WGS84, wkt)
-        if bounds[0] >= own[2] or bounds[2] <= own[0] or bounds[1] >= own[3] or bounds[3] <= own[1]:
+        if not extents_meet(bounds, own):  # nor do those that are no numbers
             raise SettingsError(messages.EXTENT_OUTSIDE())
     left, bottom = (float(np.floor(bounds[i] / size) * size) for i in (0, 1))
     right, top = (float(np.ceil(bounds[i] / size) * size) for i in (2, 3))
