@@ -241,10 +241,12 @@ class OpenRaster:
 
 
 def _opened(ref: RasterRef) -> gdal.Dataset | None:
+    """None where GDAL opens no first part."""
     first = gdal.OpenEx(ref.path, gdal.OF_RASTER | gdal.OF_READONLY)
     if first is None or not ref.parts:
         return first
-    whole = gdal.BuildVRT("", list(ref.paths))
+    _, width, _, _, _, height = first.GetGeoTransform()
+    whole = gdal.BuildVRT("", list(ref.paths), resolution="user", xRes=width, yRes=-height)
     whole.SetMetadata(first.GetMetadata("IMAGE_STRUCTURE"), "IMAGE_STRUCTURE")
     return whole
 
