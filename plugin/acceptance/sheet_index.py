@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING
 from qgis.core import (
     QgsCsException,
     QgsGeometry,
+    QgsGeometryEngine,
     QgsLineString,
-    QgsPointXY,
+    QgsPoint,
     QgsProcessing,
     QgsProcessingParameterFeatureSource,
+    QgsRectangle,
+    QgsSpatialIndex,
 )
 
 from ..imagery.errors import SettingsError
@@ -30,6 +33,39 @@ SHEETS = "SHEETS"
 _SHORTEST = 1e-6  # of a piece: shorter parts are rounding
 _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
 """The first that a layer has says what its sheets are called; of a file's path its name."""
+
+
+class _Sheets:
+    """Outlines of sheets, found by place."""
+
+    def __init__(self) -> None:
+        self.outlines: list[tuple[str, QgsGeometry]] = []
+        """Names and outlines in the order of the layer."""
+        self._engines: dict[int, QgsGeometryEngine] = {}
+        """By number, of those that hold anything."""
+        self._index = QgsSpatialIndex()
+
+    def add(self, name: str, outline: QgsGeometry) -> None:
+        """One sheet more."""
+        number = len(self.outlines)
+        self.outlines.append((name, outline))
+        if not outline.isEmpty():
+            self._index.addFeature(number, outline.boundingBox())
+            self._engines[number] = QgsGeometry.createGeometryEngine(outline.constGet())
+            self._engines[number].prepareGeometry()
+
+    def at(self, place: tuple[float, float]) -> Iterator[str]:
+        """Names of the sheets that hold a place."""
+        point = QgsPoint(*place)
+        here = self._index.intersects(QgsRectangle(*place, *place))
+        return (self.outlines[i][0] for i in sorted(here) if self._engines[i].contains(point))
+
+    def cutting(self, line: QgsGeometry) -> Iterator[QgsGeometry]:
+        """What of a line lies in each sheet that does not hold all of it."""
+        shape = line.constGet()
+        for i in sorted(self._index.intersects(line.boundingBox())):
+            if self._engines[i].intersects(shape) and not self._engines[i].contains(shape):
+                yield line.intersection(self.outlines[i][1])
 
 
 def add_sheets(algorithm: SeamInspectorAlgorithm) -> None:
@@ -62,7 +98,7 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
     if field is None:
         raise SettingsError(messages.SHEETS_WITHOUT_NAMES(fields=", ".join(_NAME_FIELDS)))
     transform = run.transform(source, reference_system(delivery.wkt))
-    outlines: list[tuple[str, QgsGeometry]] = []
+    sheets = _Sheets()
     for row in attributes(features(source), names):
         outline = QgsGeometry(row.feature.geometry())
         if not has_numbers(outline):
@@ -71,9 +107,9 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
             outline.transform(transform)
         except QgsCsException:
             raise SettingsError(messages.NOT_TRANSFORMED(name=source.sourceName())) from None
-        outlines.append((Path(text(row[field])).stem, outline))
-    found = [next(_sheets_at(outlines, piece.middle), None) for piece in delivery.pieces]
-    cut = [_sheet_parts(outlines, piece, sheet or piece.sheet) for piece, sheet in zip(delivery.pieces, found)]
+        sheets.add(Path(text(row[field])).stem, outline)
+    found = [next(sheets.at(piece.middle), None) for piece in delivery.pieces]
+    cut = [_sheet_parts(sheets, piece, sheet or piece.sheet) for piece, sheet in zip(delivery.pieces, found)]
     outside = sum(sheet is None for sheet in found)
     if outside == len(found):
         raise SettingsError(messages.SHEETS_ELSEWHERE())
@@ -83,7 +119,7 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
         replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0], sheet_parts=parts)
         for piece, sheet, parts in zip(delivery.pieces, found, cut)
     )
-    return replace(delivery, pieces=pieces, outlines=_sheet_outlines(outlines))
+    return replace(delivery, pieces=pieces, outlines=_sheet_outlines(sheets.outlines))
 
 
 def _sheet_outlines(outlines: list[tuple[str, QgsGeometry]]) -> tuple[SheetOutline, ...]:
@@ -102,12 +138,7 @@ def _sheet_outlines(outlines: list[tuple[str, QgsGeometry]]) -> tuple[SheetOutli
     return tuple(SheetOutline(name, tuple(own)) for name, own in rings.items())
 
 
-def _sheets_at(outlines: list[tuple[str, QgsGeometry]], place: tuple[float, float]) -> Iterator[str]:
-    point = QgsPointXY(*place)
-    return (name for name, outline in outlines if outline.boundingBox().contains(point) and outline.contains(point))
-
-
-def _sheet_parts(outlines: list[tuple[str, QgsGeometry]], piece: DeliveredPiece, sheet: str) -> tuple[SheetPart, ...]:
+def _sheet_parts(sheets: _Sheets, piece: DeliveredPiece, sheet: str) -> tuple[SheetPart, ...]:
     """A piece cut at the borders; what lies in no sheet, or in several, goes to the sheet of its middle. Empty where
     all of it lies there."""
     from .measure.delivery import SheetPart
@@ -115,10 +146,7 @@ def _sheet_parts(outlines: list[tuple[str, QgsGeometry]], piece: DeliveredPiece,
     line = QgsGeometry(QgsLineString(*piece.vertices.T.tolist()))
     length = line.length()
     borders = {0.0, 1.0}
-    for _, outline in outlines:
-        if not length or not outline.boundingBox().intersects(line.boundingBox()) or outline.contains(line):
-            continue
-        inside = line.intersection(outline)
+    for inside in sheets.cutting(line) if length else ():
         ends = (point for part in inside.asGeometryCollection() for point in _ends(part))
         borders |= {min(max(line.lineLocatePoint(point) / length, 0.0), 1.0) for point in ends}
     stops = sorted(borders)
@@ -126,7 +154,7 @@ def _sheet_parts(outlines: list[tuple[str, QgsGeometry]], piece: DeliveredPiece,
     for start, stop in zip(stops, stops[1:]):
         if stop - start < _SHORTEST:
             continue
-        here = list(_sheets_at(outlines, piece.point((start + stop) / 2)))
+        here = list(sheets.at(piece.point((start + stop) / 2)))
         name = sheet if sheet in here or not here else here[0]
         begin = parts[-1].stop if parts else 0.0
         if parts and parts[-1].sheet == name:

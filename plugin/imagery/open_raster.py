@@ -95,7 +95,9 @@ class OpenRaster:
             check_raster_path(ref.path, ref.name)
             if os.path.exists(ref.path) and not os.access(ref.path, os.R_OK):
                 failure = messages.NOT_PERMITTED(name=ref.name)
-            dataset = gdal_call(lambda: gdal.OpenEx(ref.path, gdal.OF_RASTER | gdal.OF_READONLY), failure)
+            for part in ref.parts:
+                check_raster_path(part, ref.name)
+            dataset = gdal_call(lambda: _opened(ref), failure)
         if dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
         _check_amounts(dataset, ref.name)
@@ -236,6 +238,17 @@ class OpenRaster:
             if not invalid.any():
                 return None
         return invalid
+
+
+def _opened(ref: RasterRef) -> gdal.Dataset | None:
+    """None where GDAL opens no first part."""
+    first = gdal.OpenEx(ref.path, gdal.OF_RASTER | gdal.OF_READONLY)
+    if first is None or not ref.parts:
+        return first
+    _, width, _, _, _, height = first.GetGeoTransform()
+    whole = gdal.BuildVRT("", list(ref.paths), resolution="user", xRes=width, yRes=-height)
+    whole.SetMetadata(first.GetMetadata("IMAGE_STRUCTURE"), "IMAGE_STRUCTURE")
+    return whole
 
 
 def _check_amounts(dataset: gdal.Dataset, name: str) -> None:

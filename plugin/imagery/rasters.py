@@ -30,11 +30,27 @@ class RasterRef:
     """What GDAL opens."""
     wkt: str = ""
     """Reference system to assume where the file itself names none."""
+    parts: tuple[str, ...] = ()
+    """Further files on the same pixel grid that are parts of the same image."""
 
     @property
     def name(self) -> str:
-        """File name without its folder."""
-        return os.path.basename(self.path) or self.path
+        """File name without its folder; of an image in parts that of its first one."""
+        return _file_name(self.path)
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """Of all its parts."""
+        return self.path, *self.parts
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Likewise."""
+        return tuple(map(_file_name, self.paths))
+
+
+def _file_name(path: str) -> str:
+    return os.path.basename(path) or path
 
 
 @dataclass(frozen=True)

@@ -48,6 +48,10 @@ COPY_AMONG_SOURCES = Message(
     "{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would "
     "hide every loss and is left out of the sources.", WARNING
 )
+ONE_IMAGE_IN_PARTS = Message(
+    "{name} and {count} more show the same pixels where they overlap: they are parts of one image, and taken as one.",
+    INFO
+)
 OVERVIEW_AMONG_SOURCES = Message(
     "{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.", WARNING
 )

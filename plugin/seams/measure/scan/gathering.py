@@ -19,7 +19,6 @@ from . import messages
 from .block_runs import NOTHING, block_scans, global_numbers
 from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockKey
 from .blocks.scan_block import CELLS, BlockScan
-from .lines.seam_fields import source_numbers
 from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sides_of
 from .lines.seam_tracing import SourcePolygon, polygons_of, seams_of, trace_borders
 from .loss_raster import loss_cells, loss_raster
@@ -175,7 +174,7 @@ class Gathering:
 def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:
     """What the given seams say themselves of which source each part came from."""
     cells = request.given.cells if request.given else ()
-    numbers, _ = source_numbers({one.source for one in cells}, [one.ref.name for one in request.sources])
+    numbers, _ = request.numbers_named({one.source for one in cells})
     by_source: dict[int, ogr.Geometry] = {}
     for cell in cells:
         if cell.source in numbers:

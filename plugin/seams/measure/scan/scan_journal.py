@@ -61,7 +61,8 @@ def fingerprint_of(
         "sources": _digest(
             item
             for source in sources
-            for item in (source.ref.path, source.ref.wkt, source.extent, *_states(source.ref.path, asked))
+            for path in source.ref.paths
+            for item in (path, source.ref.wkt, source.extent, *_states(path, asked))
         ),
         "settings": _digest([settings]),
         "seams": _digest(seams),

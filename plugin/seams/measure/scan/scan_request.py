@@ -1,7 +1,7 @@
 """What is to be scanned: a mosaic, its orthoimages, its seams."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -13,6 +13,7 @@ from ....imagery.grids import PixelWindow
 from ....imagery.rasters import Raster
 from ..inputs.grey_values import grey_factor
 from ..inputs.mosaic_copies import leave_out_copies
+from ..inputs.whole_images import whole_images
 from ..limits import FULL
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..seam_cells import UNKNOWN
@@ -67,13 +68,18 @@ class ScanRequest:
     def named(self) -> tuple[dict[str, int], Message | None]:
         """Numbers of the sources by what the seams call them, and which names mean none."""
         names = {name for seam in self.seams for name in (seam.left, seam.right) if name and isinstance(name, str)}
-        return source_numbers(names, [one.ref.name for one in self.sources])
+        return self.numbers_named(names)
+
+    def numbers_named(self, names: Iterable[str]) -> tuple[dict[str, int], Message | None]:
+        """Numbers of the sources that names mean, those of their parts, too; and which names mean none."""
+        files = [(name, number) for number, one in enumerate(self.sources) for name in one.ref.names]
+        return source_numbers(names, [name for name, _ in files], [number for _, number in files])
 
     @cached_property
     def dates(self) -> dict[str, str]:
         """When sources were taken, as far as the seams say, by the names of their files and by those in the seams."""
         given = self.given.dates if self.given else {}
-        numbers, _ = source_numbers(given, [one.ref.name for one in self.sources])
+        numbers, _ = self.numbers_named(given)
         return {**given, **{self.sources[number].ref.name: given[name] for name, number in numbers.items()}}
 
     @cached_property
@@ -166,6 +172,8 @@ def scan_request(
             width=mosaic.columns, height=mosaic.rows, fewest=imagery_limits.MIN_SIDE_PX
         ))
     kept, notices = leave_out_copies(mosaic, sources)
+    kept, in_parts = whole_images(mosaic, kept)
+    notices += in_parts
     needed = SHORTEST_PIECE_PX * mosaic.ground_sample_distance
     if settings.piece_m < needed:
         settings = replace(settings, piece_m=needed)

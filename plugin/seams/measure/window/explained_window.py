@@ -14,7 +14,7 @@ from ..causes import Cause
 from ..compared_image import Change, MeasuredClip
 from ..explanation import Explanation, explain
 from ..following.hard_cut import cut_hard
-from ..seam_cells import UNKNOWN, cell_labels
+from ..seam_cells import UNKNOWN, cell_labels, source_stem
 from ..verdicts import Judgement, Ratios, Verdict, curve_ratios, judge, judge_by_seam
 from ..window_records import COMPOSITE, SEAM
 from .measured_window import MeasuredWindow, in_file_values, measure_window
@@ -84,8 +84,10 @@ def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.
     cell says any."""
     if not request.cells or request.window is None:
         return None
-    names = [one.clip.raster.ref.name for one in sources]
-    known = cell_labels(request.cells, names, request.mosaic.grid, request.around)
+    refs = [one.clip.raster.ref for one in sources]
+    whole = {source_stem(name): ref.name for ref in refs for name in ref.names}
+    cells = [replace(one, source=whole.get(source_stem(one.source), one.source)) for one in request.cells]
+    known = cell_labels(cells, [ref.name for ref in refs], request.mosaic.grid, request.around)
     return known if (known != UNKNOWN).any() else None
 
 

@@ -18,6 +18,7 @@ from ....imagery.raster_pool import ReadEach, one_by_one
 from ....imagery.wavelets import Curve, measure_clip, measure_directions
 from .. import messages
 from ..compared_image import MeasuredClip
+from ..inputs.whole_images import images_in_parts, whole_images_of_clips
 from ..verdicts import Judgement, Verdict, judge
 from .window_request import InspectionSettings, WindowRequest, place_in, read_with_surroundings
 from .window_result import ClipResult, WindowClips
@@ -79,6 +80,10 @@ def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> 
     if isinstance(mosaic, RasterError):
         is_last = request.around == request.window
         return mosaic.message if is_last else measure_window(replace(request, is_alone=True), read_each)
+    clips = [None if isinstance(one, RasterError) else one.around or one.clip for one in others]
+    images = whole_images_of_clips(request.sources, clips)
+    if len(images) < len(request.sources):
+        return measure_window(replace(request, sources=tuple(images)), read_each)
     band = mosaic.clip.raster.judged_band
     sources, notices, not_covering = _comparable(others, band)
     judged = [one for one in sources if not one.clip.resampled] or sources
@@ -87,6 +92,7 @@ def measure_window(request: WindowRequest, read_each: ReadEach = one_by_one) -> 
     whole = [one.curves[band] for one in judged if one.clip.valid is None]
     paper = judge(mosaic.curves[band], whole, request.settings.max_ratio)
     refused = (*notices, *not_covering)
+    notices += images_in_parts(request.sources)
     if not judged and refused and mosaic.curves[band].variance > 0:
         why = refused[: imagery_limits.MAX_REASONS]
         paper = replace(paper, reason=messages.NO_SOURCE_COMPARABLE(why=why))

@@ -1,6 +1,8 @@
 """One block of a mosaic: request -> what was measured in it."""
 from __future__ import annotations
 
+from collections import deque
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,11 +20,12 @@ from ...source_images import Source
 from ..scan_settings import ScanSettings
 from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey, rectangles
 from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
-from .block_pixels import BlockPixels, thin_valid
+from .block_pixels import MOST_HELD, BlockPixels, thin_valid
 from .patches import SquareLook, look_at_squares, middle_sources, spread_out
 from .seam_sides import SeamSides
 
 WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
+CROWDED_PX = 384  # side of a part that is measured by more sources than are held, as memory and time grow with both
 MOST_UNEXPLAINED = 0.1  # of a part: beyond it sources that no patch follows are tried, too
 CELLS = BLOCK_PX // CELL_PX
 """Cells along a side of a block."""
@@ -115,13 +118,20 @@ def _scanned(request: BlockRequest) -> BlockScan:
         made.take_look(look, wanted)
         if is_full:
             made.take_plain(measure_plain(pixels, look, wanted, settings.wavelet, settings.levels))
-    for window in rectangles(wanted):
+    waiting = deque(rectangles(wanted))
+    while waiting:
+        window = waiting.popleft()
         try:
-            made.take_part(_measured(pixels, look, window, request))
+            part = _measured(pixels, look, window, request)
         except NotCoveredError:
             continue
         except RasterError as error:
             pixels.notices.append(error.message.as_warning())
+            continue
+        if part is None:
+            waiting.extendleft(reversed(_halves(window)))
+        else:
+            made.take_part(part)
     made.leave_out(pixels.valid)
     if every > 1:
         made.take_outside(thin_valid(request.mosaic, request.window))
@@ -176,9 +186,10 @@ def _in_units(squares: np.ndarray) -> np.ndarray:
 
 def _measured(
     pixels: BlockPixels, look: SquareLook | None, window: PixelWindow, request: BlockRequest
-) -> DensePart:
+) -> DensePart | None:
     """A rectangle by the sources that are followed around it, or that given seams name; by all where they leave
-    something over, and where there is but one, which makes no seam."""
+    something over, and where there is but one, which makes no seam. None where these are so many that halves of it,
+    with fewer around each, are to be measured instead."""
     placed = window.moved_by(request.window.column, request.window.row)
     settings, everyone, sides = request.settings, pixels.numbers, request.sides
     around = _followed_around(look, window, request.look_every) if look is not None else set()
@@ -188,10 +199,28 @@ def _measured(
     is_known = look is not None and sides is None and look.learned_of.issuperset(likely)
     filters = look.filters if look is not None and is_known else None
     if len(likely) > 1:
+        if _is_crowded(likely, window):
+            return None
         found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters, sides)
         if found.unexplained <= MOST_UNEXPLAINED or (likely == everyone and filters is None):
             return found
+    if _is_crowded(everyone, window):
+        return None
     return measure_part(pixels, placed, everyone, settings.wavelet, settings.levels, None, sides)
+
+
+def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
+    return len(numbers) > MOST_HELD and max(window.width, window.height) > CROWDED_PX
+
+
+def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
+    """Across its longer side, in whole squares."""
+    if window.width >= window.height:
+        first = -(-window.width // (2 * SQUARE_PX)) * SQUARE_PX
+        other = replace(window, column=window.column + first, width=window.width - first)
+        return replace(window, width=first), other
+    first = -(-window.height // (2 * SQUARE_PX)) * SQUARE_PX
+    return replace(window, height=first), replace(window, row=window.row + first, height=window.height - first)
 
 
 def _followed_around(look: SquareLook, window: PixelWindow, reach: int) -> set[int]:

@@ -114,16 +114,18 @@ def _last(name: str) -> str:
 _TOLD = 3  # names that a notice tells
 
 
-def source_numbers(names: Iterable[str], files: Sequence[str]) -> tuple[dict[str, int], Message | None]:
+def source_numbers(
+    names: Iterable[str], files: Sequence[str], images: Sequence[int] | None = None
+) -> tuple[dict[str, int], Message | None]:
     """For each name that a layer of seams holds the place of its orthoimage in ``files``; and which ones have none.
 
     The folder, the ending and capitals don't count. A name that is a part of one file's name only, as image numbers
-    are, means that file.
+    are, means that file. ``images``: what is found instead of places, where several files may be one image.
     """
-    stems = [source_stem(file) for file in files]
-    places = {stem: place for place, stem in reversed(list(enumerate(stems)))}
+    stems = [(source_stem(file), place) for place, file in zip(images or range(len(files)), files)]
+    places = dict(reversed(stems))
     parts: dict[str, set[int]] = {}
-    for place, stem in enumerate(stems):
+    for stem, place in stems:
         for part in _runs(stem):
             parts.setdefault(part, set()).add(place)
     found, missing = {}, []
