@@ -189,7 +189,7 @@ def _measured(
     filters = look.filters if look is not None and is_known else None
     if len(likely) > 1:
         found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters, sides)
-        if found.unexplained <= MOST_UNEXPLAINED or (likely == everyone and filters is None):
+        if found.unexplained <= MOST_UNEXPLAINED or likely == everyone:
             return found
     return measure_part(pixels, placed, everyone, settings.wavelet, settings.levels, None, sides)
 
