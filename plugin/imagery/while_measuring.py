@@ -62,9 +62,9 @@ def measuring() -> Iterator[None]:
 def _set(counts: list[int], memory: dict[int, int]) -> None:
     for (_, set_count), count in zip(_libraries(), counts):
         set_count(count)
-    library = _glibc()
-    for option, value in memory.items() if library is not None else ():
-        library.mallopt(option, value)
+    if (library := _glibc()) is not None:
+        for option, value in memory.items():
+            library.mallopt(option, value)
 
 
 @cache
