@@ -20,11 +20,10 @@ from .following.boxes import enlarged, near_border
 from .following.followed_source import FollowedSource
 from .following.hard_cut import Composite, HardCut, cut_hard, follows_at
 from .following.levelling import left_by_curve, left_over
-from .following.source_filters import present
 from .profile.cell_table import CELL_PX, CellTable
 from .profile.seam_profile import SeamProfile
 from .profile.window_detail import LossPicture, loss_picture
-from .seam_cells import UNKNOWN, is_one_of
+from .seam_cells import UNKNOWN, is_one_of, present
 from .tone import Tone, whole_squares
 from .verdicts import Ratios, curve_ratios
 from .visibility import window_visibility

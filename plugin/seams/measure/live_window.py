@@ -6,13 +6,13 @@ from functools import partial
 
 import numpy as np
 
-from ...imagery.blas_threads import one_blas_thread
 from ...imagery.clips import Clip
 from ...imagery.errors import RasterError
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_pool import ReadEach
 from ...imagery.wavelets import Curve, clip_curves, judged_plane
+from ...imagery.while_measuring import measuring
 from .compared_image import ComparedImage, MeasuredClip
 from .following.hard_cut import is_unclear, judged_ground
 from .profile.seam_profile import SeamProfile
@@ -72,7 +72,7 @@ def read_live(request: WindowRequest, read_each: ReadEach) -> LivePixels | None:
     return LivePixels(request, band, images, against, first)
 
 
-@one_blas_thread()
+@measuring()
 def live_profile(pixels: LivePixels) -> SeamProfile | None:
     """What is kept along the seam, as a whole inspection has it; None without a seam or where it can't be told."""
     window = pixels.request.window

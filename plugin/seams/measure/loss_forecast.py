@@ -14,7 +14,6 @@ import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
-from ...imagery.blas_threads import one_blas_thread
 from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import Message, NotCoveredError, RasterError, SettingsError, WindowError
 from ...imagery.grids import Extent, PixelWindow, snap_window
@@ -23,6 +22,7 @@ from ...imagery.rasters import Raster
 from ...imagery.reference_systems import extent_on, metres_per_unit
 from ...imagery.shifts import Shift, Spectra, find_shift
 from ...imagery.wavelets import check_decomposition, judged_plane
+from ...imagery.while_measuring import measuring
 from . import messages
 from .feather_prediction import (
     Feather,
@@ -133,7 +133,7 @@ def forecast_request(
     return ForecastRequest(window_id, sources_over(sources, extent), extent, wkt, settings, over)
 
 
-@one_blas_thread()
+@measuring()
 def forecast_window(request: ForecastRequest) -> Forecast:
     """Clip the sources of one window and foretell each pair of them.
 

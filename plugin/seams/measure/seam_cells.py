@@ -48,6 +48,18 @@ def is_one_of(labels: np.ndarray, numbers: Iterable[int]) -> np.ndarray:
     return found
 
 
+def present(labels: np.ndarray) -> list[int]:
+    """The sources that any pixel follows."""
+    left, found = int(np.count_nonzero(labels != UNKNOWN)), []
+    for number in range(UNKNOWN):
+        if not left:
+            break
+        if count := int(np.count_nonzero(labels == number)):
+            found.append(number)
+            left -= count
+    return found
+
+
 def source_stem(name: str) -> str:
     """What a source is compared by: its name without folder, ending and capitals."""
     return PurePath(name.replace("\\", "/")).stem.lower()

@@ -18,7 +18,8 @@ _ROUNDS = 6  # of reweighting at most; it settles in two to five
 _MOST_POINTS = 1024  # means that a line is fitted to, picked evenly: all of a large window take their time
 _GAMMA_POINTS = 384  # of them, that exponents are tried on: each takes all of its pixels
 _GAMMA_VALUES = 1024  # that pixels are told apart by: of 8 bit and 10 bit ones all
-_GAMMA_STEPS = (13, 7, 7)  # exponents that are tried, then between the neighbours of the best: to 1 %
+_GAMMA_STEPS = ((13, 2), (7, 3), (7, _ROUNDS))
+"""How many exponents are tried, first and then between the neighbours of the best, to 1 %; and rounds of each fit."""
 _FEWEST_POINTS = 16  # means: fewer are no base for a robust line
 _TUKEY = 4.685  # times the scale: weights of 95 % efficiency (Holland and Welsch 1977)
 _LEAST_SCALE = 1e-9  # grey values: what varies less is even, but for rounding
@@ -129,7 +130,7 @@ def _width(band: np.ndarray) -> float:
     return float(ordered[-1 - outside]) - float(ordered[outside])
 
 
-def _linear(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _linear(x: np.ndarray, y: np.ndarray, rounds: int = _ROUNDS) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Gain, bias and the residuals' scale of each row of x and y, (rows, points)."""
     x_middle, y_middle = _median(x), _median(y)
     x_off, y_off = x - x_middle[:, np.newaxis], y - y_middle[:, np.newaxis]
@@ -140,7 +141,7 @@ def _linear(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nd
     gain = np.where(x_spread > 0, sign * y_spread / np.where(x_spread > 0, x_spread, 1), least)
     bias = np.zeros_like(gain)
     terms = np.stack([np.ones_like(x), x_off, y_off, squares, products], axis=1)
-    for _ in range(_ROUNDS):
+    for _ in range(rounds):
         weights = _weights(y_off - gain[:, np.newaxis] * x_off - bias[:, np.newaxis])
         total, of_x, of_y, of_squares, of_products = (terms @ weights[..., np.newaxis])[..., 0].T
         spread = of_squares - of_x**2 / total
@@ -178,18 +179,14 @@ def _gamma(
     values = np.linspace(lowest, highest, count) / highest
     means = y[np.newaxis, ::step]
 
-    def spreads(gammas: np.ndarray) -> np.ndarray:
-        powers = values ** gammas[:, np.newaxis] @ shares.T
-        return _linear(powers, np.broadcast_to(means, powers.shape))[2]
-
     low, high = MIN_GAMMA, MAX_GAMMA
-    for count in _GAMMA_STEPS:
-        grid = np.geomspace(low, high, count)
-        found = spreads(grid)
-        best = int(found.argmin())
+    for count, rounds in _GAMMA_STEPS:
+        grid = np.append(np.geomspace(low, high, count), 1.0)  # the last is the line
+        powers = values ** grid[:, np.newaxis] @ shares.T
+        found = _linear(powers, np.broadcast_to(means, powers.shape), rounds)[2]
+        best = int(found[:-1].argmin())
         low, high = grid[max(best - 1, 0)], grid[min(best + 1, count - 1)]
-    line = spreads(np.ones(1))[0]
-    return float(grid[best]) if found[best] <= (1 - MIN_GAMMA_GAIN) * line else 1.0
+    return float(grid[best]) if found[best] <= (1 - MIN_GAMMA_GAIN) * found[-1] else 1.0
 
 
 def _value_shares(

@@ -6,8 +6,8 @@ from functools import cache
 
 import numpy as np
 
-from ..seam_cells import UNKNOWN
-from .boxes import box_means, near_border
+from ..seam_cells import UNKNOWN, present
+from .boxes import box_counts, near_border
 
 BORDER_PX = 5
 """What the first labels are off by."""
@@ -56,23 +56,25 @@ def to_the_pixel(
 
 def _own_mean(rest: np.ndarray, own: np.ndarray) -> np.ndarray:
     """What a source's tone is off by in every tile where it is followed so far; 0 where that is too little."""
-    counts = np.count_nonzero(own, axis=(1, 2))
-    sums = np.einsum("tij,tij->t", rest, own.astype(np.float32))
+    own = own.reshape(len(own), -1)
+    counts = np.count_nonzero(own, axis=1)
+    sums = np.einsum("tn,tn->t", rest.reshape(own.shape), own.astype(np.float32))
     return np.where(counts >= _FEWEST_OWN, sums / np.maximum(counts, 1), 0).astype(np.float32)[:, None, None]
 
 
 def smooth_border(labels: np.ndarray) -> np.ndarray:
     """Labels without what is narrower than a seam runs: where sources are mixed, noise decides which is nearer."""
-    numbers = np.flatnonzero(np.bincount(labels[labels != UNKNOWN].ravel(), minlength=1)).tolist()
+    numbers = present(labels)
     if len(numbers) < 2:
         return labels
-    shares = (box_means(labels == number, (_SMOOTH_PX,))[0] for number in numbers)
-    first, most = numbers[0], next(shares)
+    counts = (box_counts(labels == number, _SMOOTH_PX) for number in numbers)
+    first, most = numbers[0], next(counts)
     found = np.full(labels.shape, first, np.uint8)
-    for number, share in zip(numbers[1:], shares):
-        np.copyto(found, np.uint8(number), where=share > most)
-        np.maximum(most, share, out=most)
-    return np.where(labels == UNKNOWN, labels, found)
+    for number, count in zip(numbers[1:], counts):
+        np.copyto(found, np.uint8(number), where=count > most)
+        np.maximum(most, count, out=most)
+    np.copyto(found, np.uint8(UNKNOWN), where=labels == UNKNOWN)
+    return found
 
 
 def _tiles_with(near: np.ndarray) -> tuple[np.ndarray, ...]:

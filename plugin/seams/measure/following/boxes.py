@@ -41,6 +41,12 @@ def box_means(values: np.ndarray, sides: Sequence[int], mirrored: bool = False) 
     return found
 
 
+def box_counts(mask: np.ndarray, side: int) -> np.ndarray:
+    """How many are set in squares of an odd side, up to 15, around every sample, (rows, columns) uint8; the edges
+    continue as they are."""
+    return runs(runs(_padded(mask.view(np.uint8), side // 2, False), side, 0, np.add), side, 1, np.add)
+
+
 def _padded(values: np.ndarray, reach: int, mirrored: bool) -> np.ndarray:
     """As numpy's ``pad``, in a fifth of the time for small arrays."""
     rows, columns = values.shape

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..seam_cells import UNKNOWN, is_one_of
+from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
 from .followed_source import FollowedSource
@@ -24,7 +24,6 @@ from .source_filters import (
     cut_of,
     filtered,
     find_filters,
-    present,
     share_left,
     through_filter,
 )

@@ -6,7 +6,7 @@ whose step of tone stays as it is.
 """
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -63,8 +63,8 @@ def levelled(
         gains = square_means(gain)
     # A square that two sources share tells neither's tone.
     bias = _spread_out(mosaic_means - gains * reference, share)
-    plane = gain * source
-    plane += _to_pixels(bias, source.shape)
+    plane = _to_pixels(bias, source.shape)
+    plane += gain * source
     return Levelled(plane, gain)
 
 
@@ -134,26 +134,27 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
     if np.count_nonzero(where) < _FEWEST_SQUARES:
         return ones
     weight = _near_means(where.astype(np.float32), patch) + 1e-6
+    places = np.flatnonzero(where)
     x, y = (
-        (band - _near_means(np.where(where, band, 0), patch) / weight)[where].astype(np.float64)
+        np.take(band - _near_means(np.where(where, band, 0), patch) / weight, places).astype(np.float64)
         for band in (source, mosaic)
     )
-    fields = _places(source, where) if np.count_nonzero(where) >= _FEWEST_FOR_TREND else [ones]
-    terms = np.stack([field[where] * x for field in fields], axis=1)
+    fields = _places(source, places) if np.count_nonzero(where) >= _FEWEST_FOR_TREND else [ones]
+    terms = np.stack([np.take(field, places) * x for field in fields])
     weights = np.ones(len(x))
     factors = np.eye(len(fields))[0]
     for _ in range(_ROUNDS):
-        weighted = terms * weights[:, np.newaxis]
-        normal = weighted.T @ terms
+        weighted = terms * weights
+        normal = weighted @ terms.T
         if normal[0, 0] <= 0:
             return ones
         normal += np.diag([0.0, *[_RIDGE * normal[0, 0]] * (len(fields) - 1)])
-        factors = np.linalg.solve(normal, weighted.T @ y)
-        residuals = y - terms @ factors
+        factors = np.linalg.solve(normal, weighted @ y)
+        residuals = y - factors @ terms
         scale = max(1.4826 * float(np.median(np.abs(residuals))), 1e-6)
         weights = np.clip(1 - (residuals / (_TUKEY * scale)) ** 2, 0, None) ** 2
     gain = sum(factor * field for factor, field in zip(factors, fields))
-    middle = float(np.median(np.asarray(gain)[where]))
+    middle = float(np.median(np.take(gain, places)))
     return np.clip(gain, *sorted((middle * _MOST_CHANGE, middle / _MOST_CHANGE))).astype(np.float32)
 
 
@@ -169,12 +170,11 @@ def _near_means(values: np.ndarray, patch: int) -> np.ndarray:
     return np.asarray(means[: values.shape[0], : values.shape[1]])
 
 
-def _places(source: np.ndarray, where: np.ndarray) -> list[np.ndarray]:
+def _places(source: np.ndarray, places: np.ndarray) -> list[np.ndarray]:
     """What the gain may depend on, each -1 to 1 or so: dodging changes it from place to place, light falls off with
     the square of the distance, and a power function acts by brightness."""
     down, across = np.meshgrid(*(np.linspace(-1, 1, length) for length in source.shape), indexing="ij")
-    known = source[where]
-    low, high = np.percentile(known, (5, 95))
+    low, high = np.percentile(np.take(source, places), (5, 95))
     bright = np.clip((source - (low + high) / 2) / max((high - low) / 2, 1e-6), -1.5, 1.5)
     bright = ndimage.uniform_filter(bright, 3, mode="nearest")
     return [np.ones(source.shape), down, across, down**2, across**2, down * across, bright, bright**2]
@@ -195,13 +195,20 @@ def _spread_out(bias: np.ndarray, share: np.ndarray) -> np.ndarray:
 def _to_pixels(squares: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """Linear between the middles of the squares."""
     down, across = (_interpolation(few * 2**LEVELS, few) for few in squares.shape)
-    rows = down @ squares
+    rows = np.empty((len(down), squares.shape[1]), np.float32)
+    for pixels, needed in _parts(len(squares)):
+        np.matmul(down[pixels, needed], squares[needed], out=rows[pixels])
     made = np.empty((len(down), len(across)), np.float32)
-    for start in range(0, squares.shape[1], _AT_A_TIME):
-        needed = slice(max(start - 1, 0), start + _AT_A_TIME + 1)
-        pixels = slice(start * 2**LEVELS, (start + _AT_A_TIME) * 2**LEVELS)
+    for pixels, needed in _parts(squares.shape[1]):
         np.matmul(rows[:, needed], across[pixels, needed].T, out=made[:, pixels])
     return made[: shape[0], : shape[1]]
+
+
+def _parts(few: int) -> Iterator[tuple[slice, slice]]:
+    """Of pixels that are interpolated at a time, and the squares that matter to them."""
+    for start in range(0, few, _AT_A_TIME):
+        end = start + _AT_A_TIME
+        yield slice(start * 2**LEVELS, end * 2**LEVELS), slice(max(start - 1, 0), end + 1)
 
 
 @lru_cache

@@ -197,7 +197,7 @@ def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:
         parts, count = ndimage.label(found)
         if not count:
             break
-        inside = np.clip(ndimage.median(strange, parts, np.arange(1, count + 1)), 0, 1)
+        inside = np.clip(ndimage.median(strange[found], parts[found], np.arange(1, count + 1)), 0, 1)
         # A share is the square of a correlation, and that is what is halfway.
         halfway = np.concatenate([[np.inf], 1 - (0.5 + 0.5 * np.sqrt(1 - inside)) ** 2])
         found = strange > halfway[parts]

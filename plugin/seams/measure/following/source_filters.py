@@ -13,7 +13,7 @@ import numpy as np
 
 from ....imagery.filters import correlated
 from ....imagery.shifts import shifted
-from ..seam_cells import UNKNOWN, is_one_of
+from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import BORDER_PX
 from .boxes import near_border
 from .levelling import Levelled
@@ -148,18 +148,6 @@ def through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) ->
         return source
     made = filtered(source, taps)
     return made if _explains_more(mosaic, source, made, where) else source
-
-
-def present(labels: np.ndarray) -> list[int]:
-    """The sources that any pixel follows."""
-    left, found = int(np.count_nonzero(labels != UNKNOWN)), []
-    for number in range(UNKNOWN):
-        if not left:
-            break
-        if count := int(np.count_nonzero(labels == number)):
-            found.append(number)
-            left -= count
-    return found
 
 
 def cut_of(mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndarray) -> np.ndarray:

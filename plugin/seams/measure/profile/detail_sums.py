@@ -23,6 +23,7 @@ MOSAIC, CUT, FIRST_SOURCE = range(3)
 
 _SHOWN, _BEFORE = ([PRODUCTS.index(name) for name in names] for names in (("ss", "so", "oo"), ("pp", "pq", "qq")))
 _GRID_PX = 2  # distances are taken on the grid of the finest coefficients
+_NO_PAIR = (UNKNOWN + 1) ** 2
 _UNKNOWN_MARGIN_PX = 8  # what is not explained reaches into its neighbours' coefficients
 
 
@@ -67,48 +68,52 @@ def detail_sums(
     place = seam_geometry(labels)
     rows, columns = (length // CELL_PX for length in labels.shape)
     levels, beside = len(details), _pairs(place, numbers, valid or {})
-    sums = np.zeros((4, levels, rows * columns * len(EDGES_PX)))
-    mixed = np.zeros((len(PRODUCTS), levels, rows * columns * MIXED_BINS * max(len(beside.pairs), 1)))
+    pairs = len(beside.pairs)
+    # What no source explains, and what lies beside no seam, has a place of its own, which is left out.
+    sums = np.zeros((4, levels, rows * columns, len(EDGES_PX) + 1))
+    mixed = np.zeros((len(PRODUCTS), levels, rows * columns * MIXED_BINS * max(pairs, 1)))
     for level, one in enumerate(details):
         pixels = 2 ** (level + 1)
         counted = CELL_PX // pixels
-        inside = np.s_[: rows * counted, : columns * counted]
+        one = np.ascontiguousarray(one[..., : rows * counted, : columns * counted])
         step = pixels // _GRID_PX
         coarse = np.s_[step // 2 :: step, step // 2 :: step]
-        bins, pair = place.bins[coarse][inside], beside.pair[coarse][inside]
+        own, other, bins, pair = (
+            every[coarse][: rows * counted, : columns * counted]
+            for every in (place.labels, place.other, place.bins, beside.pair)
+        )
         cell = (np.arange(rows * counted) // counted * columns)[:, np.newaxis] + np.arange(columns * counted) // counted
-        m, c = one[:, MOSAIC][(slice(None), *inside)], one[:, CUT][(slice(None), *inside)]
-        s = c
-        if numbers:
-            s = _followed(one[(slice(None), slice(None), *inside)], numbers, place.labels[coarse][inside])
-        index = (cell * len(EDGES_PX) + bins).ravel()
-        known = (bins < len(EDGES_PX)).ravel()
-        products = (_summed(m, m), _summed(s, s), _summed(m, s))
-        some = slice(None) if known.all() else known
-        for target, values in zip(sums[1:, level], products):
-            target += np.bincount(index[some], values.ravel()[some], len(target))
-        sums[0, level] = np.bincount(index[some], minlength=sums.shape[2]) * pixels**2
-        if not len(beside.pairs):
+        m, c = one[:, MOSAIC], one[:, CUT]
+        s = _followed(one, numbers, own) if numbers else c
+        index = (cell * sums.shape[3] + bins).ravel()
+        _add(sums[:, level].reshape(4, -1), index, pixels**2, ((m, m), (s, s), (m, s)))
+        if not pairs:
             continue
-        at = np.flatnonzero(pair.ravel() < len(beside.pairs))
-        index = ((cell * MIXED_BINS + bins) * len(beside.pairs) + pair).ravel()[at]
-        down, across = np.divmod(at, columns * counted)
-        m, c, s = (plane.reshape(3, -1)[:, at] for plane in (m, c, s))
-        here, there = (FIRST_SOURCE + np.searchsorted(numbers, of.ravel()[at]) for of in (
-            place.labels[coarse][inside], place.other[coarse][inside]
-        ))
-        o = one[:, there, down, across]
+        at = np.flatnonzero(pair.ravel() < pairs)
+        index = np.take((cell * MIXED_BINS + bins) * pairs + pair, at)
+        number = np.zeros(UNKNOWN + 1, np.intp)
+        number[list(numbers)] = np.arange(FIRST_SOURCE, FIRST_SOURCE + len(numbers))
+        here, there = (np.take(number[of], at) for of in (own, other))
+        planes = one.reshape(3, -1)  # by one number each, and whole rows first: a third of the time
+        m, c, s, o = (np.take(planes, of * own.size + at, axis=1) for of in (MOSAIC, CUT, here, there))
         k = c - s
-        pairs = [(m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)]
+        products = [(m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)]
         if is_filtered:
-            p, q = (one[:, of + len(numbers), down, across] for of in (here, there))
-            pairs += [(p, p), (p, q), (q, q)]
-        mixed[0, level] = np.bincount(index, minlength=mixed.shape[2]) * pixels**2
-        for target, (a, b) in zip(mixed[1:, level], pairs):
-            target += np.bincount(index, np.einsum("dn,dn->n", a, b), len(target))
+            p, q = (np.take(planes, (of + len(numbers)) * own.size + at, axis=1) for of in (here, there))
+            products += [(p, p), (p, q), (q, q)]
+        _add(mixed[:, level], index, pixels**2, products)
     if not is_filtered:
         mixed[_BEFORE] = mixed[_SHOWN]
-    return _cell_table(sums, columns), _mixture_table(mixed, columns, beside.pairs)
+    return _cell_table(sums[..., :-1].reshape(4, levels, -1), columns), _mixture_table(mixed, columns, beside.pairs)
+
+
+def _add(
+    sums: np.ndarray, index: np.ndarray, pixels: int, products: Sequence[tuple[np.ndarray, np.ndarray]]
+) -> None:
+    """Area and products of three details each, by the place of every sample; into (sums, places)."""
+    sums[0] = np.bincount(index, minlength=sums.shape[1]) * pixels
+    for target, (a, b) in zip(sums[1:], products):
+        target[:] = np.bincount(index, np.einsum("d...,d...->...", a, b).ravel(), sums.shape[1])
 
 
 def seam_geometry(labels: np.ndarray) -> SeamGeometry:
@@ -118,7 +123,8 @@ def seam_geometry(labels: np.ndarray) -> SeamGeometry:
     other = np.full(coarse.shape, UNKNOWN, np.uint8)
     if seam.any():
         row, column = ndimage.distance_transform_edt(~seam, return_distances=False, return_indices=True)
-        here, there = coarse[row, column], beyond[row, column]
+        nearest = row * coarse.shape[1] + column
+        here, there = np.take(coarse, nearest), np.take(beyond, nearest)
         np.copyto(other, there, where=coarse == here)
         np.copyto(other, here, where=coarse == there)
         row -= np.arange(len(seam), dtype=row.dtype)[:, np.newaxis]
@@ -126,7 +132,7 @@ def seam_geometry(labels: np.ndarray) -> SeamGeometry:
         row *= row
         column *= column
         row += column
-        bins = _bins_of_squares()[np.minimum(row, (EDGES_PX[-1] // _GRID_PX) ** 2, out=row)]
+        bins = np.take(_bins_of_squares(), np.minimum(row, (EDGES_PX[-1] // _GRID_PX) ** 2, out=row))
     else:
         bins = np.full(seam.shape, FARTHEST, np.intp)
     explained = explained_samples(labels)
@@ -176,11 +182,11 @@ def _pairs(place: SeamGeometry, numbers: Sequence[int], valid: Mapping[int, np.n
             beside &= (place.other != number) | pixels[::_GRID_PX, ::_GRID_PX]
     if not len(numbers) or not beside.any():
         return _Pairs(np.zeros((0, 2), np.uint8), np.zeros(place.bins.shape, np.intp))
-    codes = place.labels.astype(np.intp) * (UNKNOWN + 1) + place.other
-    present = np.flatnonzero(np.bincount(codes[beside], minlength=(UNKNOWN + 1) ** 2))
-    numbered = np.full((UNKNOWN + 1) ** 2, len(present))
+    codes = np.where(beside, place.labels.astype(np.intp) * (UNKNOWN + 1) + place.other, _NO_PAIR)
+    present = np.flatnonzero(np.bincount(codes.ravel(), minlength=_NO_PAIR)[:_NO_PAIR])
+    numbered = np.full(_NO_PAIR + 1, len(present))
     numbered[present] = np.arange(len(present))
-    pair = np.where(beside, numbered[codes], len(present))
+    pair = np.take(numbered, codes)
     return _Pairs(np.column_stack(np.divmod(present, UNKNOWN + 1)).astype(np.uint8), pair)
 
 
@@ -221,8 +227,3 @@ def _bins_of_squares() -> np.ndarray:
     """The bin of each squared distance, samples of the grid squared."""
     squares = np.arange((EDGES_PX[-1] // _GRID_PX) ** 2 + 1)
     return np.digitize(np.sqrt(squares) * _GRID_PX, EDGES_PX) - 1
-
-
-def _summed(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """The products of three details, (3, rows, columns), together."""
-    return np.einsum("dij,dij->ij", a, b)

@@ -240,13 +240,11 @@ class MixedStrips:
         self._piece, self._count = piece, count
         finest = sums[:, :GROUPS]
         whole = np.concatenate([finest.sum(axis=1, keepdims=True), sums[:, GROUPS:]], axis=1)
-        fitted = [fit_mixtures(whole[:, level]) for level in range(whole.shape[1])]
-        self._other = fitted[0].other
+        fitted = fit_mixtures(whole.reshape(-1, *whole.shape[2:]))
+        other, edge, left, soft = (one.reshape(*whole.shape[:2], -1) for one in vars(fitted).values())
+        self._other = other[:, 0]
         self._area = whole[:, 0, :, _AREA]
-        edge, left = (np.stack([getattr(one, name) for one in fitted], axis=1) for name in ("edge", "left"))
-        self.edge, self.left, self.soft_left = map(
-            self._both_sides, (edge, left, left * fitted[0].soft[:, np.newaxis])
-        )
+        self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left, left * soft[:, :1]))
         """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
         the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
         other = self._other[:, np.newaxis]

@@ -61,7 +61,7 @@ class SeamSums:
         self._mixture.add(mixture, whole, piece_of)
 
     def profiles(self, levels: int | None = None) -> list[StripProfile]:
-        """Of every piece, in their order; with the bins of so many ``levels``, all where None."""
+        """Of every piece, in their order; with the bins of so many ``levels``, one at least, all where None."""
         energy, mixed = self._energy, self._mixture.result()
         # Beyond what the ground leaves over as well. A soft feather's ramp makes that of what the sources differ by.
         left_over = in_strip(mixed.left)
@@ -86,8 +86,9 @@ class SeamSums:
         gain, before = (a / np.maximum(b, 1e-12) for a, b in ((shared[0], expected_shared), (own[0], expected)))
         added = np.where(before > 0, np.maximum(1 - gain**2 / np.maximum(before, 1e-12), 0), 0)
         width = mixed.feather_widths_px
-        bins = self._bins(mixed, share, judged, self._levels if levels is None else levels)
-        lost = self._lost(mixed, share)
+        by_bins = [energy.by_bins(level) for level in range(self._levels if levels is None else levels)]
+        bins = self._bins(mixed, share, judged, by_bins)
+        lost = self._lost(mixed, share, by_bins[0])
         found = []
         for number in range(self._count):
             profile = None
@@ -106,18 +107,18 @@ class SeamSums:
         return found
 
     def _bins(
-        self, mixed: MixedStrips, share: np.ndarray, judged: Kept, levels: int
+        self, mixed: MixedStrips, share: np.ndarray, judged: Kept, by_bins: Sequence[Kept]
     ) -> list[list[ProfileBin | None]]:
         """By level and distance those of every piece, None where there is nothing."""
         energy, ends = self._energy, [*zip(EDGES_PX, (*EDGES_PX[1:], np.inf))]
         shares = np.full((len(EDGES_PX), self._count), np.nan)
         shares[:MIXED_BINS] = mixed.shares()
         found = []
-        for level in range(levels):
+        for level, by_energy in enumerate(by_bins):
             area = energy.area[level]
             before, mixture = np.full((2, *area.shape), np.nan)
             before[:MIXED_BINS], mixture[:MIXED_BINS] = mixed.before[level], mixed.bins[level]
-            ways = energy.by_bins(level).times(np.nan_to_num(before, nan=1.0))
+            ways = by_energy.times(np.nan_to_num(before, nan=1.0))
             # As kept itself is taken; there is energy alone beyond where a mixture is looked for.
             of_energy = np.where(share > 0, 1.0, 0.0) if level else np.where(
                 np.isnan(mixture) & (share > 0), 1.0, share
@@ -136,7 +137,7 @@ class SeamSums:
                 ])
         return found
 
-    def _lost(self, mixed: MixedStrips, share: np.ndarray) -> np.ndarray:
+    def _lost(self, mixed: MixedStrips, share: np.ndarray, by_energy: Kept) -> np.ndarray:
         """Energy of the finest detail that the seams took, DN squared of the sources, (count,)."""
         energy = self._energy
         mixture = np.nan_to_num(mixed.bins[0], nan=1.0)
@@ -144,7 +145,7 @@ class SeamSums:
         # A mixture that does not end where it is looked for goes on beyond.
         shares, farther = mixed.shares()[-1], energy.plain[0, MIXED_BINS:].sum(axis=0)
         by_mixture += farther * np.where(shares >= UNMIXED_SHARE, 1 - mixture[-1], 0)
-        kept = np.nan_to_num(energy.by_bins(0).value[:MIXED_BINS] * np.nan_to_num(mixed.before[0], nan=1.0), nan=1.0)
+        kept = np.nan_to_num(by_energy.value[:MIXED_BINS] * np.nan_to_num(mixed.before[0], nan=1.0), nan=1.0)
         source = energy.plain[0, :MIXED_BINS]
         within = np.logical_and.accumulate(kept < BAND_KEPT, axis=0)
         by_energy = np.where(within, source * (1 - kept), 0).sum(axis=0)

@@ -8,7 +8,6 @@ from dataclasses import dataclass, fields
 import numpy as np
 from scipy import ndimage
 
-from ....imagery.blas_threads import one_blas_thread
 from ....imagery.clips import read_clip
 from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
@@ -16,6 +15,7 @@ from ....imagery.raster_pool import open_raster
 from ....imagery.records import packed, understanding, unpacked
 from ....imagery.remote_files import remote_settings
 from ....imagery.wavelets import judged_plane, placed_components
+from ....imagery.while_measuring import measuring
 from ..following.boxes import in_squares
 from ..profile.cell_table import CELL_PX
 from .block_runs import BlockLook
@@ -179,7 +179,7 @@ class LoneScan:
         return cls(request.key, LoneTable.empty(), notices)
 
 
-@one_blas_thread()
+@measuring()
 def scan_lone_block(request: BlockRequest) -> LoneScan:
     """The cells along the seams of a block, which are its ``sides``. What can't be read is told in its notices."""
     assert request.wanted is not None

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ....imagery.blas_threads import one_blas_thread
 from ....imagery.errors import Message
 from ....imagery.wavelets import Curve, correlation
+from ....imagery.while_measuring import measuring
 from .. import messages
 from ..causes import Cause
 from ..compared_image import Change, MeasuredClip
@@ -22,7 +22,7 @@ from .window_request import WindowRequest
 from .window_result import PairResult, WindowResult
 
 
-@one_blas_thread()
+@measuring()
 def explain_window(measured: MeasuredWindow) -> WindowResult:
     """All that is known of a window; why it can't be compared where nothing could be explained."""
     request, mosaic, band = measured.request, measured.mosaic, measured.band

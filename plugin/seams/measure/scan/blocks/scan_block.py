@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .....imagery.blas_threads import one_blas_thread
 from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
 from .....imagery.rasters import Raster
 from .....imagery.remote_files import remote_settings
+from .....imagery.while_measuring import measuring
 from ...following.boxes import enlarged, widened
 from ...limits import FULL
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
@@ -85,7 +85,7 @@ class BlockScan:
         return _Block(request).result(notices)
 
 
-@one_blas_thread()
+@measuring()
 def scan_block(request: BlockRequest) -> BlockScan:
     """Look at the patches of a block, then measure what they call for. A block that can't be read tells why in its
     notices; it never raises for that."""
@@ -202,7 +202,7 @@ def _measured(
         if _is_crowded(likely, window):
             return None
         found = measure_part(pixels, placed, likely, settings.wavelet, settings.levels, filters, sides)
-        if found.unexplained <= MOST_UNEXPLAINED or (likely == everyone and filters is None):
+        if found.unexplained <= MOST_UNEXPLAINED or likely == everyone:
             return found
     if _is_crowded(everyone, window):
         return None

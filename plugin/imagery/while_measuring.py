@@ -1,11 +1,16 @@
-"""One thread of BLAS while our own measure: several wait for each other by spinning, which costs more than they help
-with the small products of a window, and takes the cores from other windows.
+"""What the process has while our own measure, and gives back after: one thread of BLAS, and memory that is kept.
 
-By the libraries' own calls: threadpoolctl, which does the same, lets one thread of a process do so.
+Several threads of BLAS wait for each other by spinning, which costs more than they help with the small products of a
+window, and takes the cores from other windows. By the libraries' own calls: threadpoolctl, which does the same, lets
+one thread of a process do so.
+
+A window takes hundreds of arrays, a block thousands. Pages fresh from the system cost as much time as the arithmetic on
+them, so what arrays let go of is kept for the next ones. By the C library's call, where it is glibc's.
 """
 from __future__ import annotations
 
 import ctypes
+import platform
 import sys
 import threading
 from collections.abc import Callable, Iterator
@@ -22,20 +27,28 @@ _NAMES = tuple(
 ) + (("MKL_Get_Max_Threads", "MKL_Set_Num_Threads"), ("bli_thread_get_num_threads", "bli_thread_set_num_threads"))
 _LIBRARIES = ("openblas", "mkl_rt", "blis")
 
+_TRIM_THRESHOLD, _TOP_PAD, _MMAP_THRESHOLD = -1, -2, -3  # malloc.h
+_LARGEST = 32 * 2**20
+"""Bytes of what comes from the heap: glibc takes no more, and gets there by itself with the first large raster."""
+_KEPT = {_MMAP_THRESHOLD: _LARGEST, _TRIM_THRESHOLD: 16 * _LARGEST, _TOP_PAD: 2 * _LARGEST}
+_GIVEN_BACK = {_MMAP_THRESHOLD: _LARGEST, _TRIM_THRESHOLD: 2 * _LARGEST, _TOP_PAD: 2**17}
+"""As glibc has it after that raster."""
+
 _lock = threading.Lock()
 _under_way = 0
 _before: list[int] = []
 
 
 @contextmanager
-def one_blas_thread() -> Iterator[None]:
-    """While anything runs in such a block, in whatever thread, each BLAS of the process has one thread; then as many as
-    before the first. Where none of them is known, nothing changes."""
+def measuring() -> Iterator[None]:
+    """While anything runs in such a block, in whatever thread, each BLAS of the process has one thread, and memory is
+    kept; then as many as before the first, and it goes back to the system. Where no BLAS or another C library is known,
+    nothing changes."""
     global _under_way
     with _lock:
         if not _under_way:
             _before[:] = [count() for count, _ in _libraries()]
-            _set([1] * len(_before))
+            _set([1] * len(_before), _KEPT)
         _under_way += 1
     try:
         yield
@@ -43,12 +56,20 @@ def one_blas_thread() -> Iterator[None]:
         with _lock:
             _under_way -= 1
             if not _under_way:
-                _set(_before)
+                _set(_before, _GIVEN_BACK)
 
 
-def _set(counts: list[int]) -> None:
+def _set(counts: list[int], memory: dict[int, int]) -> None:
     for (_, set_count), count in zip(_libraries(), counts):
         set_count(count)
+    if (library := _glibc()) is not None:
+        for option, value in memory.items():
+            library.mallopt(option, value)
+
+
+@cache
+def _glibc() -> ctypes.CDLL | None:
+    return ctypes.CDLL(None) if platform.libc_ver()[0] == "glibc" else None
 
 
 @cache
