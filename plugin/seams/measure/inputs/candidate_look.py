@@ -219,7 +219,7 @@ def look_at_candidates(
     Raises RasterError when the mosaic can't be read; a candidate that can't be is left out.
     """
     raster = describe_mosaic(mosaic)
-    with RasterPool(most=8) as pool:
+    with RasterPool(most=64) as pool:
         there: list[_Placed] = []
         for candidate in candidates:
             try:
