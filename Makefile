@@ -5,6 +5,8 @@ QT6 := .venv-qt6/bin/python
 PACKAGE := build/plugins/seam_inspector
 # Tests of one file share what they make, so a file goes to one process; those with slow tests come first
 SIDE_BY_SIDE := -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
+# The real application waits as often as it works, so that one process more than there are cores keeps them busy
+WITH_DESKTOP := -n $(shell expr `nproc` + 1) --maxprocesses 5 --dist loadfile --no-loadscope-reorder
 # Processes side by side take the cores already
 ONE_THREAD := OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 # Tests of what draws and listens, which ask little of QGIS; those that ask more are skipped
@@ -20,7 +22,7 @@ export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
 .NOTPARALLEL:
-.PHONY: help install link lint check test mutants test-numbers test-qt6 test-qgis test-desktop test-matrix guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz soak translate package icon clean
+.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -45,7 +47,7 @@ lint: link ## Check style and types, and that nothing is left unused
 check: lint ## Before every commit, in two minutes: style, types, and the quick tests of the numbers
 	$(ONE_THREAD) $(PYTHON) -m pytest -q -p no:pytest_qgis $(SIDE_BY_SIDE) --quick tests/numbers
 
-test: lint test-numbers test-qt6 test-qgis test-desktop ## Check style and types, then run all tests
+test: lint test-numbers test-qt6 test-in-qgis ## Check style and types, then run all tests
 
 test-numbers: link ## Run the tests of the numbers, without QGIS
 	$(ONE_THREAD) $(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/numbers
@@ -56,6 +58,11 @@ test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what 
 	$(QT6) -m tools.qt6.check_types
 	QT_QPA_PLATFORM=offscreen PYTHONPATH=$(PYTHONPATH):$(CURDIR) $(QT6) -m pytest -q -p tests.qt6.under_qt6 \
 		--confcutdir tests/qgis/seams tests/qt6 $(ALSO_UNDER_QT6)
+
+test-in-qgis: link ## Run what test-qgis and test-desktop run, side by side but for what measures stalls
+	@rm -rf .qgis-settings
+	QT_QPA_PLATFORM=offscreen $(ONE_THREAD) $(PYTHON) -m pytest $(WITH_DESKTOP) -m "not stalls" tests/qgis tests/desktop
+	$(PYTHON) -m pytest -p no:pytest_qgis -n auto --maxprocesses 4 --dist worksteal -m stalls tests/desktop
 
 test-qgis: link ## Run the tests inside QGIS, offscreen
 	@rm -rf .qgis-settings

@@ -149,7 +149,10 @@ def _make_profile(folder: Path, theme: str, locale: str, linked: bool) -> Path:
 
 def _environment(job: Path, folder: Path, scale: int) -> dict[str, str]:
     """Ours, less what make and the tests set for QGIS without a desktop."""
-    unwanted = {"QT_QPA_PLATFORM", "QGIS_PLUGINPATH", "QGIS_CUSTOM_CONFIG_PATH", "PYTHONPATH", "DISPLAY", "XAUTHORITY"}
+    unwanted = {
+        "QT_QPA_PLATFORM", "QGIS_PLUGINPATH", "QGIS_CUSTOM_CONFIG_PATH", "PYTHONPATH", "DISPLAY", "XAUTHORITY",
+        "OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS",
+    }  # fmt: skip
     environment = {name: value for name, value in os.environ.items() if name not in unwanted}
     runtime = folder / "runtime"
     runtime.mkdir(mode=0o700, exist_ok=True)

@@ -5,6 +5,7 @@ import math
 from pathlib import Path
 
 import numpy as np
+import pytest
 from osgeo import gdal
 
 from demo.desktop import play
@@ -12,6 +13,8 @@ from tests.desktop.conftest import SCENARIOS, check, say
 from tests.numbers.resolution.bar_grounds import GROUNDS, ground_scene
 from tests.numbers.resolution.bar_targets import STEP
 from tests.numbers.synthetic import write_raster
+
+pytestmark = pytest.mark.slow
 
 PIXEL_CM = 25.0
 

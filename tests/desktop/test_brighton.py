@@ -9,6 +9,8 @@ from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
 from tests.patience import MOST_GAP_S
 
+pytestmark = pytest.mark.stalls
+
 
 def test_hundred_windows_along_real_seams(
     data_folder: Path, whole_block: Path | None, tmp_path: Path, screenshots: Path

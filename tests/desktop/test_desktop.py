@@ -2,16 +2,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
 
+pytestmark = pytest.mark.slow
+
 SIDE_M = 100.0  # 1024 px of the whole block
 SMALL_SIDE_M = 25.0  # 256 px of the small one
-READABLE = 3.0  # contrast of words, by WCAG 2.1 what large ones need; themes of QGIS's own hardly give more
 
 
 def test_operators_walk(
@@ -53,41 +53,10 @@ def test_dangers(small_block: Path, tmp_path: Path) -> None:
     say("dangers", run.seconds, run.report)
     check(run)
     before, after = run.report["before"], run.report["after"]
-    assert after.pop("our objects") < before.pop("our objects") + 10  # a leak would show ten times
+    assert after.pop("our objects") < before.pop("our objects") + 5  # a leak would show five times
     assert after == before
     assert run.report["busy_at_exit"]
     assert run.seconds_to_exit < 60  # a few seconds on a machine of its own
-
-
-@pytest.mark.parametrize(
-    ("name", "options"),
-    [
-        ("light", {}),
-        ("dark", {"theme": "Night Mapping"}),
-        ("scaled", {"scale": 2, "screen": "3200x2000"}),
-        ("small", {"screen": "1366x768"}),
-        ("polish", {"screen": "1366x768", "locale": "pl"}),
-    ],
-)
-def test_looks(name: str, options: dict[str, Any], small_block: Path, tmp_path: Path, screenshots: Path) -> None:
-    """Right of the map and below it: nothing is cut off, all can be read, and the keyboard gets everywhere."""
-    parameters = {"block": str(small_block), "side_m": SMALL_SIDE_M, "screenshots": str(screenshots), "name": name}
-    run = play(SCENARIOS / "looks.py", tmp_path, parameters, **options)
-    say(f"looks, {name}", run.seconds, run.report)
-    check(run)
-    assert run.report["right_size"][0] <= 440
-    assert run.report["inputs_cut"] == []
-    for place in ("right", "right_images", "right_noise", "below", "below_images", "below_noise"):
-        for defect in ("cut", "headings_cut", "no_tooltip", "steps_up", "no_focus_mark"):
-            assert run.report[f"{place}_{defect}"] == [], f"{defect}, {place}"
-        assert run.report[f"{place}_table_overflow"] == 0, place
-        assert run.report[f"{place}_chart"] >= 150, place
-        assert run.report[f"{place}_judge_whole"], place
-        contrasts = run.report[f"{place}_contrasts"]
-        what = {words.split()[0] for words in contrasts}
-        own = {"images": {"title", "badge"}, "noise": set()}.get(place.partition("_")[2], {"legend"})
-        assert what >= {"heading", "label", "button", *own}
-        assert {words: ratio for words, ratio in contrasts.items() if ratio < READABLE} == {}, place
 
 
 def test_low_screen(small_block: Path, tmp_path: Path, screenshots: Path) -> None:

@@ -6,8 +6,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
+
+pytestmark = pytest.mark.slow
 
 
 def test_the_first_inspection_goes_as_the_page_says(

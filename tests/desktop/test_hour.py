@@ -10,6 +10,8 @@ from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
 from tests.patience import MOST_GAP_S, MOST_WORK_S
 
+pytestmark = pytest.mark.stalls
+
 
 def test_a_hundred_windows_are_judged_though_qgis_is_killed(
     data_folder: Path, tmp_path: Path, screenshots: Path

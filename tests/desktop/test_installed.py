@@ -13,6 +13,8 @@ from tests.desktop.conftest import SCENARIOS, check, say
 from tests.qgis.qgis_processes import PROGRAM
 from tests.releases import built, cloned
 
+pytestmark = pytest.mark.slow
+
 SIDE_M = 25.0
 ENGLISH = "Inspect how much detail a mosaic kept along its seams"
 

@@ -9,6 +9,8 @@ from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
 from tests.patience import MOST_GAP_S, MOST_WORK_S
 
+pytestmark = pytest.mark.stalls
+
 
 def test_curves_at_the_click_and_under_the_mouse(
     whole_block: Path | None, tmp_path: Path, screenshots: Path

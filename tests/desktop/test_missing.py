@@ -3,8 +3,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check
+
+pytestmark = pytest.mark.slow
 
 
 def test_without_pywavelets_then_quitting_at_work(tmp_path: Path) -> None:

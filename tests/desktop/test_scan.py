@@ -10,6 +10,8 @@ from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
 from tests.patience import MOST_GAP_S, MOST_WORK_S
 
+pytestmark = pytest.mark.stalls
+
 
 def scanned(data_folder: Path, tmp_path: Path, screenshots: Path, **parameters: Any) -> dict[str, Any]:
     """What a scan of one of the mosaics reports."""

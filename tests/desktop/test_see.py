@@ -9,6 +9,8 @@ from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
 from tests.patience import MOST_WORK_S
 
+pytestmark = pytest.mark.stalls
+
 
 @pytest.mark.parametrize("scale", [1, 2])
 def test_where_detail_was_lost_is_seen(data_folder: Path, tmp_path: Path, screenshots: Path, scale: int) -> None:

@@ -3,20 +3,26 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from demo.desktop import play
 from tests.desktop.conftest import SCENARIOS, check, say
 from tests.large import BOXES, make_large_rasters
 from tests.patience import MOST_GAP_S, MOST_WORK_S
 
+pytestmark = [pytest.mark.slow, pytest.mark.stalls]
 
-def test_fifty_windows_of_1024_px(tmp_path: Path, screenshots: Path) -> None:
+COUNT = 24
+
+
+def test_two_dozen_windows_of_1024_px(tmp_path: Path, screenshots: Path) -> None:
     rasters = [str(path) for path in make_large_rasters(tmp_path)]
-    parameters = {"rasters": rasters, "boxes": BOXES, "screenshots": str(screenshots)}
+    parameters = {"rasters": rasters, "boxes": BOXES[:COUNT], "screenshots": str(screenshots)}
     run = play(SCENARIOS / "stalls.py", tmp_path, parameters, seconds=900)
-    say("fifty windows of 1024 px", run.seconds, run.report)
+    say("windows of 1024 px", run.seconds, run.report)
     check(run)
     report = run.report
-    assert report["windows"] == report["inspected"] == len(BOXES)
+    assert report["windows"] == report["inspected"] == COUNT
     assert report["placed"] > 200
     for step in ("first", "drawing", "inspecting", "judging", "placing"):
         assert report[f"{step}_work_ms"] <= 1000 * MOST_WORK_S, step

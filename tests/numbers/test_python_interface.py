@@ -10,6 +10,7 @@ import warnings
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import numpy as np
 import pytest
 import seam_inspector
 from osgeo import gdal, ogr, osr
@@ -214,6 +215,9 @@ def test_a_delivery_is_decided_by_rows() -> None:
     nothing = float("nan")
     rows = [piece(0.9, 0), piece(0.5, 1), piece(nothing, 2), piece(0.8, 3, length=None)]
     delivery = make_delivery({"one": rows}, METRES)
+    with_heights = [{**row, "geometry": str(row["geometry"]).replace(",", " 7,").replace(")", " 7)")} for row in rows]
+    for one, plain in zip(make_delivery({"one": with_heights}, METRES).pieces, delivery.pieces):
+        np.testing.assert_array_equal(one.vertices, plain.vertices)
     assert [one.kept_1 for one in delivery.pieces] == [0.9, 0.5, None, 0.8]
     assert {one.seam_id for one in delivery.pieces} == {"1"}
     assert delivery.pieces[3].length_m == 25

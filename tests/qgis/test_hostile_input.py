@@ -68,7 +68,7 @@ QUICK = {
     "placewindows", "inspectwindows", "planinspection", "predictloss", "minimumheight", "simulatebayer", "comparemarks",
     "enhancephoto", "orthorectify", "report",
 }
-COUNT = 15
+COUNT = 6
 
 
 def test_a_few_cases_find_nothing(tmp_path: Path) -> None:

@@ -45,6 +45,23 @@ def seamlines(scene: Scene, tmp_path_factory: pytest.TempPathFactory) -> str:
     return path
 
 
+@pytest.fixture(scope="module")
+def inspected(qgis_process: Process, scene: Scene, seamlines: str, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the tables that the model of the plugin gives of windows along the seam."""
+    folder = tmp_path_factory.mktemp("inspected")
+    run = qgis_process(
+        "run", "seaminspector:inspect_mosaic", *model_inputs(scene, seamlines),
+        *(f"--inspect:{name}={folder / name}.gpkg" for name in ("windows", "curves", "pairs")),
+    )
+    assert run.returncode == 0, run.stderr
+    return folder
+
+
+def model_inputs(scene: Scene, seamlines: str) -> list[str]:
+    sources = [f"--sources={path}" for path in scene.sources]
+    return [f"--seamlines={seamlines}", f"--mosaic={scene.mosaic}", *sources, "--side=6.4", "--spacing=6.4"]
+
+
 def verdicts(path: Path | str) -> list[str]:
     opened = QgsVectorLayer(str(path), "result", "ogr")
     assert opened.isValid()
@@ -64,6 +81,7 @@ def test_list_and_help(qgis_process: Process) -> None:
 
 
 def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path) -> None:
+    """A source that is missing does not stop the run."""
     names = ("placed.gpkg", "inspected.gpkg", "curves.csv", "profiles.csv")
     placed, inspected, curves, profiles = (tmp_path / name for name in names)
     run = qgis_process(
@@ -74,10 +92,12 @@ def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, 
     assert QgsVectorLayer(str(placed), "placed", "ogr").featureCount() == 4
     run = qgis_process(
         "run", "--json", "seaminspector:inspectwindows", f"--WINDOWS={placed}", f"--MOSAIC={scene.mosaic}",
-        *(f"--SOURCES={path}" for path in scene.sources), "--WAVELET=db4", "--LEVELS=2", f"--OUTPUT={inspected}",
+        "--SOURCES=/nowhere/lost.tif", *(f"--SOURCES={path}" for path in scene.sources),
+        "--WAVELET=db4", "--LEVELS=2", f"--OUTPUT={inspected}",
         f"--CURVES={curves}", f"--PROFILES={profiles}", "--REFERENCE=sources", "--MIN_KEPT=0.6",
     )
     assert run.returncode == 0, run.stderr
+    assert "lost.tif is left out: /nowhere/lost.tif does not exist" in run.stdout + run.stderr
     results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
     assert results["WINDOW_COUNT"] == 4
     assert verdicts(inspected) == ["reduced"] * 3 + ["significant"]
@@ -88,23 +108,16 @@ def test_place_and_inspect(qgis_process: Process, scene: Scene, seamlines: str, 
     assert len(rows) == 4 * 4 * 4 * 3  # windows, rasters with the composite, bands, components
 
 
-def test_report_and_calibrate(qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path) -> None:
-    inspected, curves, page, chart = (tmp_path / name for name in ("in.gpkg", "curves.csv", "page.html", "roc.pdf"))
-    sources = [f"--SOURCES={path}" for path in scene.sources]
-    place = ("--side=6.4", "--spacing=6.4", f"--inspect:windows={inspected}", f"--inspect:curves={curves}")
+def test_report_and_calibrate(qgis_process: Process, scene: Scene, inspected: Path, tmp_path: Path) -> None:
+    windows, page, chart = inspected / "windows.gpkg", tmp_path / "page.html", tmp_path / "roc.pdf"
     run = qgis_process(
-        "run", "seaminspector:inspect_mosaic", f"--seamlines={seamlines}", f"--mosaic={scene.mosaic}",
-        *(f"--sources={path}" for path in scene.sources), *place,
-    )
-    assert run.returncode == 0, run.stderr
-    run = qgis_process(
-        "run", "seaminspector:report", f"--WINDOWS={inspected}", f"--CURVES={curves}", f"--MOSAIC={scene.mosaic}",
-        *sources, f"--OUTPUT={page}",
+        "run", "seaminspector:report", f"--WINDOWS={windows}", f"--CURVES={inspected / 'curves.gpkg'}",
+        f"--MOSAIC={scene.mosaic}", *(f"--SOURCES={path}" for path in scene.sources), f"--OUTPUT={page}",
     )
     assert run.returncode == 0, run.stderr
     assert page.read_text(encoding="utf-8").count("<img") >= 4  # curves and three clips of one flagged window
     run = qgis_process(
-        "run", "--json", "seaminspector:calibratethreshold", f"--WINDOWS={inspected}", f"--CHART={chart}",
+        "run", "--json", "seaminspector:calibratethreshold", f"--WINDOWS={windows}", f"--CHART={chart}",
         f"--OUTPUT={tmp_path / 'calibration.csv'}",
     )
     assert run.returncode == 0, run.stderr
@@ -137,33 +150,28 @@ def test_predict(qgis_process: Process, scene: Scene, tmp_path: Path) -> None:
     assert len(rows) == 2
 
 
-@pytest.mark.parametrize("by", ["id", "file"])
-def test_the_model(
-    qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path, repository: Path, by: str
-) -> None:
-    file = repository / "resources" / "models" / "inspect_mosaic.model3"
-    model = str(file) if by == "file" else "seaminspector:inspect_mosaic"
-    inspected, curves, pairs = (tmp_path / name for name in ("inspected.gpkg", "curves.gpkg", "pairs.gpkg"))
-    run = qgis_process(
-        "run", model, f"--seamlines={seamlines}", f"--mosaic={scene.mosaic}",
-        *(f"--sources={path}" for path in scene.sources), "--side=6.4", "--spacing=6.4",
-        f"--inspect:windows={inspected}", f"--inspect:curves={curves}", f"--inspect:pairs={pairs}",
-    )
-    assert run.returncode == 0, run.stderr
-    found = verdicts(inspected)
+def test_the_model_by_its_id(inspected: Path) -> None:
+    found = verdicts(inspected / "windows.gpkg")
     assert (found[0], found[-1], len(found)) == ("preserved", "significant", 4)
-    assert QgsVectorLayer(str(curves), "curves", "ogr").featureCount() == 4 * 4 * 4 * 4
-    assert QgsVectorLayer(str(pairs), "pairs", "ogr").featureCount() == 4 * 3 * 4
+    assert QgsVectorLayer(str(inspected / "curves.gpkg"), "curves", "ogr").featureCount() == 4 * 4 * 4 * 4
+    assert QgsVectorLayer(str(inspected / "pairs.gpkg"), "pairs", "ogr").featureCount() == 4 * 3 * 4
+
+
+def test_the_models_file(
+    qgis_process: Process, scene: Scene, seamlines: str, inspected: Path, tmp_path: Path, repository: Path
+) -> None:
+    file, found = repository / "resources" / "models" / "inspect_mosaic.model3", tmp_path / "windows.gpkg"
+    run = qgis_process("run", str(file), *model_inputs(scene, seamlines), f"--inspect:windows={found}")
+    assert run.returncode == 0, run.stderr
+    assert verdicts(found) == verdicts(inspected / "windows.gpkg")
 
 
 def test_bad_input_ends_with_a_sentence_and_a_failure(
     qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path
 ) -> None:
     for name, arguments, words in (
-        ("placewindows", [f"--SEAMLINES={seamlines}", f"--MOSAIC={scene.mosaic}", "--SIDE=-1"], r"side is -1\.0 m"),
-        ("inspectwindows", [f"--WINDOWS={seamlines}", "--MOSAIC=/nowhere/m.tif", "--SOURCES=/a.tif"], "does not exist"),
         ("inspectwindows", [f"--WINDOWS={seamlines}", f"--MOSAIC={scene.mosaic}"], "No sources are given"),
-        (  # found while it runs, the others before
+        (  # found while it runs, the other before
             "inspectwindows",
             [f"--WINDOWS={seamlines}", f"--MOSAIC={scene.mosaic}", f"--SOURCES={scene.west}", "--SCHEDULER=nowhere"],
             "Dask",
@@ -176,23 +184,6 @@ def test_bad_input_ends_with_a_sentence_and_a_failure(
         assert_sentence(said[0], words)
         assert "Traceback" not in run.stdout + run.stderr
         assert not (tmp_path / "out.gpkg").exists()
-
-
-def test_a_missing_source_does_not_stop_the_run(
-    qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path
-) -> None:
-    placed, inspected = tmp_path / "placed.gpkg", tmp_path / "inspected.gpkg"
-    qgis_process(
-        "run", "seaminspector:placewindows", f"--SEAMLINES={seamlines}", f"--MOSAIC={scene.mosaic}", "--SIDE=12.8",
-        f"--OUTPUT={placed}",
-    )
-    run = qgis_process(
-        "run", "seaminspector:inspectwindows", f"--WINDOWS={placed}", f"--MOSAIC={scene.mosaic}",
-        "--SOURCES=/nowhere/lost.tif", f"--SOURCES={scene.west}", f"--OUTPUT={inspected}",
-    )
-    assert run.returncode == 0, run.stderr
-    assert "lost.tif is left out: /nowhere/lost.tif does not exist" in run.stdout + run.stderr
-    assert verdicts(inspected) == ["reduced"]
 
 
 def test_noise_and_radiometry(qgis_process: Process, scene: Scene, seamlines: str, tmp_path: Path) -> None:

@@ -167,7 +167,7 @@ def _effective_count(
     clusters, pieces = float(sizes.sum() ** 2 / (sizes**2).sum()), float(weights.sum() ** 2 / (weights**2).sum())
     squares = (np.bincount(members, weights * (values - share)) / weights.sum()) ** 2
     variance = float(squares.sum()) * count / (count - 1)  # of the ratio, linearised
-    if share in (0.0, 1.0) or variance <= 0:
+    if variance <= 0:
         return clusters
     freedom = float(np.clip(squares.sum() ** 2 / (squares**2).sum(), 1.0, count - 1))
     fewer = (stats.norm.ppf((1 + CONFIDENCE) / 2) / stats.t.ppf((1 + CONFIDENCE) / 2, freedom)) ** 2

@@ -48,12 +48,12 @@ def quit_again(desk: Desk) -> None:
 
 
 def come_and_go(desk: Desk, block: Path, side_m: float) -> None:
-    """Ten times off and on, with the dock open and the map tool in use."""
+    """Five times off and on, with the dock open and the map tool in use."""
     desk.set_up(block, side_m, side_m)
     use_once(desk)
     switch(desk)
     before = counts(desk)
-    for _ in range(10):
+    for _ in range(5):
         use_once(desk)
         switch(desk)
     desk.report["before"], desk.report["after"] = before, counts(desk)

@@ -52,8 +52,9 @@ def begin(desk: Desk, work: Path) -> None:
     desk.dock.judging.model.change(order="worst")
     begun = judge(desk, JUDGED_BEFORE)
     begun |= {"placed": len(session.windows()), "gap_ms": 1000 * gaps.longest_s, "work_ms": 1000 * gaps.longest_work_s}
+    begun["verdicts"] = verdicts(desk)
     (work / "begun.json").write_text(json.dumps(begun))
-    desk.pause(2)  # what is judged is on the disk within seconds
+    desk.pause(0.3)  # what is judged is on the disk by then
     os.kill(os.getpid(), signal.SIGKILL)
 
 
@@ -67,6 +68,9 @@ def finish(desk: Desk, work: Path, shots: Path) -> None:
     desk.wait(lambda: session.mosaic_grid() is not None, 20, "mosaic open again")
     desk.wait(lambda: found(desk) == begun["judged"], 20, "what was judged before the end")
     desk.report["kept"] = len(found(desk))
+    assert verdicts(desk) == begun["verdicts"]
+    assert not session.is_busy
+    assert all(session.result(row.fid) is not None for row in session.windows())
     first = next(row for row in session.windows() if row.verdict != "not_comparable")
     session.select([first.fid])
     desk.wait(lambda: desk.curves_of(first.fid), 20, "curves without measuring again")
@@ -106,6 +110,11 @@ def judge(desk: Desk, count: int) -> dict[str, object]:
 def found(desk: Desk) -> dict[str, str]:
     """What the operator said, by the windows' numbers."""
     return {str(row.window_id): row.observer for row in desk.session.windows() if row.observer}
+
+
+def verdicts(desk: Desk) -> dict[str, str]:
+    """By the windows' numbers."""
+    return {str(row.window_id): row.verdict for row in desk.session.windows()}
 
 
 def press(desk: Desk, key: Qt.Key) -> None:

@@ -1,4 +1,4 @@
-"""Fifty windows of 1024 px: how long the interface stands still while they are drawn, inspected and judged.
+"""Windows of 1024 px: how long the interface stands still while they are drawn, inspected and judged.
 
 Then hundreds of others are placed.
 

@@ -21,7 +21,7 @@ CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftM
 def play(desk: Desk) -> None:
     """Places, draws and judges; every step is taken back and done again from everywhere."""
     folder, shots = Path(desk.parameters["brighton"]), Path(desk.parameters["screenshots"])
-    desk.set_up(folder, 1.9, 2.2, mosaic="mosaic_feather0p4m")
+    desk.set_up(folder, 1.9, 8.8, mosaic="mosaic_feather0p4m")
     desk.report["ctrl_y"] = [
         action.objectName() for action in desk.window.findChildren(QAction)
         if QKeySequence("Ctrl+Y") in action.shortcuts() and action.parent() is not desk.window

@@ -224,9 +224,26 @@ def test_the_interval_of_independent_pieces_is_that_of_clopper_and_pearson() -> 
     assert (found.low, found.high) == pytest.approx((exact.low, exact.high), rel=0.06)
 
 
+def test_pieces_of_a_seam_that_are_no_more_alike_than_others_count_one_by_one() -> None:
+    """Fifty seams of two pieces, both, one or none of which failed as often as if thirty had been drawn of all."""
+    failed, seams = [True] * 10 + [True, False] * 20 + [False] * 50, np.repeat(np.arange(50), 2).tolist()
+    found = failed_share_interval([10.0] * 100, failed, seams)
+    exact = stats.binomtest(30, 100).proportion_ci(method="exact")
+    assert found is not None
+    assert (found.low, found.high) == pytest.approx((exact.low, exact.high), rel=0.06)
+
+
+def test_seams_that_do_not_vary_at_all_count_as_one_piece_each() -> None:
+    found = failed_share_interval([10.0] * 8, [True, False] * 4, [0, 0, 1, 1, 2, 2, 3, 3])
+    exact = stats.binomtest(2, 4).proportion_ci(method="exact")
+    assert found is not None
+    assert (found.low, found.high) == pytest.approx((exact.low, exact.high))
+
+
 def test_how_much_alike_pieces_of_a_seam_are_is_found() -> None:
     random = np.random.default_rng(2)
     found = [intraclass_correlation(*clustered_pieces(random, 150, 0.3, 0.4)[1:]) for _ in range(30)]
     assert np.mean([value for value in found if value is not None]) == pytest.approx(0.4, abs=0.04)
+    assert intraclass_correlation([True, True, False, False], [0, 0, 1, 1]) == pytest.approx(1)
     assert intraclass_correlation([True, False], [0, 0]) is None
     assert intraclass_correlation([True] * 4, [0, 0, 1, 1]) is None

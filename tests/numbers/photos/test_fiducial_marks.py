@@ -314,11 +314,17 @@ def unbc(data_folder: Path) -> Path:
     return data_folder / "fiducials" / "unbc"
 
 
-def test_a_whole_scanned_frame(unbc: Path) -> None:
-    """No positions, no kind of mark given. The published places were set by hand, one visibly 0.9 px off."""
+@pytest.fixture(scope="module")
+def unbc_orientation(unbc: Path) -> PhotoOrientation:
+    """No positions, no kind of mark given."""
     calibration = read_calibration(unbc / "MeasuresCamera.xml")
+    return orient_photo(Photo(RasterRef(str(unbc / UNBC))), calibration, {}, OrientationSettings())
+
+
+def test_a_whole_scanned_frame(unbc: Path, unbc_orientation: PhotoOrientation) -> None:
+    """The published places were set by hand, one visibly 0.9 px off."""
     published = read_calibration(unbc / f"MeasuresIm-{UNBC}.xml").marks
-    made = orient_photo(Photo(RasterRef(str(unbc / UNBC))), calibration, {}, OrientationSettings())
+    made = unbc_orientation
     assert [mark.status for mark in made.marks] == [MarkStatus.MEASURED] * 4
     assert (made.scan_orientation, made.evidence) == (ScanOrientation(0, False), OrientationEvidence.DOTS)
     distances = [math.dist(mark.place, published[mark.name]) for mark in made.marks if mark.place]
@@ -337,11 +343,10 @@ def test_the_published_places_leave_the_residuals_that_are_known_of_them(unbc: P
     assert (fitted.rms_x, fitted.rms_y) == pytest.approx((11.6, 14.3), abs=0.05)
 
 
-def test_a_marks_own_symmetry_confirms_its_place(unbc: Path) -> None:
+def test_a_marks_own_symmetry_confirms_its_place(unbc: Path, unbc_orientation: PhotoOrientation) -> None:
     """Ring and arms look alike when they are turned by 180 degrees about their centre, whatever a template may say."""
     photo = Photo(RasterRef(str(unbc / UNBC)))
     grey = ndimage.gaussian_filter(photo.grey(), 0.5)
-    made = orient_photo(photo, read_calibration(unbc / "MeasuresCamera.xml"), {}, OrientationSettings())
     y, x = np.mgrid[-22:23, -22:23]
     disc = np.hypot(x, y) <= 22
     y, x = y[disc], x[disc]
@@ -355,7 +360,7 @@ def test_a_marks_own_symmetry_confirms_its_place(unbc: Path) -> None:
         return -float(np.corrcoef(one, other)[0, 1])
 
     distances = []
-    for mark in made.marks:
+    for mark in unbc_orientation.marks:
         assert mark.place is not None
         simplex = np.array(mark.place) + [(0, 0), (0.5, 0), (0, 0.5)]
         options = {"xatol": 1e-3, "initial_simplex": simplex}

@@ -143,7 +143,7 @@ def assert_promise_kept(differences: np.ndarray) -> None:
 
 @pytest.fixture(scope="module")
 def brighton(data_folder: Path) -> list[Pair]:
-    pairs = list(brighton_pairs(data_folder / "seams" / "brighton", 512, 128))
+    pairs = list(brighton_pairs(data_folder / "seams" / "brighton", 384, 128))
     return pairs[:: max(len(pairs) // 12, 1)]
 
 

@@ -187,6 +187,19 @@ def test_a_window_scaled_to_16_bit_shows_the_same() -> None:
     assert other == pytest.approx(one, rel=1e-3)
 
 
+def test_what_was_read_around_a_window_changes_nothing() -> None:
+    """Cells have their places in all that was read, pixels in the window."""
+    made = blend(66)
+    detail = made.detail()
+    grey = np.broadcast_to(np.linspace(60, 200, SIDE, dtype=np.float32), (SIDE, SIDE))  # brighter to the right
+    part = slice(0, SIDE), slice(SIDE // 4, SIDE)
+    one, other = (
+        window_visibility(detail.profile, detail.judged, grey[inside], inside, raster("uint8"))
+        for inside in (WHOLE, part)
+    )
+    assert one == pytest.approx(other, rel=0.05)
+
+
 def test_a_window_without_a_profile_has_no_visibility() -> None:
     cells = blend(0).detail().judged
     grey = np.full((SIDE, SIDE), 100, np.float32)

@@ -126,8 +126,7 @@ def brighton(data_folder: Path) -> Path:
     return data_folder / "seams" / "brighton"
 
 
-@pytest.mark.parametrize("is_given", [False, True], ids=["found", "given"])
-@pytest.mark.parametrize("name", ["mosaic_hardseam.tif", "mosaic_feather0p4m.tif"])
+@pytest.mark.parametrize(("name", "is_given"), [("mosaic_hardseam.tif", True), ("mosaic_feather0p4m.tif", False)])
 def test_of_brighton(tmp_path: Path, brighton: Path, name: str, is_given: bool) -> None:
     gdal.Translate(str(tmp_path / name), str(brighton / name), srcWin=[1200, 900, 1024, 1024])
     one = Delivery(
@@ -140,7 +139,10 @@ def test_of_brighton(tmp_path: Path, brighton: Path, name: str, is_given: bool) 
 # --- the demo's block -------------------------------------------------------------------------------------------
 
 
-@pytest.fixture(scope="module", params=[0.001, 1.5], ids=["hard", "feathered"])
+HARD, FEATHERED = [pytest.param(0.001, id="hard")], [pytest.param(1.5, id="feathered")]
+
+
+@pytest.fixture(scope="module", params=HARD + FEATHERED)
 def demo_block(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Delivery:
     """Its orthoimages are resampled and balanced one by one."""
     made = make_demo_block(tmp_path_factory.mktemp("block"), (120.0, 100.0), feather_m=request.param)
@@ -174,6 +176,7 @@ def test_of_the_demo_block_along_its_seamlines(
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("demo_block", FEATHERED, indirect=True)  # the wide feather is the same in both
 def test_of_a_feather_that_is_wider_than_the_corridor(
     demo_block: Delivery, given_pieces: Sequence[JudgedPiece]
 ) -> None:
@@ -181,6 +184,7 @@ def test_of_a_feather_that_is_wider_than_the_corridor(
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize("demo_block", FEATHERED, indirect=True)
 @pytest.mark.xfail(strict=True, reason="the ground beside a window in a dodged field was dodged, a scan's was not")
 def test_of_the_demo_block_along_the_seams_that_are_found(tmp_path: Path, demo_block: Delivery) -> None:
     assert_they_say_the_same(demo_block, scanned_pieces(demo_block, tmp_path, False, 20.0), False, 4)

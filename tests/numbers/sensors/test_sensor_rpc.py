@@ -86,6 +86,11 @@ def test_gdal_sees_every_model_in_space_where_it_sees_itself(kind: str, tmp_path
     assert np.abs(found - seen[inside]).max() < 0.01
 
 
+def test_a_model_that_has_the_form_of_an_rpc_misses_nothing() -> None:
+    made = rpc.rpc_of(*fitted("dlt"), DOMAIN)
+    assert (made.exact, made.rms_px, made.max_px) == (True, 0, 0)
+
+
 @pytest.mark.parametrize(
     ("heights", "fitted"), [((700, 702), (651, 751)), ((0, 900), (0, 900)), ((-20, 79), (-20.5, 79.5))]
 )
@@ -237,6 +242,15 @@ def test_points_files_old_and_new(tmp_path: Path, layout: str, wkt: str) -> None
     if not wkt:
         with pytest.raises(SensorModelError, match="names no coordinate reference system"):
             file_points(path, "", None)
+
+
+def test_columns_of_a_points_file_may_stand_in_any_order(tmp_path: Path) -> None:
+    path = tmp_path / "image.points"
+    path.write_text("enable,sourceY,sourceX,mapY,mapX\n1,-30.25,120.5,43.6,7.1\n0,-60,50,43.7,7.2\n")
+    found, _ = file_points(path, WGS84, None)
+    assert found.ids == ("1",)
+    np.testing.assert_array_equal(found.ground[:, :2], [[7.1, 43.6]])
+    np.testing.assert_array_equal(found.image, [[120.5, 30.25]])
 
 
 @pytest.mark.parametrize(

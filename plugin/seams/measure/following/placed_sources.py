@@ -41,7 +41,7 @@ class PlacedSources:
 
 
 def follow_sources(
-    image: ComparedImage, images: Sequence[ComparedImage], without_copies: bool = True
+    image: ComparedImage, images: Sequence[ComparedImage], without_copies: bool
 ) -> PlacedSources:
     """What the mosaic follows; where that explains it badly, once more with the sources also moved to where it lies.
 
@@ -56,7 +56,7 @@ def follow_sources(
         own = [one if image.valid is None else one * image.valid for one, image in zip(fine[1:], images)]
         copy = like_the_mosaic([fine[0], *own], plain.followed)
         if copy is not None:
-            return _without(copy, follow_sources(image, [one for i, one in enumerate(images) if i != copy]))
+            return _without(copy, follow_sources(image, [one for i, one in enumerate(images) if i != copy], True))
     plain = _clearer(plain, fine, images, shape)
     first = PlacedSources(plain, planes, fine, tuple(range(count)))
     unexplained, unclear = int(np.count_nonzero(plain.unexplained)) / plain.unexplained.size, plain.unclear_share

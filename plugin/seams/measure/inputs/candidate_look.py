@@ -32,11 +32,10 @@ from .mosaic_copies import (
     LEAST_LIKE,
     MEDIAN_LIKE,
     SAME_PLACE,
-    correlation_of,
     covered_share,
     first_band,
-    have_content,
     is_made_of,
+    likeness_of,
     scattered,
 )
 from .raster_facts import SUGGESTED, Suitability, left_out
@@ -219,7 +218,7 @@ def look_at_candidates(
     Raises RasterError when the mosaic can't be read; a candidate that can't be is left out.
     """
     raster = describe_mosaic(mosaic)
-    with RasterPool(most=8) as pool:
+    with RasterPool(most=64) as pool:
         there: list[_Placed] = []
         for candidate in candidates:
             try:
@@ -356,9 +355,9 @@ class _Look:
             except RasterError:
                 continue
             both = patch.valid & valid & ours.valid
-            if both.mean() >= LEAST_VALID and have_content(patch.bands, bands, both):
-                likes = (correlation_of(other, bands, both) for other in (mosaic, patch.bands))
-                found[self._known[id(source)].candidate.key] = Rival(*likes)
+            if both.mean() < LEAST_VALID or np.isnan(like_one := likeness_of(patch.bands, bands, both)):
+                continue
+            found[self._known[id(source)].candidate.key] = Rival(likeness_of(mosaic, bands, both, 0.0), like_one)
         return found
 
     def _patch(self, source: Source, window: PixelWindow) -> _Patch | None:
@@ -371,10 +370,9 @@ class _Look:
         except RasterError:
             return None
         first, both = ours.bands[:1].astype(np.float64), valid & ours.valid
-        if both.mean() < LEAST_VALID or not have_content(first, bands, both):
+        if both.mean() < LEAST_VALID or np.isnan(like := likeness_of(first, bands, both)):
             return None
-        like, coarse = correlation_of(first, bands, both), _coarse_correlation(first[0], bands[0], both)
-        return _Patch(window, bands, valid, like, coarse)
+        return _Patch(window, bands, valid, like, _coarse_correlation(first[0], bands[0], both))
 
 
 def _is_mixed(patches: Sequence[_Patch]) -> bool:

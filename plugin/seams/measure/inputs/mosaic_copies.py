@@ -133,8 +133,9 @@ def _compared(mosaic: OpenRaster, known: Raster, other: OpenRaster, coarser: boo
         first, second = ours.bands[mine].astype(np.float64), theirs.bands[others].astype(np.float64)
         equal = bool((ours.valid == theirs.valid).all() and (first == second)[:, both].all())
         all_equal = all_equal and equal
-        if have_content(first, second, both):
-            found.append(1.0 if equal else correlation_of(first, second, both))
+        like = likeness_of(first, second, both)
+        if not np.isnan(like):
+            found.append(1.0 if equal else like)
             if found[-1] < least:
                 return Likeness.OTHER
     if len(found) < FEWEST:
@@ -189,26 +190,23 @@ def first_band(
     return clip.bands[:1].astype(np.float64), valid
 
 
-def have_content(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> bool:
-    """Whether two stacks (bands, rows, columns) show enough, where both have pixels, to be compared."""
-    return min(content_of(first, both), content_of(second, both)) >= LEAST_CONTENT
-
-
-def correlation_of(first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> float:
-    """Of the differences between neighbours in two stacks (bands, rows, columns)."""
+def likeness_of(
+    first: np.ndarray, second: np.ndarray, valid: np.ndarray, least_content: float = LEAST_CONTENT
+) -> float:
+    """Correlation of the differences between neighbours in two stacks (bands, rows, columns), where both have pixels;
+    nan where one of them shows no more than the least."""
     a, b = _differences(first, valid), _differences(second, valid)
-    return float(a @ b / np.sqrt((a @ a) * (b @ b)))
-
-
-def content_of(bands: np.ndarray, valid: np.ndarray) -> float:
-    differences = _differences(bands, valid)
-    return float(differences @ differences / len(differences)) if len(differences) else 0.0
+    squares = a @ a, b @ b
+    if not min(squares) > least_content * len(a):
+        return np.nan
+    return float(a @ b / np.sqrt(squares[0] * squares[1]))
 
 
 def _differences(bands: np.ndarray, valid: np.ndarray) -> np.ndarray:
     with np.errstate(invalid="ignore", over="ignore"):  # of infinite values: such rasters are no copies of each other
-        across = np.diff(bands, axis=2)[:, valid[:, 1:] & valid[:, :-1]]
-        down = np.diff(bands, axis=1)[:, valid[1:] & valid[:-1]]
+        across, down = np.diff(bands, axis=2), np.diff(bands, axis=1)
+    if not valid.all():
+        across, down = across[:, valid[:, 1:] & valid[:, :-1]], down[:, valid[1:] & valid[:-1]]
     return np.concatenate([across.ravel(), down.ravel()])
 
 
@@ -272,7 +270,7 @@ def _places_with_content(mosaic: Raster, pool: RasterPool) -> list[_MosaicPlace]
             window = PixelWindow(column, row, side, side)
             ours = opened.read(window)
             values = ours.bands[:1].astype(np.float64)
-            if ours.valid.mean() >= 0.5 and content_of(values, ours.valid) >= LEAST_CONTENT:
+            if ours.valid.mean() >= 0.5 and not np.isnan(likeness_of(values, values, ours.valid)):
                 found.append(_MosaicPlace(window, values, ours.valid))
     return found
 
@@ -288,8 +286,8 @@ def _lacking(source: Source, mosaic: Raster, places: Sequence[_MosaicPlace], poo
         except RasterError:
             continue
         both = place.valid & valid
-        if both.mean() > 0.2 and content_of(values, both) > 0:
-            found[number] = 1 - max(correlation_of(place.values, values, both), 0.0) ** 2
+        if both.mean() > 0.2:
+            found[number] = 1 - np.maximum(likeness_of(place.values, values, both, 0.0), 0.0) ** 2
     return found
 
 

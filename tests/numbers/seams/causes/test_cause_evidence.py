@@ -34,12 +34,12 @@ def halves() -> np.ndarray:
 
 def texture_of(
     mosaic: np.ndarray, expected: np.ndarray, plain: np.ndarray | None = None, labels: np.ndarray | None = None,
-    sure: np.ndarray = EVERYWHERE,
+    sure: np.ndarray = EVERYWHERE, unit_dn: float = 1.0,
 ) -> Texture | None:
     planes = [mosaic, expected] if plain is None else [mosaic, expected, plain]
     details = next(iter(detail_components(np.stack(planes).astype(np.float32), "coif3", 1)))
     labels = halves() if labels is None else labels
-    return measure_texture(details, labels, sure, mosaic.astype(np.float32), expected.astype(np.float32))
+    return measure_texture(details, labels, sure, mosaic.astype(np.float32), expected.astype(np.float32), unit_dn)
 
 
 def test_a_mosaic_as_it_is_expected_has_lost_and_gained_nothing(plane: np.ndarray) -> None:
@@ -134,6 +134,9 @@ def test_compression_leaves_its_grid_wherever_that_begins(
     found = texture_of(made, plane)
     assert found is not None
     assert found.quantised > MIN_QUANTISED
+    deep = texture_of(257 * made.astype(np.float32), 257 * plane, unit_dn=257)  # the same in 16 bit
+    assert deep is not None
+    assert deep.quantised == pytest.approx(found.quantised, abs=0.01)
 
 
 @pytest.mark.parametrize("change", ["noise", "unsharp", "blur", "gain"])

@@ -40,6 +40,15 @@ def right(found: FollowedSource, labels: np.ndarray) -> float:
     return float((found.labels == labels).mean())
 
 
+def test_of_sources_that_are_the_same_neither_is_followed_for_sure_but_where_there_is_nothing_to_see() -> None:
+    detail = orthoimage(SHAPE).mean(axis=0, dtype=np.float32)
+    detail[:, : SHAPE[1] // 2] = 120
+    fine = high_pass(detail)
+    clear = followed_source.follow_planes([fine, fine, fine]).clear
+    assert clear[:, : SHAPE[1] // 2 - 32].all()
+    assert not clear[:, SHAPE[1] // 2 + 32 :].any()
+
+
 def test_high_pass_is_the_band_less_a_gaussian_of_about_2_px() -> None:
     impulse = np.zeros((65, 65), np.float32)
     impulse[32, 32] = 1

@@ -30,19 +30,19 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="no SIGKILL")
-def test_killed_twenty_times_it_ends_with_the_same_bytes(files: list[str], tmp_path: Path) -> None:
+def test_killed_eight_times_it_ends_with_the_same_bytes(files: list[str], tmp_path: Path) -> None:
     undisturbed, killed = tmp_path / "undisturbed.tif", tmp_path / "killed.tif"
     first, second = (
         subprocess.run(
             [sys.executable, "-m", "tests.numbers.seams.scan.whole_scan_lives", str(loss), "1", lives, *files],
             capture_output=True, text=True, timeout=300, check=True, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
         ).stdout.splitlines()
-        for loss, lives in ((undisturbed, "0"), (killed, "20"))
+        for loss, lives in ((undisturbed, "0"), (killed, "8"))
     )
     assert len(first) == 4
     assert first[1].count("Verdict") > 30
     assert second[-3:] == first[1:]
-    assert sum("goes on where it stopped" in line for line in second) >= 5, second[:-3]
+    assert sum("goes on where it stopped" in line for line in second) >= 4, second[:-3]
     assert killed.read_bytes() == undisturbed.read_bytes()
     assert sorted(path.name for path in tmp_path.iterdir()) == sorted(
         f"{name}{ending}" for name in ("killed.tif", "undisturbed.tif") for ending in ("", ".aux.xml")

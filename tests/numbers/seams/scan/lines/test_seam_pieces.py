@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from osgeo import ogr
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
@@ -101,6 +102,20 @@ def test_what_leaves_the_mosaic_is_cut_off_and_told() -> None:
         assert GRID.top - 1500 <= y.min() < y.max() <= GRID.top
     told = cut_off([line], pieces, GRID)
     assert str(told) == "310 m of the 2780 m of seamlines lie outside the mosaic and are left out."
+
+
+@given(st.integers(0, 10_000))
+def test_what_is_left_of_a_seam_is_what_gdal_finds_inside(seed: int) -> None:
+    """A walk in long steps, out of the mosaic and in again."""
+    rng = np.random.default_rng(seed)
+    line = seam(*(rng.uniform(-0.2, 1.2, (30, 2)) * (2000, 1500)).tolist())
+    whole = ogr.CreateGeometryFromWkt("LINESTRING (" + ", ".join(f"{x} {y}" for x, y in line.vertices) + ")")
+    left, bottom, right, top = GRID.extent
+    box = ogr.CreateGeometryFromWkt(f"POLYGON (({left} {bottom}, {right} {bottom}, {right} {top}, {left} {top}, "
+                                    f"{left} {bottom}))")
+    pieces = cut_in_pieces([line], 1e6, GRID)
+    assert sum(piece.length_m for piece in pieces) == pytest.approx(whole.Intersection(box).Length(), abs=2)
+    assert sum(metres(piece.vertices) for piece in pieces) == pytest.approx(sum(piece.length_m for piece in pieces))
 
 
 def test_seams_inside_the_mosaic_or_on_its_edge_are_kept_whole() -> None:

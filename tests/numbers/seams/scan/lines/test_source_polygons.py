@@ -46,6 +46,17 @@ def patches(seed: int) -> np.ndarray:
     return np.asarray(ndimage.zoom(squares, 6, order=0), dtype=np.int16)
 
 
+@pytest.mark.parametrize("left_first", [False, True])
+def test_a_hole_is_in_the_part_around_it(left_first: bool) -> None:
+    """Two parts of one source side by side, each with a hole: a ray from one meets the other, too."""
+    labels = np.zeros((60, 120), np.int16)
+    labels[5 if left_first else 8 : 55, 10:50] = labels[8 if left_first else 5 : 55, 70:110] = 1
+    labels[20:36, 20:36] = labels[20:36, 80:96] = 2
+    geometry = polygons(labels)[1]
+    assert geometry.IsValid()
+    assert sorted(geometry.GetGeometryRef(i).GetGeometryCount() for i in range(2)) == [2, 2]
+
+
 @pytest.mark.parametrize("labels", [quarters(), estimated(quarters(), 1), patches(1), patches(2)])
 def test_polygons_part_the_mosaic_without_gaps_and_overlaps(labels: np.ndarray) -> None:
     found = polygons(labels)

@@ -1,0 +1,28 @@
+"""Files of rules of acceptance: what they are called, and what they have to decide by."""
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from seam_inspector.plugin.acceptance.measure.acceptance_rules import load_acceptance_rules
+from seam_inspector.plugin.imagery.errors import SettingsError
+
+KEPT = {"check": "kept", "least": 0.7, "source": "contract"}
+SHARE = {"check": "failed_share", "most": 1.0, "source": "contract"}
+
+
+def written(folder: Path, **content: object) -> Path:
+    path = folder / "mine.json"
+    path.write_text(json.dumps(content), encoding="utf-8")
+    return path
+
+
+def test_rules_are_called_by_their_name_and_else_by_their_file(tmp_path: Path) -> None:
+    assert load_acceptance_rules(written(tmp_path, name="Ours", rules=[KEPT, SHARE])).name == "Ours"
+    assert load_acceptance_rules(written(tmp_path, rules=[KEPT, SHARE])).name == "mine.json"
+
+
+def test_rules_by_which_nothing_is_decided_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(SettingsError, match="mine.json"):
+        load_acceptance_rules(written(tmp_path, rules=[KEPT, {"check": "measured_share", "least": 0.9}]))
