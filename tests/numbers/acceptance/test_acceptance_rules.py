@@ -24,5 +24,5 @@ def test_rules_are_called_by_their_name_and_else_by_their_file(tmp_path: Path) -
 
 
 def test_rules_by_which_nothing_is_decided_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(SettingsError, match="mine.json"):
+    with pytest.raises(SettingsError, match=r"mine.json"):
         load_acceptance_rules(written(tmp_path, rules=[KEPT, {"check": "measured_share", "least": 0.9}]))
