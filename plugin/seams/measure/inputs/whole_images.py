@@ -20,7 +20,7 @@ from ....imagery.rasters import Raster
 from ....imagery.remote_files import is_remote
 from ..source_images import Footprints, Source
 from . import messages
-from .mosaic_copies import LEAST_CONTENT, content_of, scattered
+from .mosaic_copies import likeness_of, scattered
 
 _SIDE_PX = 64
 """Of what is compared at one place."""
@@ -159,7 +159,8 @@ def _told(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> bool | Non
     there are none, or where even ground is the same in all images."""
     if not (first[:, both] == second[:, both]).all():
         return False
-    return True if content_of(first[:1].astype(np.float64), both) >= LEAST_CONTENT else None
+    band = first[:1].astype(np.float64)
+    return None if np.isnan(likeness_of(band, band, both)) else True
 
 
 def _joined(sources: Sequence[Source], pairs: Iterable[tuple[int, int]], are_same: _AreSame) -> list[Source]:
