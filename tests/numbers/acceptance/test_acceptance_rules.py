@@ -25,12 +25,7 @@ def test_rules_are_called_by_their_name_and_else_by_their_file(tmp_path: Path) -
 
 
 def test_rules_by_which_nothing_is_decided_are_refused(tmp_path: Path) -> None:
-<<<<<<< HEAD
-    with pytest.raises(SettingsError, match=r"mine.json"):
-        load_acceptance_rules(written(tmp_path, rules=[KEPT, {"check": "measured_share", "least": 0.9}]))
-=======
     measured = {"check": "measured_share", "least": 0.9, "source": "contract"}
     with pytest.raises(SettingsError) as raised:
         load_acceptance_rules(written(tmp_path, rules=[KEPT, measured]))
     assert str(raised.value) == str(messages.RULES_DECIDE_NOTHING(name="mine.json"))
->>>>>>> cb7f791350004ac3c8b497b39a3e5c4ba2c9b2fa

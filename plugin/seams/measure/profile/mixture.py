@@ -241,7 +241,7 @@ class MixedStrips:
         finest = sums[:, :GROUPS]
         whole = np.concatenate([finest.sum(axis=1, keepdims=True), sums[:, GROUPS:]], axis=1)
         fitted = fit_mixtures(whole.reshape(-1, *whole.shape[2:]))
-        other, edge, left, soft = (one.reshape(*whole.shape[:2], -1) for one in vars(fitted).values())
+        other, edge, left, soft = (one.reshape(*whole.shape[:2], *one.shape[1:]) for one in vars(fitted).values())
         self._other = other[:, 0]
         self._area = whole[:, 0, :, _AREA]
         self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left, left * soft[:, :1]))
