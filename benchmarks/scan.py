@@ -99,7 +99,7 @@ def print_figures(made: LargeMosaic, found: dict[str, Figures], threads: int) ->
         ["tiles of 256 px", "", "Mpx/s", "a core", "x bare read", "CPU", "x windows' speed", "x loop's speed"],
         rows,
         "Mpx/s: of the mosaic; each of them is read from three rasters. A core: the same by processor time, as are\n"
-        "  the last three columns. Bare read: by GDAL alone, each tile decoded once; one before each scan, the median.\n"
+        "  the last three columns. Bare read: by GDAL, each tile decoded once, one before each scan, the median.\n"
         "  Times the bare read's time by the clock, and in processor time (CPU). inspect_window: over\n"
         f"  {WINDOWS} of the windows of 1024 px that would cover the mosaic. pywt.wavedec2: {BLOCKS} blocks of 2048 px "
         "are read,\n  decomposed and summed up by cell, without asking which source is followed. Files lie in the "
