@@ -1,6 +1,7 @@
 """A report of 300 windows, all of them flagged: how long it takes, how large it is, how much memory it needs."""
 from __future__ import annotations
 
+import os
 import tempfile
 import time
 from concurrent.futures import ProcessPoolExecutor
@@ -22,9 +23,13 @@ MOST_MEGABYTES = 30.0
 
 def report_cost(ground: Ground, tile_format: str, count: int) -> tuple[float, float, float, float]:
     """Seconds, processor seconds, MB of the file and growth of the peak memory in MB; for a process of its own."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    from qgis.core import QgsApplication
     from seam_inspector.plugin.seams.report.inspection_report import write_report
     from seam_inspector.plugin.seams.report.report_request import ReportRequest
 
+    application = QgsApplication([], True)  # Qt draws charts in none without an application
+    application.initQgis()
     requests = ground.requests(tile_format)
     block = Block(requests[0].mosaic, requests[0].sources)
     records, curves = [], {}

@@ -39,7 +39,7 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true", help="fewer repetitions: one minute instead of three")
     quick = parser.parse_args().quick
     gdal.UseExceptions()
-    print_machine(os.environ["OPENBLAS_NUM_THREADS"])
+    print_machine(os.environ.get("OPENBLAS_NUM_THREADS", "all"))
     goals: list[Goal] = []
     with tempfile.TemporaryDirectory(prefix="seam_inspector_") as folder:
         say("drawing the ground and writing it in all formats")

@@ -1,7 +1,6 @@
 """What the scan of a mosaic is measured against: the bare read, windows side by side, a loop with PyWavelets."""
 from __future__ import annotations
 
-import time
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -17,6 +16,8 @@ from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.inspection import Block, inspect_window
 from seam_inspector.plugin.seams.measure.source_images import Source
 from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings, WindowRequest
+
+from .timing import Speed, timed
 
 READ_PX, WINDOW_PX = 2048, 1024
 """Side of what is read at a time, and of a standard window of 0.10 m pixels."""
@@ -60,22 +61,24 @@ def bare_read(paths: Sequence[Path], side: int, threads: int) -> None:
             pass
 
 
-def inspected_windows(paths: Sequence[Path], side: int, threads: int, count: int) -> float:
-    """Megapixels a second by ``inspect_window``, over a sample of the windows that would cover the mosaic."""
+def inspected_windows(paths: Sequence[Path], side: int, threads: int, count: int) -> Speed:
+    """By ``inspect_window``, over a sample of the windows that would cover the mosaic."""
     refs = [RasterRef(str(path)) for path in paths]
     block = Block(describe_mosaic(refs[0]), tuple(Source(ref, describe(ref).extent) for ref in refs[1:]))
     places = sampled(side, WINDOW_PX, count)
     requests = [WindowRequest(number, block.mosaic, block.sources, place, InspectionSettings())
                 for number, place in enumerate(places)]
-    started = time.perf_counter()
-    with ThreadPoolExecutor(threads) as executor:
-        for result in executor.map(inspect_window, requests):
-            assert result.source_count == len(block.sources)
-    return megapixels(places) / (time.perf_counter() - started)
+
+    def inspect() -> None:
+        with ThreadPoolExecutor(threads) as executor:
+            for result in executor.map(inspect_window, requests):
+                assert result.source_count == len(block.sources)
+
+    return Speed.of(megapixels(places), timed(inspect))
 
 
-def pywavelets_loop(paths: Sequence[Path], side: int, threads: int, count: int, by_band: bool = False) -> float:
-    """Megapixels a second by a plain loop: read, ``pywt.wavedec2``, sums by cell of every raster.
+def pywavelets_loop(paths: Sequence[Path], side: int, threads: int, count: int, by_band: bool = False) -> Speed:
+    """By a plain loop: read, ``pywt.wavedec2``, sums by cell of every raster.
 
     Of the luminance, or ``by_band`` of red, green and blue. It leaves out what costs the scan most: which source is
     followed. Over a sample of blocks.
@@ -83,11 +86,13 @@ def pywavelets_loop(paths: Sequence[Path], side: int, threads: int, count: int, 
     decompose = decomposed_bands if by_band else decomposed
     datasets = Datasets(paths)
     places = sampled(side, READ_PX, count)
-    started = time.perf_counter()
-    with ThreadPoolExecutor(threads) as executor:
-        for sums in executor.map(lambda at: cell_sums(list(map(decompose, datasets.read(at)))), places):
-            assert np.isfinite(sums[0]).all()
-    return megapixels(places) / (time.perf_counter() - started)
+
+    def decompose_all() -> None:
+        with ThreadPoolExecutor(threads) as executor:
+            for sums in executor.map(lambda at: cell_sums(list(map(decompose, datasets.read(at)))), places):
+                assert np.isfinite(sums[0]).all()
+
+    return Speed.of(megapixels(places), timed(decompose_all))
 
 
 def decomposed(bands: np.ndarray) -> list:

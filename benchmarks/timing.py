@@ -113,6 +113,26 @@ class Run:
     """Of the processor, all threads together."""
 
 
+@dataclass(frozen=True)
+class Speed:
+    """Megapixels of the mosaic a second."""
+
+    wall: float
+    """By the clock on the wall, of all threads together."""
+    core: float
+    """Of a core: by the time on the processor."""
+
+    @classmethod
+    def of(cls, megapixels: float, run: Run) -> Speed:
+        """Of one run."""
+        return cls(megapixels / run.wall, megapixels / run.cpu)
+
+    @property
+    def cells(self) -> tuple[str, str]:
+        """Of a row for ``table``."""
+        return f"{self.wall:.1f}", f"{self.core:.1f}"
+
+
 def timed(call: Callable[[], object]) -> Run:
     """Run something once."""
     started, started_cpu = time.perf_counter(), time.process_time()

@@ -217,9 +217,11 @@ class ReadEach(Protocol):
     def __call__(self, readings: Iterable[Reading[Found]]) -> list[Found | RasterError]: ...
 
 
-def one_by_one(readings: Iterable[Reading[Found]]) -> list[Found | RasterError]:
-    """In this thread; each raster is opened for it."""
-    return [read_one(OpenRaster, *reading) for reading in readings]
+def one_by_one(
+    readings: Iterable[Reading[Found]], opened: Callable[[RasterRef], OpenRaster] = OpenRaster
+) -> list[Found | RasterError]:
+    """In this thread; each raster is opened for it, unless ``opened`` has it already."""
+    return [read_one(opened, *reading) for reading in readings]
 
 
 def read_one(

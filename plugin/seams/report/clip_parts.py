@@ -5,19 +5,22 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import Message, RasterError, SeamInspectorError
 from ...imagery.grids import Extent, PixelWindow, snap_window
-from ...imagery.open_raster import OpenRaster
+from ...imagery.raster_pool import one_by_one, open_raster
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
 from ..measure.greatest_loss import greatest_loss
-from ..measure.inspection import Block, InspectionSettings, inspect_window, window_request
+from ..measure.inspection import Block, InspectionSettings, window_request
 from ..measure.profile.window_detail import LossPicture
 from ..measure.source_images import Source
+from ..measure.window.explained_window import window_lost
+from ..measure.window.measured_window import MeasuredWindow, measure_window
 from ..words import LOSS_OPACITY, loss_rgba
 
 REPORT_CLIP_PX = 160  # a side of the part that is shown at 2x: two of them fit beside each other on A4
@@ -42,10 +45,10 @@ class PlacedLoss:
 def measured_loss(block: Block, window: PixelWindow) -> PlacedLoss | None:
     """Lost detail of some pixels of a mosaic; None where that can't be told."""
     extent = block.mosaic.grid.window_extent(window)
-    result = inspect_window(window_request(block, 0, extent, InspectionSettings()))
-    if result.loss is None or result.window is None:
-        return None
-    return PlacedLoss(result.window, result.loss)
+    request = window_request(block, 0, extent, InspectionSettings())
+    measured = measure_window(request, partial(one_by_one, opened=open_raster))
+    loss = window_lost(measured) if isinstance(measured, MeasuredWindow) else None
+    return None if loss is None or request.window is None else PlacedLoss(request.window, loss)
 
 
 def most_lost(shown: PixelWindow, placed: PlacedLoss, side: int) -> tuple[int, int]:
@@ -85,9 +88,12 @@ def _by_pixel(cells: np.ndarray, shown: PixelWindow, placed: PlacedLoss) -> tupl
 
 def _reduced(pixels: np.ndarray, step: int) -> np.ndarray:
     """The means of ``step`` x ``step`` pixels, float32; what is left over is cut off."""
-    rows, columns = (length // step for length in pixels.shape[:2])
-    whole = pixels[: rows * step, : columns * step].astype(np.float32)
-    return np.asarray(whole.reshape(rows, step, columns, step, -1).mean(axis=(1, 3)))
+    rows, columns = (length // step * step for length in pixels.shape[:2])
+    summed = np.zeros((rows // step, columns // step, pixels.shape[2]), np.float32)
+    for row in range(step):
+        for column in range(step):
+            summed += pixels[row:rows:step, column:columns:step]
+    return summed / step**2
 
 
 def _draw_frame(picture: np.ndarray, row: int, column: int, rows: int, columns: int, colour: tuple[int, ...]) -> None:
@@ -161,7 +167,7 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
     try:
         window = snap_window(block.mosaic.grid, job.extent, levels=0)
         searched = _middle(window)
-        clips = [read_clip(OpenRaster(block.mosaic.ref), block.mosaic, searched)]
+        clips = [read_clip(open_raster(block.mosaic.ref), block.mosaic, searched)]
     except SeamInspectorError as error:
         return WindowParts(problem=error.message)
     sources = _ordered(block.sources_over(window), job.names)
@@ -171,7 +177,7 @@ def _parts(block: Block, job: ClipJob, bytes_each: float) -> WindowParts:
             break
         shown += 1
         try:
-            clips.append(read_clip(OpenRaster(source.ref), block.mosaic, searched))
+            clips.append(read_clip(open_raster(source.ref), block.mosaic, searched))
         except RasterError:  # the inspection has said so
             continue
     side = min(REPORT_CLIP_PX, searched.width, searched.height)

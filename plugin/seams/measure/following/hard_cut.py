@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..compared_image import ComparedImage, MeasuredClip, judged_planes, on_common_bands
-from ..profile.window_detail import WindowDetail, window_detail
+from ..profile.window_detail import LossPicture, WindowDetail, loss_picture, window_detail
 from ..seam_cells import UNKNOWN
 from ..tone import Tone, whole_squares
 from .boxes import near_border
@@ -207,6 +207,22 @@ def cut_hard(
     tones = [image.tones_of(other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
     composite = make_composite(image.bands, [other.bands for other in images], image.names, found, tones)
     return HardCut(image, tuple(images), following, tuple(tones), composite, around, inside)
+
+
+def window_loss(
+    mosaic: MeasuredClip, sources: Sequence[MeasuredClip], wavelet: str, levels: int, labels: np.ndarray | None = None
+) -> LossPicture | None:
+    """What a window lost of its sources' detail, without its causes; None where they say too little of it.
+
+    ``labels``: as for ``cut_hard``.
+    """
+    own, *others = judged_planes((mosaic, *sources))
+    around = judged_ground(own, others, labels)
+    rows, columns = own.plane.shape
+    inside = mosaic.inside or (slice(0, rows), slice(0, columns))
+    if is_unclear(_within(around, inside), around.expected.labels[inside]):
+        return None
+    return loss_picture(around.detail(wavelet, levels, inside), around.expected.labels, inside)
 
 
 def is_unclear(following: FollowedSource, labels: np.ndarray) -> bool:

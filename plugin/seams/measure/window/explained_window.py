@@ -13,7 +13,8 @@ from .. import messages
 from ..causes import Cause
 from ..compared_image import Change, MeasuredClip
 from ..explanation import Explanation, explain
-from ..following.hard_cut import cut_hard
+from ..following.hard_cut import cut_hard, window_loss
+from ..profile.window_detail import LossPicture
 from ..seam_cells import UNKNOWN, cell_labels, source_stem
 from ..verdicts import Judgement, Ratios, Verdict, curve_ratios, judge, judge_by_seam
 from ..window_records import COMPOSITE, SEAM
@@ -55,6 +56,16 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
         request.window_id, request.window, judgement, paper.verdict, clips, tuple(pairs), found,
         tuple(notices), request.mosaic.ground_sample_distance, request.settings.reference,
     )
+
+
+@one_blas_thread()
+def window_lost(measured: MeasuredWindow) -> LossPicture | None:
+    """Where a window lost its sources' detail, as its explanation has it; None where that can't be told."""
+    if not measured.is_explicable:
+        return None
+    settings, judged = measured.request.settings, measured.judged
+    labels = known_labels(measured.request, judged)
+    return window_loss(measured.mosaic, judged, settings.wavelet, settings.levels, labels)
 
 
 def _in_file_values(found: Explanation, own: float, factors: Sequence[float]) -> Explanation:
