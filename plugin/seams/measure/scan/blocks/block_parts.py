@@ -176,7 +176,8 @@ def measure_plain(
 ) -> CellTable:
     """The cells of a block but for its ``dense`` units, (rows, columns) bool, in cells of the mosaic.
 
-    Every square is measured by the source that its patch follows. Raises RasterError where the mosaic can't be read.
+    Their finest level only: the picture of losses shows no other. Every square is measured by the source that its patch
+    follows. Raises RasterError where the mosaic can't be read.
     """
     own = pixels.window
     rows, columns = -(-own.height // SQUARE_PX) * SQUARE_PX, -(-own.width // SQUARE_PX) * SQUARE_PX
@@ -199,13 +200,12 @@ def measure_plain(
     known = _by_cell((labels[inside] != UNKNOWN).astype(np.float32), CELL_PX) == CELL_PX**2
     measured = enlarged(dense, UNIT_PX // CELL_PX)
     known[: measured.shape[0], : measured.shape[1]] &= ~measured
-    sums = np.zeros((3, levels, *known.shape), np.float32)
-    for level, one in enumerate(placed_components(np.stack([planes.mosaic, made]), wavelet, levels)):
-        step = 2 ** (level + 1)
-        first, last = BLOCK_MARGIN_PX // step, ((BLOCK_MARGIN_PX + rows) // step, (BLOCK_MARGIN_PX + columns) // step)
-        m, c = (one[:, k, first : last[0], first : last[1]] for k in (0, 1))
-        for number, (a, b) in enumerate(((m, m), (c, c), (m, c))):
-            sums[number, level] = _by_cell(np.einsum("dij,dij->ij", a, b), CELL_PX // step)
+    (finest,) = placed_components(np.stack([planes.mosaic, made]), wavelet, 1)
+    own_part = np.s_[:, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2, BLOCK_MARGIN_PX // 2 : -BLOCK_MARGIN_PX // 2]
+    m, c = (finest[:, k][own_part] for k in (0, 1))
+    sums = np.stack([
+        _by_cell(np.einsum("dij,dij->ij", a, b), CELL_PX // 2)[np.newaxis] for a, b in ((m, m), (c, c), (m, c))
+    ])
     # The gain is even within a cell, and what evens out the background has no detail.
     sums[1] *= gain**2
     sums[2] *= gain
