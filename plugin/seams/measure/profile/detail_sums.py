@@ -3,6 +3,7 @@
 m are detail coefficients of the mosaic. s are those of the source that is followed where the coefficient lies, o those
 of the one beyond the nearest seam, both as the mosaic shows its sources. Neither is taken from a cut image: beside a
 cut its coefficients hold the cut's own edge, which no source has. k is that edge: the cut image's coefficients less s.
+Where more than two sources are mixed, o is all that s is mixed with, each by its share.
 """
 from __future__ import annotations
 
@@ -13,8 +14,9 @@ from functools import cache
 import numpy as np
 from scipy import ndimage
 
-from ..following.boxes import widened
+from ..following.boxes import enlarged, widened
 from ..following.expected_mosaic import ExpectedMosaic
+from ..following.meeting import SQUARE_PX as SHARES_PX
 from ..seam_cells import UNKNOWN
 from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, PRODUCTS, CellTable, MixtureTable
 
@@ -56,15 +58,18 @@ class SeamGeometry:
 def detail_sums(
     details: Sequence[np.ndarray], labels: np.ndarray, numbers: Sequence[int] = (),
     valid: Mapping[int, np.ndarray] | None = None, is_filtered: bool = False,
+    shares: Mapping[int, np.ndarray] | None = None,
 ) -> tuple[CellTable, MixtureTable]:
     """The cells of one window from the details of ``compared_planes``, level by level as ``placed_components`` gives
     them: (3, 2 + sources or more, rows / 2^r, columns / 2^r).
 
     ``labels``, (rows, columns): the source that each pixel follows, ``UNKNOWN`` where none explains it; those pixels
     take no part. ``numbers``: of the sources among the planes. ``valid``: (rows, columns) bool, pixels that a source
-    has, of those that don't have all. ``is_filtered``: whether each source is there in both ways.
+    has, of those that don't have all. ``is_filtered``: whether each source is there in both ways. ``shares``: as
+    ``ExpectedMosaic`` has them.
     """
     place = seam_geometry(labels)
+    others = _among_others(shares or {}, numbers, place.labels)
     rows, columns = (length // CELL_PX for length in labels.shape)
     levels, beside = len(details), _pairs(place, numbers, valid or {})
     sums = np.zeros((4, levels, rows * columns * len(EDGES_PX)))
@@ -97,11 +102,14 @@ def detail_sums(
         here, there = (FIRST_SOURCE + np.searchsorted(numbers, of.ravel()[at]) for of in (
             place.labels[coarse][inside], place.other[coarse][inside]
         ))
-        o = one[:, there, down, across]
+        among = others[:, step // 2 + step * down, step // 2 + step * across]
+        o = _beyond(one, there, down, across, among, FIRST_SOURCE)
         k = c - s
         pairs = [(m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)]
         if is_filtered:
-            p, q = (one[:, of + len(numbers), down, across] for of in (here, there))
+            count = len(numbers)
+            p = one[:, here + count, down, across]
+            q = _beyond(one, there + count, down, across, among, FIRST_SOURCE + count)
             pairs += [(p, p), (p, q), (q, q)]
         mixed[0, level] = np.bincount(index, minlength=mixed.shape[2]) * pixels**2
         for target, (a, b) in zip(mixed[1:, level], pairs):
@@ -190,6 +198,30 @@ def _followed(details: np.ndarray, numbers: Sequence[int], labels: np.ndarray) -
     for place, number in enumerate(numbers, FIRST_SOURCE):
         np.copyto(found, details[:, place], where=labels == number)
     return found
+
+
+def _among_others(shares: Mapping[int, np.ndarray], numbers: Sequence[int], labels: np.ndarray) -> np.ndarray:
+    """Of each source among those that are not followed, (sources, rows, columns) on the grid of the labels; 0 where
+    there is one at most. Without sources where none are mixed."""
+    if not shares:
+        return np.zeros((0, *labels.shape))
+    squares = (enlarged(shares[number], SHARES_PX // _GRID_PX, labels.shape) for number in numbers)
+    found = np.stack([np.where(labels == number, 0, one) for number, one in zip(numbers, squares)])
+    found[:, np.count_nonzero(found, axis=0) < 2] = 0
+    return np.asarray(found / np.maximum(found.sum(axis=0), 1e-9))
+
+
+def _beyond(
+    details: np.ndarray, there: np.ndarray, down: np.ndarray, across: np.ndarray, among: np.ndarray, first: int
+) -> np.ndarray:
+    """Details at some places, (3, n): of the plane ``there``, or by the shares ``among``, (sources, n), of the planes
+    from ``first`` on, where there are any."""
+    found = details[:, there, down, across]
+    some = np.flatnonzero(among.any(axis=0))
+    if len(some):
+        planes = details[:, first : first + len(among), down[some], across[some]]
+        found[:, some] = np.einsum("dsn,sn->dn", planes, among[:, some])
+    return np.asarray(found)
 
 
 def _cell_table(sums: np.ndarray, columns: int) -> CellTable:
