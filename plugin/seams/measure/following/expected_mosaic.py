@@ -13,9 +13,10 @@ import numpy as np
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import smooth_border, to_the_pixel
 from .boxes import near_border
-from .followed_source import FollowedSource
+from .followed_source import FollowedSource, high_pass
 from .levelling import SQUARE_PX, Levelled, evened_gains, levelled, square_means
 from .likely_source import FINE, LikelySource, Sampling, likely_source
+from .meeting import by_shares, mixed_shares, where_several_meet
 from .mixed_ground import MixedGround, mixed_ground
 from .source_filters import (
     FEWEST_PIXELS,
@@ -54,6 +55,9 @@ class ExpectedMosaic:
     """(rows, columns) float32: each source that is followed, everywhere as this mosaic would show it."""
     toned: Mapping[int, np.ndarray]
     """The same before anything came over the whole mosaic; the very same where nothing did."""
+    shares: Mapping[int, np.ndarray] | None = None
+    """Of each source in squares of 8 px, (rows / 8, columns / 8) float32, where more than two are mixed; 0 elsewhere.
+    None where that is nowhere."""
 
     @property
     def is_filtered(self) -> bool:
@@ -71,7 +75,10 @@ class ExpectedMosaic:
             for pixels, found in ((self.shown[plane], shown), (self.toned[plane], toned)):
                 before = found.get(source_of[plane])
                 found[source_of[plane]] = pixels if before is None else np.where(self.labels == plane, pixels, before)
-        return replace(self, labels=numbers[self.labels], shown=shown, toned=toned)
+        shares: dict[int, np.ndarray] = {}
+        for plane, share in (self.shares or {}).items():
+            shares[source_of[plane]] = shares.get(source_of[plane], 0) + share
+        return replace(self, labels=numbers[self.labels], shown=shown, toned=toned, shares=shares or None)
 
 
 def expected_mosaic(
@@ -106,20 +113,28 @@ def expected_mosaic(
         in_tone = window.in_tone(labels)
     toned = {i: one.plane for i, one in in_tone.items()}
     shown = {i: found.applied(i, plane) for i, plane in toned.items()}
-    if known is None and len(toned) > 1:
-        labels = smooth_border(to_the_pixel(mosaic, shown, labels, valid))
+    is_found = known is None and len(toned) > 1
+    if is_found:
+        labels = to_the_pixel(mosaic, shown, labels, valid)
+    near = where_several_meet(labels, list(shown), valid) if len(shown) > 2 else None
+    shares = None
+    if near is not None:
+        shares = mixed_shares(fine[0], {i: high_pass(plane) for i, plane in shown.items()}, labels, near)
+        labels = by_shares(labels, shares) if is_found else labels
+    if is_found:
+        labels = smooth_border(labels)
     cut = cut_of(mosaic, toned, labels)
     unfiltered = cut
     if given is not None:  # to be moved by parts of a pixel costs detail as well
         unmoved = {i: one.plane + one.gain * (given[i] - planes[i]) for i, one in in_tone.items()}
         unfiltered = cut_of(mosaic, unmoved, labels)
     if not found.taps:
-        return ExpectedMosaic(cut, unfiltered, labels, shown, shown)
+        return ExpectedMosaic(cut, unfiltered, labels, shown, shown, shares)
     if not found.came_over_cuts:
         placed = {i: found.placed(i, plane) for i, plane in toned.items()}
-        return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed)
+        return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed, shares)
     plane = filtered(cut, next(iter(found.taps.values())))
-    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned)
+    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned, shares)
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ weigh the same. What compression made of weak detail is expected of every source
 """
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -16,7 +16,7 @@ from scipy import ndimage
 from ..profile.ground import EnergyResponse, fit_response, sampled
 from .best_ground import MIN_ALIKE_STRANGE, MIN_EVEN_LEFT, MIN_STRANGE, learn_best_ground
 from .boxes import box_means, enlarged, near_border, opened, square_sums
-from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS, weights_of_two
+from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
 MIN_TEXTURE = 0.3  # of the energy that a source would have
@@ -154,9 +154,14 @@ def _unexplained(
     found = _strange_parts(wide, left, textured, even, sampling)
     if not found.any():
         return found
-    for i, j in combinations(sources, 2):  # a mixture of two that are given is nothing strange
-        common = square_sums(sources[i], sources[j], CELL_PX)
-        np.minimum(left, _left_by_two(own, energies[i], energies[j], products[i], products[j], common), out=left)
+    common = {
+        (i, j): energies[i] if i == j else square_sums(sources[i], sources[j], CELL_PX)
+        for i in sources for j in sources
+    }
+    for count in (2, 3):  # a mixture of some that are given is nothing strange
+        for some in combinations(sources, count):
+            by_some = _left_by(own, [products[i] for i in some], [[common[i, j] for j in some] for i in some])
+            np.minimum(left, by_some, out=left)
     if len(sources) > 1:
         return np.zeros_like(found) if _is_explained(wide, left, textured) else _strange_parts(
             wide, left, textured, even, sampling
@@ -204,17 +209,19 @@ def _to_borders(found: np.ndarray, strange: np.ndarray) -> np.ndarray:
     return found
 
 
-def _left_by_two(
-    own: np.ndarray, energy_i: np.ndarray, energy_j: np.ndarray, product_i: np.ndarray, product_j: np.ndarray,
-    common: np.ndarray,
+def _left_by(
+    own: np.ndarray, products: Sequence[np.ndarray], common: Sequence[Sequence[np.ndarray]]
 ) -> np.ndarray:
-    """What a mixture of two sources leaves over of the mosaic's energy, over the wide squares; its weights are even
-    within the near ones."""
-    least = np.float32(LEAST_ENERGY * CELL_PX**2)
-    sums = (own, energy_i, energy_j, product_i, product_j, common)
-    own, energy_i, energy_j, product_i, product_j, common = (box_means(one, (NEAR_CELLS,))[0] for one in sums)
-    a, b = weights_of_two(energy_i + least, energy_j + least, product_i, product_j, common)
-    left = np.where(np.minimum(a, b) > 0, np.maximum(own - (a * product_i + b * product_j), 0), own)
+    """What a mixture of some sources leaves over of the mosaic's energy, over the wide squares; its weights, all of
+    which are above zero, are even within the near ones. ``products`` of each with the mosaic, ``common`` of each with
+    each."""
+    own, *shared = (box_means(one, (NEAR_CELLS,))[0] for one in (own, *products))
+    normal = np.stack([[box_means(one, (NEAR_CELLS,))[0] for one in row] for row in common])
+    right = np.stack(shared, axis=-1)[..., np.newaxis]
+    normal = np.moveaxis(normal, (0, 1), (-2, -1)) + LEAST_ENERGY * CELL_PX**2 * np.eye(len(shared))
+    weights = np.linalg.solve(normal, right)
+    explained = (weights * right).sum(axis=(-2, -1))
+    left = np.where(weights.min(axis=(-2, -1)) > 0, np.maximum(own - explained, 0), own)
     return box_means(left, (WIDE_CELLS - NEAR_CELLS + 1,))[0]
 
 

@@ -3,6 +3,7 @@
 m are detail coefficients of the mosaic. s are those of the source that is followed where the coefficient lies, o those
 of the one beyond the nearest seam, both as the mosaic shows its sources. Neither is taken from a cut image: beside a
 cut its coefficients hold the cut's own edge, which no source has. k is that edge: the cut image's coefficients less s.
+Where more than two sources are mixed, o is all that s is mixed with, each by its share.
 """
 from __future__ import annotations
 
@@ -13,8 +14,9 @@ from functools import cache
 import numpy as np
 from scipy import ndimage
 
-from ..following.boxes import widened
+from ..following.boxes import enlarged, widened
 from ..following.expected_mosaic import ExpectedMosaic
+from ..following.meeting import SQUARE_PX as SHARES_PX
 from ..seam_cells import UNKNOWN
 from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, PRODUCTS, CellTable, MixtureTable
 
@@ -57,15 +59,18 @@ class SeamGeometry:
 def detail_sums(
     details: Sequence[np.ndarray], labels: np.ndarray, numbers: Sequence[int] = (),
     valid: Mapping[int, np.ndarray] | None = None, is_filtered: bool = False,
+    shares: Mapping[int, np.ndarray] | None = None,
 ) -> tuple[CellTable, MixtureTable]:
     """The cells of one window from the details of ``compared_planes``, level by level as ``placed_components`` gives
     them: (3, 2 + sources or more, rows / 2^r, columns / 2^r).
 
     ``labels``, (rows, columns): the source that each pixel follows, ``UNKNOWN`` where none explains it; those pixels
     take no part. ``numbers``: of the sources among the planes. ``valid``: (rows, columns) bool, pixels that a source
-    has, of those that don't have all. ``is_filtered``: whether each source is there in both ways.
+    has, of those that don't have all. ``is_filtered``: whether each source is there in both ways. ``shares``: as
+    ``ExpectedMosaic`` has them.
     """
     place = seam_geometry(labels)
+    others = _among_others(shares or {}, numbers, place.labels)
     rows, columns = (length // CELL_PX for length in labels.shape)
     levels, beside = len(details), _pairs(place, numbers, valid or {})
     pairs = len(beside.pairs)
@@ -96,10 +101,14 @@ def detail_sums(
         here, there = (np.take(number[of], at) for of in (own, other))
         planes = one.reshape(3, -1)  # by one number each, and whole rows first: a third of the time
         m, c, s, o = (np.take(planes, of * own.size + at, axis=1) for of in (MOSAIC, CUT, here, there))
+        among = others[(slice(None), *coarse)][:, : rows * counted, : columns * counted].reshape(len(others), own.size)
+        among = among[:, at]
+        o = _beyond(o, one, at, among, FIRST_SOURCE)
         k = c - s
         products = [(m, m), (m, s), (m, o), (m, k), (s, s), (s, o), (s, k), (o, o), (o, k), (k, k)]
         if is_filtered:
             p, q = (np.take(planes, (of + len(numbers)) * own.size + at, axis=1) for of in (here, there))
+            q = _beyond(q, one, at, among, FIRST_SOURCE + len(numbers))
             products += [(p, p), (p, q), (q, q)]
         _add(mixed[:, level], index, pixels**2, products)
     if not is_filtered:
@@ -195,6 +204,27 @@ def _followed(details: np.ndarray, numbers: Sequence[int], labels: np.ndarray) -
     found = details[:, CUT].copy()  # of what no source explains, which takes no part
     for place, number in enumerate(numbers, FIRST_SOURCE):
         np.copyto(found, details[:, place], where=labels == number)
+    return found
+
+
+def _among_others(shares: Mapping[int, np.ndarray], numbers: Sequence[int], labels: np.ndarray) -> np.ndarray:
+    """Of each source among those that are not followed, (sources, rows, columns) on the grid of the labels; 0 where
+    there is one at most. Without sources where none are mixed."""
+    if not shares:
+        return np.zeros((0, *labels.shape))
+    squares = (enlarged(shares[number], SHARES_PX // _GRID_PX, labels.shape) for number in numbers)
+    found = np.stack([np.where(labels == number, 0, one) for number, one in zip(numbers, squares)])
+    found[:, np.count_nonzero(found, axis=0) < 2] = 0
+    return np.asarray(found / np.maximum(found.sum(axis=0), 1e-9))
+
+
+def _beyond(found: np.ndarray, details: np.ndarray, at: np.ndarray, among: np.ndarray, first: int) -> np.ndarray:
+    """Details of the other side, (3, n), at the places ``at``: as found, or by the shares ``among``, (sources, n), of
+    the planes from ``first`` on, where there are any."""
+    some = np.flatnonzero(among.any(axis=0))
+    if len(some):
+        planes = details[:, first : first + len(among)].reshape(3, len(among), -1)
+        found[:, some] = np.einsum("dsn,sn->dn", planes[..., at[some]], among[:, some])
     return found
 
 

@@ -95,7 +95,9 @@ def window_detail(
     if expected.unfiltered is not expected.plane:
         planes = np.concatenate([planes, expected.unfiltered[np.newaxis]])
     details = list(placed_components(planes, wavelet, levels))
-    cells, mixture = detail_sums(details, expected.labels, numbers_of(expected), valid, expected.is_filtered)
+    cells, mixture = detail_sums(
+        details, expected.labels, numbers_of(expected), valid, expected.is_filtered, expected.shares
+    )
     kept = [0, 1, *range(count, len(planes))]
     rows, columns = inside or (slice(0, mosaic.shape[0]), slice(0, mosaic.shape[1]))
     own = slice(rows.start // CELL_PX, rows.stop // CELL_PX), slice(columns.start // CELL_PX, columns.stop // CELL_PX)

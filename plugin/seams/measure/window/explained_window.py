@@ -58,7 +58,7 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     )
 
 
-@one_blas_thread()
+@measuring()
 def window_lost(measured: MeasuredWindow) -> LossPicture | None:
     """Where a window lost its sources' detail, as its explanation has it; None where that can't be told."""
     if not measured.is_explicable:

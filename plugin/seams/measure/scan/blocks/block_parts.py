@@ -102,7 +102,7 @@ def measure_part(
     labels[guessed] = UNKNOWN
     details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
     masks = {number: planes.valid[number] for number in present if number in planes.valid}
-    cells, beside = detail_sums(details, labels, numbers_of(expected), masks, expected.is_filtered)
+    cells, beside = detail_sums(details, labels, numbers_of(expected), masks, expected.is_filtered, expected.shares)
     labels = filled_in(labels, guessed)
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
