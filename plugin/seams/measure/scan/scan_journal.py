@@ -4,11 +4,9 @@ As long as what decides on its result is the same, which a fingerprint tells.
 """
 from __future__ import annotations
 
-import errno
 import os
 import re
-import time
-from collections.abc import Iterable, Iterator, KeysView, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from hashlib import blake2b
 from pathlib import Path
 from typing import Any
@@ -27,6 +25,7 @@ from ....imagery.record_store import RecordStore
 from ....imagery.remote_files import forget_fetched, is_remote, readable_path
 from ..source_images import Source
 from . import messages
+from .block_files import BlockFiles
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
 _BESIDE = ("", ".msk")
@@ -173,12 +172,13 @@ def _version() -> str:
     return found.group(1).strip() if found else ""
 
 
-MOST_LOST_SECONDS = 2.0
-"""Of work, when the power fails: to wait for the disk at every block would take longer than to put the block there."""
-
 _KIND = "Seam Inspector: journal of a scan, "
-_VERSION = "3"
+_VERSION = "4"
 _FINGERPRINT = ""  # the key of what the scan is of
+_BLOCKS = "-blocks"
+"""What the name of the folder of blocks beside the journal ends with."""
+INCOMPLETE = "again"
+"""Begins the name of a block that lacks something; a later run measures it anew."""
 
 
 def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | None]:
@@ -189,87 +189,68 @@ def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | N
 
     Raises SettingsError where no file can be, another scan has it open, or it is something else.
     """
+    files, store = BlockFiles(path.with_name(path.name + _BLOCKS)), None
     try:
         store = _opened(path)
         held = store.load(_FINGERPRINT)
         if held == fingerprint.encode():
-            done = len(store.keys) - 1
-            return ScanJournal(store), messages.SCAN_GOES_ON(done=done) if done else None
+            files.make()
+            done = sum(not name.startswith(INCOMPLETE) for name in files.names)
+            return ScanJournal(store, files), messages.SCAN_GOES_ON(done=done) if done else None
         is_damaged = store.was_damaged or (bool(store.keys) and held is None)
         if store.keys:
             store.remove()
             store = _opened(path)
+        files.remove()
+        files.make()
         store.save(_FINGERPRINT, fingerprint.encode())
     except OSError as error:
+        if store is not None:
+            store.close()
         raise SettingsError(messages.SCAN_JOURNAL_NOT_OPENED(path=path, error=system_reason(error))) from None
     if held is not None:
-        return ScanJournal(store), messages.SCAN_ANEW(what=what_changed(held.decode(errors="replace"), fingerprint))
-    return ScanJournal(store), messages.SCAN_ANEW_DAMAGED(path=path) if is_damaged else None
+        notice = messages.SCAN_ANEW(what=what_changed(held.decode(errors="replace"), fingerprint))
+        return ScanJournal(store, files), notice
+    return ScanJournal(store, files), messages.SCAN_ANEW_DAMAGED(path=path) if is_damaged else None
 
 
 class ScanJournal:
-    """Results by their keys. For one thread; the lock on its file ends with it, or with the process."""
+    """What a scan is of, and what it has measured so far; the lock on its file ends with it, or with the process.
 
-    def __init__(self, store: RecordStore) -> None:
-        self._store = store
-        self._done = {key: None for key in store.keys if key != _FINGERPRINT}
-        self._on_disk = time.monotonic()
+    What is measured outlives the process; what was written last may be lost with the power, and is measured again.
+    """
+
+    def __init__(self, store: RecordStore, files: BlockFiles) -> None:
+        self._store, self.files = store, files
+        self.is_shared = True
+        """Whether all who measure see the files."""
 
     @property
     def path(self) -> Path:
         """Of its file."""
         return self._store.path
 
-    @property
-    def keys(self) -> KeysView[str]:
-        """What is done, in the order in which it was."""
-        return self._done.keys()
-
-    def load(self, key: str) -> bytes:
-        """A result. Raises KeyError where it is not done, SettingsError when the disk lost it meanwhile."""
-        if key not in self._done:
-            raise KeyError(key)
+    def save(self, name: str, payload: bytes) -> None:
+        """Keep what somebody measured who could not. Raises SettingsError when the disk is full; what was saved before
+        stays."""
         try:
-            found = self._store.load(key)
-            if found is None:
-                self.forget(key)  # the next run measures it again
-                raise OSError(errno.EIO, os.strerror(errno.EIO))
+            self.files.save(name, payload)
         except OSError as error:
-            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=system_reason(error))) from None
-        return found
+            raise self.not_saved(system_reason(error)) from None
 
-    def forget(self, key: str) -> None:
-        """A result is worth nothing. Raises SettingsError when the disk refuses."""
-        try:
-            self._store.forget(key)
-            self._done.pop(key, None)
-        except OSError as error:
-            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=system_reason(error))) from None
-
-    def save(self, key: str, payload: bytes) -> None:
-        """Keep a result. A key that is there gets the new one.
-
-        What is saved outlives the process; of what was saved last, ``MOST_LOST_SECONDS`` may be lost with the power.
-
-        Raises SettingsError when the disk is full; what was saved before stays, and more may be tried.
-        """
-        try:
-            self._store.save(key, payload)
-            if time.monotonic() - self._on_disk > MOST_LOST_SECONDS:
-                self._store.sync()
-                self._on_disk = time.monotonic()
-            self._done[key] = None
-        except OSError as error:
-            raise SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
-                path=self.path, error=system_reason(error), done=len(self._done)
-            )) from None
+    def not_saved(self, reason: Message | str) -> SettingsError:
+        """Why a block could not be kept."""
+        return SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
+            path=self.files.folder, error=reason, done=len(self.files.names)
+        ))
 
     def close(self) -> None:
         """Let go of the file, which stays for a scan that goes on."""
         self._store.close()
 
     def remove(self) -> None:
-        """Delete the file, as its scan is complete."""
+        """Delete all of it, as its scan is complete."""
+        self.files.remove()
         self._store.remove()
 
 

@@ -15,7 +15,9 @@ from ....imagery.errors import Message
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.rasters import Raster
 from ..inspection import Block, PathLike
-from .block_runs import BlockRun, ScanStep
+from .block_runs import BlockRun, ScanStep, whole_block
+from .blocks.block_grid import BlockKey
+from .blocks.scan_block import BlockScan
 from .gathering import Gathering
 from .lines.given_seams import GivenSeams, given_seams
 from .lines.seam_features import read_seam_features
@@ -47,7 +49,7 @@ class WholeScan:
             self._steps, self._result = BlockRun(request, journal).steps, Gathering(request, journal).result
         else:
             alone = LoneScanning(request, journal)
-            self._steps, self._result = alone.steps, alone.result
+            self._steps, self._result = alone.steps, lambda path, goes_on, *_crew: alone.result(path, goes_on)
 
     def steps(
         self, executor: Executor, ahead: int, cancelled: Callable[[], bool] = lambda: False
@@ -56,11 +58,19 @@ class WholeScan:
         with rasters_kept():
             yield from self._steps(executor, ahead, cancelled)
 
-    def result(self, loss_path: str = "", goes_on: GoesOn = lambda share: True) -> ScanResult | None:
+    def block(self, key: BlockKey) -> BlockScan | None:
+        """What was measured of one block so far, None where nothing was. Raises SettingsError where that can't be read
+        any more."""
+        return whole_block(self._journal.files, key)
+
+    def result(
+        self, loss_path: str = "", goes_on: GoesOn = lambda share: True, executor: Executor | None = None,
+        ahead: int = 0,
+    ) -> ScanResult | None:
         """What all blocks together tell, the picture of losses as a file where a path is given; None when ``goes_on``,
-        which is asked with the share that is done, says no."""
-        with rasters_kept():
-            found = self._result(loss_path, goes_on)
+        which is asked with the share that is done, says no. ``executor``: a thread per core where None."""
+        with rasters_kept(), own_threads(executor, ahead) as crew:
+            found = self._result(loss_path, goes_on, *crew)
         dates = self.request.dates
         return found and replace(found, pieces=tuple(dated(piece, dates) for piece in found.pieces))
 
@@ -127,7 +137,7 @@ def scan(
             for step in whole.steps(*opened):
                 told += step.notices
                 progress(MEASURED * step.share)
-            result = whole.result(os.fspath(loss), goes_on)
+            result = whole.result(os.fspath(loss), goes_on, *opened)
             assert result is not None  # it goes on
             whole.finish()
     return replace(result, notices=tuple(dict.fromkeys((*told, *result.notices))))

@@ -10,10 +10,14 @@ import pytest
 from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, PRODUCTS, CellTable, MixtureTable
-from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, global_numbers
+from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, both_looks, global_numbers
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import BlockScan, scan_block
-from seam_inspector.plugin.seams.measure.scan.gathering import FARTHEST_FILLED_PX, both_looks, filled
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
+    FARTHEST_FILLED_PX,
+    BlockScan,
+    filled,
+    scan_block,
+)
 from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, SidedSeam
 from seam_inspector.plugin.seams.measure.scan.loss_raster import NODATA as NO_LOSS
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
@@ -306,5 +310,5 @@ def test_cells_of_any_block_are_replaced_by_their_place_in_it() -> None:
 
 
 def test_numbers_of_a_block_become_those_of_the_scan() -> None:
-    numbers = global_numbers(block(), {"z": 0, "b": 7, "a": 70000})
+    numbers = global_numbers(("a", "b"), {"z": 0, "b": 7, "a": 70000})
     assert numbers[[0, 1, 2, UNKNOWN]].tolist() == [70000, 7, NOTHING, NOTHING]
