@@ -94,15 +94,14 @@ def _labels_around(request: OutputsRequest) -> np.ndarray:
     first, last = ([edge // LABELS for edge in edges] for edges in zip(*((one.start, one.stop - 1) for one in place)))
     for row in range(first[0], last[0] + 1):
         for column in range(first[1], last[1] + 1):
-            labels = block_labels(request.files, (row, column), request.numbers)
-            if labels is None:
-                continue
             ours, theirs = zip(*(
                 (slice(max(start, one.start) - one.start, min(start + LABELS, one.stop) - one.start),
                  slice(max(start, one.start) - start, min(start + LABELS, one.stop) - start))
                 for start, one in zip((row * LABELS, column * LABELS), place)
             ))
-            found[ours] = labels[theirs]
+            labels = block_labels(request.files, (row, column), request.numbers, theirs)
+            if labels is not None:
+                found[ours] = labels
     return found
 
 

@@ -333,9 +333,12 @@ def whole_block(files: BlockFiles, key: BlockKey) -> BlockScan | None:
     return first if first is None or second is None else both_looks(first, second)
 
 
-def block_labels(files: BlockFiles, key: BlockKey, numbers: Mapping[str, int]) -> np.ndarray | None:
-    """(LABELS, LABELS) int32 of one block by both looks, ``numbers`` of the sources by their paths, ``NOTHING`` where
-    none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
+def block_labels(
+    files: BlockFiles, key: BlockKey, numbers: Mapping[str, int],
+    place: tuple[slice, slice] = (slice(LABELS), slice(LABELS)),
+) -> np.ndarray | None:
+    """(rows, columns) int32 of the labels of one block by both looks, ``numbers`` of the sources by their paths,
+    ``NOTHING`` where none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
     found = None
     for look in (FIRST_LOOK, SECOND_LOOK):
         record = held_record(look, files, key)
@@ -344,8 +347,9 @@ def block_labels(files: BlockFiles, key: BlockKey, numbers: Mapping[str, int]) -
         try:
             with understanding():
                 parts = unpacked(record, ("sources", "labels", "dense"))
-                own = global_numbers(_names(parts), numbers)[parts["labels"]]
-                found = own if found is None else np.where(enlarged(parts["dense"], LABELS // UNITS), own, found)
+                own = global_numbers(_names(parts), numbers)[parts["labels"][place]]
+                dense = enlarged(parts["dense"], LABELS // UNITS)[place]
+                found = own if found is None else np.where(dense, own, found)
         except NotUnderstoodError as error:
             raise _lost(look, files, key, str(error)) from None
     return found

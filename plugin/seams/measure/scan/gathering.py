@@ -5,9 +5,9 @@ their chains are joined to seams and cut in pieces, which they then measure (``p
 """
 from __future__ import annotations
 
-from collections import defaultdict
+from collections import defaultdict, deque
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Executor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import ExitStack
 from functools import partial
 from typing import Any, Callable
@@ -59,19 +59,26 @@ class Gathering:
         ``goes_on`` takes the share that is done; where it says no the result is None. Raises SettingsError when the
         journal can't be read, RasterError when the picture can't be written.
         """
-        with ExitStack() as threads:
-            if not self._journal.is_shared:
-                executor, ahead = threads.enter_context(own_threads())
-            crew = _Crew(executor, ahead, goes_on)
-            try:
-                return self._result(loss_path, crew)
-            except CancelledError:
-                return None
+        try:
+            with ExitStack() as stack:
+                if not self._journal.is_shared:
+                    executor, ahead = stack.enter_context(own_threads())
+                settings, picture = self._request.settings, None
+                raster = stack.enter_context(
+                    loss_raster(loss_path, self._request.mosaic, settings.cell_px, settings.told)
+                ) if loss_path else None
+                aside = stack.enter_context(ThreadPoolExecutor(1, thread_name_prefix="seam-inspector-picture"))
+                if raster is not None:
+                    picture = _Picture(raster, aside)
+                return self._result(_Crew(executor, ahead, goes_on), aside, picture)
+        except CancelledError:  # which leaves no picture
+            return None
 
-    def _result(self, loss_path: str, crew: _Crew) -> ScanResult:
+    def _result(self, crew: _Crew, aside: Executor, picture: _Picture | None) -> ScanResult:
         request, grid = self._request, self._request.mosaic.grid
-        polygons = given_polygons(request)
-        borders = self._borders(loss_path, crew, not (request.seams and polygons))
+        known = given_polygons(request)
+        borders = self._borders(picture, crew, not (request.seams and known))
+        polygons = aside.submit(polygons_of, borders)
         pieces = list(request.pieces) if request.seams else cut_in_pieces(
             seams_of(borders), request.settings.piece_m, grid
         )
@@ -82,11 +89,14 @@ class Gathering:
                         request.mosaic.ground_sample_distance, jnd)
             for piece, profile, jnd in zip(pieces, found, seen)
         )
-        polygons = polygons or tuple(polygons_of(borders))
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
         notices = (*self._notices(), *without_verdict(judged))
+        if not pieces and not request.seams:
+            notices += self._no_seam(polygons.result())
+        if picture is not None:
+            picture.wait()
         crew.tell(1.0)
-        return ScanResult(judged, polygons, tuple(worst), notices)
+        return ScanResult(judged, known or tuple(polygons.result()), tuple(worst), notices)
 
     def _name(self, side: Side) -> str | None:
         """Of a source as its file has it, else as the seams do."""
@@ -95,30 +105,24 @@ class Gathering:
             return side if number is None else self._request.sources[number].ref.name
         return None if side is None else self._request.sources[side].ref.name
 
-    def _borders(self, loss_path: str, crew: _Crew, traces: bool) -> list[SourceBorder]:
+    def _borders(self, picture: _Picture | None, crew: _Crew, traces: bool) -> list[SourceBorder]:
         """Of what is followed, none unless they are traced; the picture of losses on the way."""
-        mosaic, settings = self._request.mosaic, self._request.settings
+        mosaic = self._request.mosaic
         half = LABEL_PX // 2
         chains: list[Chain] = []
         rows, columns = (-(-(length - half) // LABEL_PX) for length in (mosaic.rows, mosaic.columns))
-        requests = (self._outputs(key, rows, columns, settings.cell_px if loss_path else 0, traces)
-                    for key in self._blocks)
+        cell_px = self._request.settings.cell_px if picture is not None else 0
+        requests = (self._outputs(key, rows, columns, cell_px, traces) for key in self._blocks)
         total = self._blocks.rows * self._blocks.columns
-        with ExitStack() as stack:
-            picture = None
-            if loss_path:
-                picture = _Picture(stack.enter_context(
-                    loss_raster(loss_path, mosaic, settings.cell_px, settings.told)
-                ))
-            found: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
-            for one in found:
-                chains += one.chains
-                self._units += one.units
-                self._unexplained += one.unexplained
-                if picture is not None:
-                    picture.add(one)
+        found: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
+        for one in found:
+            chains += one.chains
+            self._units += one.units
+            self._unexplained += one.unexplained
             if picture is not None:
-                picture.finish(self._told, [source.ref.name for source in self._request.sources])
+                picture.add(one)
+        if picture is not None:
+            picture.finish(self._told, [source.ref.name for source in self._request.sources])
         return trace_borders(chains, mosaic.grid, columns, LABEL_PX)
 
     def _outputs(self, key: BlockKey, rows: int, columns: int, cell_px: int, traces: bool) -> OutputsRequest:
@@ -184,6 +188,11 @@ class Gathering:
         """Of the mosaic, that follows no source; None where not all of it was looked at."""
         return None if self._request.seam_squares is not None else self._unexplained / max(self._units, 1)
 
+    def _no_seam(self, polygons: Sequence[SourcePolygon]) -> tuple[Message, ...]:
+        """Where none was found, what the mosaic follows instead; ``polygons``: of what is followed."""
+        names = ", ".join(self._request.sources[one.source].ref.name for one in polygons)
+        return (messages.SCAN_WITHOUT_SEAMS(name=names),) if names else ()
+
     def _notices(self) -> tuple[Message, ...]:
         share = self._share_unexplained
         if share is None or share < LEAST_UNEXPLAINED:
@@ -237,15 +246,37 @@ def _raised(_requests: Sequence[Any], reason: Message) -> Message:
     return reason
 
 
-class _Picture:
-    """The picture of losses, which numbers the sources in the order in which it meets them."""
+_MOST_WAITING = 64  # blocks of the picture that are not written yet
 
-    def __init__(self, raster: LossRaster) -> None:
-        self._raster = raster
+
+class _Picture:
+    """The picture of losses, written in a thread of its own; sources are numbered in the order in which it meets them.
+    All methods raise RasterError when the disk is full."""
+
+    def __init__(self, raster: LossRaster, thread: Executor) -> None:
+        self._raster, self._thread = raster, thread
         self._names: dict[int, int] = {}
+        self._waiting: deque[Future[None]] = deque()
 
     def add(self, one: BlockOutputs) -> None:
-        """A block. Raises RasterError when the disk is full."""
+        """A block."""
+        self._do(self._write, one)
+
+    def finish(self, settings: dict[str, str], names: Sequence[str]) -> None:
+        """All blocks are in it; ``names`` of all sources."""
+        self._do(self._close, settings, names)
+
+    def wait(self) -> None:
+        """Until all of it is done."""
+        while self._waiting:
+            self._waiting.popleft().result()
+
+    def _do(self, work: Callable[..., None], *given: Any) -> None:
+        self._waiting.append(self._thread.submit(work, *given))
+        if len(self._waiting) > _MOST_WAITING:
+            self._waiting.popleft().result()
+
+    def _write(self, one: BlockOutputs) -> None:
         for source in one.sources:
             self._names.setdefault(source, len(self._names) + 1)
         if one.cells is None:
@@ -256,8 +287,7 @@ class _Picture:
             band[one.cells[SOURCE_BAND - 1] == source + 1] = self._names[source]
         self._raster.write(*one.key, cells)
 
-    def finish(self, settings: dict[str, str], names: Sequence[str]) -> None:
-        """All blocks are in it."""
+    def _close(self, settings: dict[str, str], names: Sequence[str]) -> None:
         for name, value in settings.items():
             self._raster.add_setting(name, value)
         self._raster.close([names[number] for number in self._names])

@@ -41,16 +41,36 @@ def cleaned(labels: np.ndarray, label_px: int) -> np.ndarray:
     return _islands_filled(_outvoted(_gaps_closed(labels)), max(_ISLAND_PX2 // label_px**2, 1))
 
 
+_DISK = sorted(
+    ((down, across) for down in range(-_GAP, _GAP + 1) for across in range(-_GAP, _GAP + 1)
+     if down**2 + across**2 <= _GAP**2),
+    key=lambda one: (one[0] ** 2 + one[1] ** 2, one),
+)
+
+
 def _gaps_closed(labels: np.ndarray) -> np.ndarray:
     """Narrow strips without labels filled by the nearest one; the outline of what has labels stays as it is."""
     empty = labels == NONE
-    if not empty.any() or empty.all():
+    if not empty.any():
         return labels
-    away, nearest = ndimage.distance_transform_edt(empty, return_indices=True)
-    far = away > _GAP
-    if far.any():
-        empty &= ndimage.distance_transform_edt(~far) > _GAP
-    return np.where(empty, labels[tuple(nearest)], labels)
+    wide = _spread(~_spread(~empty))  # what a disk finds room in
+    narrow = np.argwhere(empty & ~wide)
+    out, around = labels.copy(), np.pad(labels, _GAP, constant_values=NONE)
+    for down, across in _DISK:
+        row, column = narrow.T
+        found = around[row + down + _GAP, column + across + _GAP]
+        out[row, column] = found
+        narrow = narrow[found == NONE]
+    return out
+
+
+def _spread(mask: np.ndarray) -> np.ndarray:
+    """What lies within ``_GAP`` of a mask, bool."""
+    rows, columns = mask.shape
+    around, found = np.pad(mask, _GAP), np.zeros(mask.shape, bool)
+    for down, across in _DISK:
+        found |= around[down + _GAP : down + _GAP + rows, across + _GAP : across + _GAP + columns]
+    return found
 
 
 def _outvoted(labels: np.ndarray) -> np.ndarray:

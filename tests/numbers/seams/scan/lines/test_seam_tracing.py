@@ -9,9 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.scan.lines.label_borders import (
     LabelBorder,
+    _gaps_closed,
     cleaned,
     joined_borders,
     tile_chains,
@@ -239,6 +241,17 @@ def test_cleaned_labels_have_the_size_and_the_outline_they_came_with() -> None:
     assert out.shape == labels.shape
     wide = np.s_[150:300, 200:300]  # the hole
     np.testing.assert_array_equal(out[wide] == -1, labels[wide] == -1)
+
+
+@given(arrays(np.int16, st.tuples(st.integers(1, 30), st.integers(1, 30)), elements=st.sampled_from([-1, -1, -1, 0])))
+def test_gaps_are_closed_that_no_disk_finds_room_in(labels: np.ndarray) -> None:
+    """By Euclid's distances, as scipy takes them."""
+    empty = labels == -1
+    far = np.zeros(labels.shape, bool)
+    if not empty.all():
+        far = empty & (ndimage.distance_transform_edt(empty) > 3)
+    narrow = empty & (ndimage.distance_transform_edt(~far) > 3 if far.any() else ~empty.all())
+    assert ((_gaps_closed(labels) == -1) == (empty & ~narrow)).all()
 
 
 # --- Brighton --------------------------------------------------------------------------------------------------
