@@ -165,7 +165,7 @@ def dask_seconds(size: float) -> float | None:
 
 
 def simulated(service: Sequence[float], handed: float, workers: int, count: int) -> float:
-    """Seconds until ``count`` tasks are done, one process taking ``handed`` seconds for each of them, in their order."""
+    """Seconds until ``count`` tasks are done, of which one process takes ``handed`` seconds each, in their order."""
     drawn = np.random.default_rng(workers).choice(np.asarray(service), count)
     tasks = [sum(one) for one in several(drawn.tolist(), AHEAD * workers)]
     free = [0.0] * workers

@@ -41,6 +41,14 @@ Scan = Any
 """Has the ``key`` of its block, and ``notices``: what could not be read, which the block lacks."""
 
 
+def _always(_scan: Scan, _request: Request) -> bool:
+    return True
+
+
+def _nothing(_scan: Scan) -> None:
+    return None
+
+
 @dataclass(frozen=True)
 class BlockLook:
     """One kind of measurement of blocks."""
@@ -53,9 +61,9 @@ class BlockLook:
     record_of: Callable[[Scan], bytes]
     scan_of: Callable[[bytes], Scan]
     """Raises NotUnderstoodError for what no scan of ours has written."""
-    is_of: Callable[[Scan, Request], bool] = lambda scan, request: True
+    is_of: Callable[[Scan, Request], bool] = _always
     """Whether what an earlier run has kept of a block is what is asked for."""
-    brief: Callable[[Scan], Any] = lambda scan: None
+    brief: Callable[[Scan], Any] = _nothing
     """What has to be known of it to hand out more blocks."""
 
 
