@@ -78,7 +78,7 @@ class WholeScan:
         """
         now = local_states(_paths(self.request))
         for path, state in self._read.items():
-            if now.get(path) != state:
+            if now.get(path, state) != state:  # of one that is gone blocks have told
                 raise SettingsError(messages.SCAN_INPUT_CHANGED(name=Path(path).name))
         with rasters_kept(), own_threads(executor, ahead) as crew:
             found = self._result(loss_path, goes_on, *crew)
