@@ -103,7 +103,8 @@ class ScanCosts:
 def measure_scan(made: LargeMosaic, kind: str, folder: Path) -> ScanCosts:
     """A whole scan in one thread."""
     request = scan_request(made, next(iter(made.files)), kind)
-    weighing, told = Weighing(), {}
+    weighing = Weighing()
+    told: dict[float, float] = {}
 
     def own() -> float:
         return time.thread_time() - weighing.spent

@@ -168,7 +168,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         run.tell(*notices)
         loss = self._loss(run)
         check_tiff(loss)
-        with self._place(run, loss) as place, whole_scan(request, place) as scan:
+        with self._place(run) as place, whole_scan(request, place) as scan:
             if scan.notice is not None:
                 run.tell(scan.notice)
             result = self._scanned(run, scan, loss)
@@ -263,10 +263,10 @@ class ScanMosaic(SeamInspectorAlgorithm):
 
     @staticmethod
     @contextmanager
-    def _place(run: Run, loss: str) -> Iterator[Path]:
-        """What the journal lies beside: the first output that is a file."""
-        layers = (output_text(run.parameters.get(name), run.context) for name in (SEAMS, CELLS, WORST))
-        for output in (loss, *layers):
+    def _place(run: Run) -> Iterator[Path]:
+        """What the journal lies beside: the first output that is a file of a name."""
+        for name in (LOSS, SEAMS, CELLS, WORST):
+            output = output_text(run.parameters.get(name), run.context)
             if Path(output).suffix and not output.startswith("/vsi") and Path(output).parent.is_dir():
                 yield Path(output)
                 return

@@ -22,6 +22,8 @@ from .blocks.scan_block import BlockScan
 from .lines.label_borders import MARGIN, Chain, LabelTile, cleaned_chains
 from .loss_raster import NODATA, loss_cells
 
+_CELLS = "cells"
+
 
 @dataclass(frozen=True, eq=False)
 class OutputsRequest:
@@ -45,14 +47,19 @@ class BlockOutputs:
 
     key: BlockKey
     chains: Sequence[Chain]
-    cells: np.ndarray | None
-    """As ``loss_cells`` has them, its sources numbered from 1 on as in the whole scan; None where nothing is shown."""
+    picture: bytes | None
+    """``loss_cells``, packed, its sources numbered from 1 on as in the whole scan; None where nothing is shown."""
     sources: Sequence[int]
     """That are followed anywhere, ascending."""
     units: int
     """In which the mosaic has pixels."""
     unexplained: int
     """Of these, that follow no source."""
+
+    @property
+    def cells(self) -> np.ndarray | None:
+        """The picture's."""
+        return None if self.picture is None else unpacked(self.picture)[_CELLS]
 
 
 def block_outputs(request: OutputsRequest) -> BlockOutputs:
@@ -70,11 +77,12 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
         raise SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
             path=files.folder, error=system_reason(error), done=len(files.names)
         )) from None
-    cells = loss_cells(scan, labels + 1, ground, request.cell_px) if request.cell_px else None
-    if cells is not None and (cells == NODATA).all():
-        cells = None
+    picture = None
+    if request.cell_px:
+        cells = loss_cells(scan, labels + 1, ground, request.cell_px)
+        picture = packed({_CELLS: cells}, (_CELLS,)) if (cells != NODATA).any() else None
     used = np.unique(labels)
-    return BlockOutputs(key, chains, cells, used[used != NOTHING].tolist(), *_explained(scan))
+    return BlockOutputs(key, chains, picture, used[used != NOTHING].tolist(), *_explained(scan))
 
 
 def held_ground(files: BlockFiles, key: BlockKey) -> list[LevelGround | None]:

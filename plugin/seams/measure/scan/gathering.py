@@ -279,12 +279,11 @@ class _Picture:
     def _write(self, one: BlockOutputs) -> None:
         for source in one.sources:
             self._names.setdefault(source, len(self._names) + 1)
-        if one.cells is None:
+        if (found := one.cells) is None:
             return
-        cells = one.cells.copy()
-        band = cells[SOURCE_BAND - 1]
+        cells = found.copy()
         for source in one.sources:
-            band[one.cells[SOURCE_BAND - 1] == source + 1] = self._names[source]
+            cells[SOURCE_BAND - 1][found[SOURCE_BAND - 1] == source + 1] = self._names[source]
         self._raster.write(*one.key, cells)
 
     def _close(self, settings: dict[str, str], names: Sequence[str]) -> None:
