@@ -10,6 +10,7 @@ import numpy as np
 from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.records import packed, unpacked
+from ....imagery.while_measuring import measuring
 from ..following.boxes import in_squares
 from ..profile.cell_table import CellTable
 from ..profile.ground import EnergyResponse, LevelGround, grounds
@@ -62,6 +63,7 @@ class BlockOutputs:
         return None if self.picture is None else unpacked(self.picture)[_CELLS]
 
 
+@measuring()
 def block_outputs(request: OutputsRequest) -> BlockOutputs:
     """Of one block; what its ground makes one expect is kept beside it. Raises SettingsError where what was measured
     can't be read any more, or nothing can be kept."""

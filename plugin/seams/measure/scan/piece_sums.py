@@ -9,6 +9,7 @@ import numpy as np
 
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.rasters import Raster
+from ....imagery.while_measuring import measuring
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, whole_cells
 from ..profile.ground import FAR_PX, LevelGround
 from ..profile.seam_profile import strip_bins
@@ -62,6 +63,7 @@ class MeasuredPieces:
     """(pieces, 2) as in ``sources_beside``; None where it was not asked for."""
 
 
+@measuring()
 def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
     """Some pieces by the blocks around them. Raises SettingsError where what was measured can't be read any more."""
     grid, files = request.blocks.grid, request.files
