@@ -99,11 +99,15 @@ def packed(arrays: Mapping[str, np.ndarray], compressed: Collection[str] = ()) -
     return b"".join([_LENGTH.pack(len(head)), head, *parts])
 
 
-def unpacked(record: bytes) -> dict[str, np.ndarray]:
-    """What ``packed`` made bytes of; the arrays can't be written to. To be called with ``understanding``."""
+def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, np.ndarray]:
+    """What ``packed`` made bytes of, all of it or what ``names`` say; the arrays can't be written to. To be called with
+    ``understanding``."""
     (length,) = _LENGTH.unpack_from(record)
     place, found, left = _LENGTH.size + length, {}, _MOST_BYTES
     for name, kind, shape, size, is_compressed in json.loads(record[_LENGTH.size : place]):
+        if names is not None and name not in names:
+            place += size
+            continue
         held = record[place : place + size]
         whole = math.prod(shape) * np.dtype(kind).itemsize
         left -= max(whole, size)

@@ -55,8 +55,7 @@ def inspection_job(requests: Iterable[WindowRequest], count: int, measure: Measu
                 if cancelled():
                     return
             return
-        # One core is left to the interface.
-        workers = max(1, (os.cpu_count() or 1) - 1)
+        workers = _workers()
         with ThreadPoolExecutor(workers, thread_name_prefix="seam-inspector") as executor:
             results = inspect_windows(requests, executor, 2 * workers, cancelled)
             for done, result in enumerate(results, 1):
@@ -281,17 +280,22 @@ def _request(order: ScanOrder) -> tuple[ScanRequest, tuple[Message, ...]]:
     return request, (*(() if lost is None else (lost,)), *notices)
 
 
+def _workers() -> int:
+    """One core is left to the interface."""
+    return max(1, (os.cpu_count() or 1) - 1)
+
+
 def _measured(scan: WholeScan, files: ScanFiles, cancelled: Cancelled) -> Iterator[ScanNews]:
     """All blocks, each into the picture so far."""
-    workers = max(1, (os.cpu_count() or 1) - 1)  # one core is left to the interface
+    workers = _workers()
     request, share, told_at = scan.request, 0.0, 0.0
     told: set[str] = set()
     with closing(PictureSoFar(files.so_far, request.mosaic, request.settings.cell_px)) as picture, ThreadPoolExecutor(
         workers, thread_name_prefix="seam-inspector"
     ) as executor:
         for step in scan.steps(executor, _AHEAD * workers, cancelled):
-            if request.sources:
-                picture.add(step.scan)
+            if request.sources and (found := scan.block(step.key)) is not None:
+                picture.add(found)
             share = max(share, MEASURED * step.share)  # a second look adds blocks
             fresh = tuple(notice for notice in step.notices if str(notice) not in told)
             told.update(map(str, fresh))
@@ -311,8 +315,9 @@ def _gathered(scan: WholeScan, files: ScanFiles, cancelled: Cancelled) -> Iterat
         done = MEASURED + (1 - MEASURED) * share
         return not cancelled()
 
-    with ThreadPoolExecutor(1, thread_name_prefix="seam-inspector") as executor:
-        future = executor.submit(scan.result, str(files.picture), goes_on)
+    workers = _workers()
+    with ThreadPoolExecutor(1 + workers, thread_name_prefix="seam-inspector") as executor:  # one puts it together
+        future = executor.submit(scan.result, str(files.picture), goes_on, executor, _AHEAD * workers)
         while not future.done():
             wait([future], timeout=_NEWS_S)
             yield done, None

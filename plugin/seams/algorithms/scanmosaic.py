@@ -23,6 +23,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ...imagery.errors import CancelledError, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
+from ...toolkit.algorithms.outputs import output_text
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import limits
@@ -112,7 +113,9 @@ class ScanMosaic(SeamInspectorAlgorithm):
         self.addDescribed(*common.wavelet(), advanced=True)
         self.addDescribed(*common.scheduler(), advanced=True)
         self.addDescribed(
-            QgsProcessingParameterRasterDestination(LOSS, tr("Picture of losses")),
+            QgsProcessingParameterRasterDestination(
+                LOSS, tr("Picture of losses"), None, optional=True, createByDefault=True
+            ),
             tr(
                 "A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is "
                 "nodata."
@@ -144,7 +147,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
     def check(self, run: Run) -> None:
         self._settings(run).check()
         run.mosaic()
-        check_tiff(run.layer_path(LOSS))
+        check_tiff(self._loss(run))
         if not run.parameters.get(SEAMLINES) and not _names_sources(run):
             raise SettingsError(messages.NEITHER_SOURCES_NOR_SEAMS())
 
@@ -163,17 +166,14 @@ class ScanMosaic(SeamInspectorAlgorithm):
         given = self._given_seams(run, crs)
         request, notices = scan_request(mosaic, sources, settings, given)
         run.tell(*notices)
-        loss = run.layer_path(LOSS)
+        loss = self._loss(run)
         check_tiff(loss)
-        with self._place(loss) as place, whole_scan(request, place) as scan:
+        with self._place(run) as place, whole_scan(request, place) as scan:
             if scan.notice is not None:
                 run.tell(scan.notice)
-            self._scan_blocks(run, scan)
-            result = scan.result(loss, lambda share: run.goes_on(_MEASURED + (1 - _MEASURED) * share))
-            if result is None:
-                raise CancelledError(messages.SCAN_STOPPED())
+            result = self._scanned(run, scan, loss)
             run.tell(*result.notices)
-            results = {LOSS: loss, **self._write(run, result, request)}
+            results = {LOSS: loss or None, **self._write(run, result, request)}
             scan.finish()
         run.style(loss, "loss")
         return {
@@ -206,7 +206,8 @@ class ScanMosaic(SeamInspectorAlgorithm):
         run.tell(*(() if lost is None else (lost,)))
         return found
 
-    def _scan_blocks(self, run: Run, scan: WholeScan) -> None:
+    def _scanned(self, run: Run, scan: WholeScan, loss: str) -> ScanResult:
+        """What all blocks tell. Raises CancelledError where nobody wants it any more."""
         from ...toolkit.executors import open_executor
         from ..jobs import time_left
 
@@ -218,8 +219,12 @@ class ScanMosaic(SeamInspectorAlgorithm):
                 if step.seconds_left is not None and time.monotonic() - told_at > _TOLD_EVERY_S:
                     told_at = time.monotonic()
                     run.doing(time_left(step.seconds_left))
-        if run.is_cancelled():
+            result = None if run.is_cancelled() else scan.result(
+                loss, lambda share: run.goes_on(_MEASURED + (1 - _MEASURED) * share), executor, ahead
+            )
+        if result is None:
             raise CancelledError(messages.SCAN_STOPPED())
+        return result
 
     def _write(self, run: Run, result: ScanResult, request: Any) -> dict[str, Any]:
         """The layers, whole on the disk when this returns. Raises SettingsError where one can't be written."""
@@ -252,19 +257,26 @@ class ScanMosaic(SeamInspectorAlgorithm):
         )
 
     @staticmethod
+    def _loss(run: Run) -> str:
+        """The picture's file, empty where none is wanted."""
+        return run.layer_path(LOSS) if run.parameters.get(LOSS) else ""
+
+    @staticmethod
     @contextmanager
-    def _place(loss: str) -> Iterator[Path]:
-        """What the journal lies beside."""
-        if loss.startswith("/vsi"):
-            with tempfile.TemporaryDirectory() as folder:
-                yield Path(folder) / "loss"
-        else:
-            yield Path(loss)
+    def _place(run: Run) -> Iterator[Path]:
+        """What the journal lies beside: the first output that is a file of a name."""
+        for name in (LOSS, SEAMS, CELLS, WORST):
+            output = output_text(run.parameters.get(name), run.context)
+            if Path(output).suffix and not output.startswith("/vsi") and Path(output).parent.is_dir():
+                yield Path(output)
+                return
+        with tempfile.TemporaryDirectory() as folder:
+            yield Path(folder) / "loss"
 
 
 def check_tiff(path: str) -> None:
-    """Raise SettingsError for an ending that says that it is something else."""
-    if Path(path).suffix.lower() not in (".tif", ".tiff"):
+    """Raise SettingsError for an ending that says that it is something else; nothing where no picture is wanted."""
+    if path and Path(path).suffix.lower() not in (".tif", ".tiff"):
         raise SettingsError(messages.LOSS_NOT_TIFF(path=path))
 
 

@@ -180,7 +180,7 @@ def inspect_one(request: WindowRequest, measure: MeasureWindow) -> Iterator[Wind
     try:
         yield from inspect_in_stages(request, measure)
     except Exception as error:  # as an executor keeps it for ``in_order``
-        yield not_comparable(request, _unforeseen(error))
+        yield not_comparable(request, unforeseen(error))
 
 
 def in_order(
@@ -229,10 +229,11 @@ def _ready(
     if error is None:
         yield future.result()
     elif isinstance(error, Exception) and not isinstance(error, WorkersLostError):
-        yield failed(request, _unforeseen(error))
+        yield failed(request, unforeseen(error))
     else:
         raise error
 
 
-def _unforeseen(error: Exception) -> Message:
+def unforeseen(error: Exception) -> Message:
+    """Why there is no result, of an error that nobody foresaw."""
     return messages.WINDOW_FAILED(error=f"{type(error).__name__}: {error}")

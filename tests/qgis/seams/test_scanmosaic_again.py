@@ -1,6 +1,7 @@
 """A scan that was stopped goes on with the same output, and nothing half-written is taken for whole."""
 from __future__ import annotations
 
+import errno
 import os
 import re
 import signal
@@ -12,11 +13,11 @@ from typing import Any
 import pytest
 from osgeo import ogr
 from seam_inspector.plugin.seams.measure.scan import loss_raster
+from seam_inspector.plugin.seams.measure.scan.block_files import BlockFiles
 from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
 from seam_inspector.plugin.toolkit.algorithms import feature_sinks
 from seam_inspector.plugin.toolkit.algorithms.run import Run as AlgorithmRun
 
-from tests.numbers.disks import full_disk
 from tests.qgis.runs import Log, Run, assert_sentence, run
 from tests.qgis.seams.scan_scenes import Files, images, write_scene
 
@@ -24,6 +25,7 @@ pytestmark = pytest.mark.usefixtures("provider")
 
 SHAPE = 300, 6200
 """4 blocks in a row."""
+JOURNAL = ["loss.tif.scan", "loss.tif.scan-blocks"]
 LAYERS = ("SEAMS", "CELLS", "WORST")
 DATE = re.compile(r"\d{4}-\d\d-\d\dT[\d:.]+Z")
 
@@ -94,7 +96,7 @@ def test_cancelled_it_keeps_what_is_done_and_goes_on(
     stopped = scan(files, tmp_path, log)
     assert stopped.results == {}
     assert any("goes on from here" in said for said in log.infos)
-    assert [path.name for path in tmp_path.iterdir()] == ["loss.tif.scan"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == JOURNAL
     again = scan(files, tmp_path)
     assert any("goes on where it stopped" in said for said in again.log.infos)
     assert_like(tmp_path, whole)
@@ -154,7 +156,7 @@ def test_killed_while_the_picture_is_written_there_is_none(
 
     died(work)
     left = {path.name for path in tmp_path.iterdir() if not path.name.startswith(".")}
-    assert left == {"loss.tif.scan", "loss.tif.scan-wal"}
+    assert left == {*JOURNAL, "loss.tif.scan-wal"}
     assert scan(files, tmp_path).complaint is None
     assert_like(tmp_path, whole)
 
@@ -190,16 +192,21 @@ def test_what_is_no_journal_is_left_alone(files: Files, tmp_path: Path) -> None:
     assert diary.read_bytes() == b"my diary " * 20
 
 
-@pytest.mark.skipif(os.name == "nt", reason="no limit of the size of files")
-def test_a_full_disk_keeps_the_blocks_that_are_done(files: Files, whole: Path, tmp_path: Path) -> None:
-    stopped = StopAt(91.0)  # of which 90 are the blocks
-    scan(files, tmp_path, stopped)
-    size = (tmp_path / "loss.tif.scan").stat().st_size
-    (tmp_path / "loss.tif.scan").unlink()
-    with full_disk(size - 1):
+def test_a_full_disk_keeps_the_blocks_that_are_done(
+    files: Files, whole: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    save = BlockFiles.save
+
+    def full(self: BlockFiles, name: str, payload: bytes) -> None:
+        if name == "block 0 2":
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        save(self, name, payload)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(BlockFiles, "save", full)
         failed = scan(files, tmp_path)
-    assert_sentence(failed.complaint, r"What was measured is kept \(blocks done: [1-9]")
-    assert [path.name for path in tmp_path.iterdir()] == ["loss.tif.scan"]
+    assert_sentence(failed.complaint, r"\(No space left on device\). What was measured is kept \(blocks done: [1-9]")
+    assert sorted(path.name for path in tmp_path.iterdir()) == JOURNAL
     again = scan(files, tmp_path)
     assert any("goes on where it stopped" in said for said in again.log.infos)
     assert_like(tmp_path, whole)
@@ -232,3 +239,16 @@ def test_a_source_that_is_deleted_while_the_scan_runs_costs_its_blocks_only(
     ended = run("scanmosaic", log, **own.given(LOSS=str(tmp_path / "loss.tif")))
     assert ended.complaint is None
     assert sum("does not exist" in line for line in log.warnings) <= 1, log.warnings
+
+
+def test_without_a_picture_a_scan_goes_on_beside_its_first_layer(files: Files, whole: Path, tmp_path: Path) -> None:
+    wanted = {**outputs(tmp_path), "LOSS": None}
+    stopped = run("scanmosaic", StopAt(50.0), **files.given(**wanted))
+    assert any("goes on from here" in said for said in stopped.log.infos), stopped.complaint
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["SEAMS.gpkg.scan", "SEAMS.gpkg.scan-blocks"]
+    again = run("scanmosaic", **files.given(**wanted))
+    assert again.complaint is None
+    assert any("goes on where it stopped" in said for said in again.log.infos)
+    assert again.results.get("LOSS") is None
+    assert contents(tmp_path) == contents(whole)
+    assert {path.name for path in tmp_path.iterdir()} == {f"{name}.gpkg" for name in LAYERS}

@@ -8,6 +8,7 @@ quantiles would take a dozen, so a small window is enough.
 """
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -144,16 +145,17 @@ class LevelGround:
 
 
 def grounds(
-    table: CellTable, whole: WholeCells | None = None, around: CellTable | None = None
+    table: CellTable, whole: WholeCells | None = None, around: Callable[[], CellTable] | None = None
 ) -> list[LevelGround | None]:
-    """Of a window or a block, by level, from its own cells or where these are few from those ``around``, too; None
-    where there is too little ground. ``whole``: ``whole_cells`` of the table, where those are known."""
+    """Of a window or a block, by level, from its own cells or where these are few from those ``around``, too, which
+    are asked for then only; None where there is too little ground. ``whole``: ``whole_cells`` of the table, where those
+    are known."""
     own = whole_cells(table) if whole is None else whole
     found = [_level_ground(table, own, level, ENOUGH_FAR_CELLS) for level in range(table.levels)]
     if all(found):
         return found
-    more = table if around is None else around
-    everyone = own if around is None else whole_cells(around)
+    more = table if around is None else around()
+    everyone = own if around is None else whole_cells(more)
     return [one or _level_ground(more, everyone, level, FEWEST_FAR_CELLS) for level, one in enumerate(found)]
 
 

@@ -1,36 +1,52 @@
-"""All blocks of a mosaic, measured by an executor and kept in a journal, each once whatever happens to the run.
+"""All blocks of a mosaic, measured by an executor, each once whatever happens to the run.
 
-A scan that was stopped goes on there.
+Who measures a block keeps it in a file of its own and returns what little the process that hands out the blocks has to
+know; a block that an earlier run has kept is only looked at.
 """
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, Callable
+from itertools import islice
+from typing import Any, Callable, TypeVar
 
 import numpy as np
 
-from ....imagery.errors import Message
+from ....imagery.errors import Message, SettingsError
+from ....imagery.messages import system_reason
 from ....imagery.records import NotUnderstoodError, packed, understanding, unpacked
-from ..inspection import in_order
+from ..following.boxes import enlarged
+from ..inspection import in_order, unforeseen
 from ..profile.cell_table import CellTable, MixtureTable
 from ..seam_cells import UNKNOWN
+from . import messages
+from .block_files import BlockFiles
 from .blocks.block_grid import LABELS, SQUARES, UNITS, BlockKey, place_of
 from .blocks.scan_block import CELLS, BlockRequest, BlockScan, called_for, scan_block
-from .scan_journal import ScanJournal
+from .scan_journal import INCOMPLETE, ScanJournal
 from .scan_request import ScanRequest
 
-_INCOMPLETE = "again"  # before the name of a block that lacks something; a later run measures it anew
 _FEWEST_TIMED = 3  # blocks before an estimate of the time left is honest
+_MANY = 16  # requests under way: each then has several blocks, as to hand one out takes as long as to hand out all
+_AT_A_TIME = 8
 
 
 # No type parameters: typing keeps classes that have some for as long as Python runs, and with them the whole plugin.
 Request = Any
+"""Has the ``key`` of its block."""
 Scan = Any
 """Has the ``key`` of its block, and ``notices``: what could not be read, which the block lacks."""
+
+
+def _always(_scan: Scan, _request: Request) -> bool:
+    return True
+
+
+def _nothing(_scan: Scan) -> None:
+    return None
 
 
 @dataclass(frozen=True)
@@ -38,13 +54,32 @@ class BlockLook:
     """One kind of measurement of blocks."""
 
     name: str
-    """In the journal."""
+    """Of its files."""
     measure: Callable[[Request], Scan]
     nothing: Callable[[Request, tuple[Message, ...]], Scan]
     """The result where nothing could be measured, and why."""
     record_of: Callable[[Scan], bytes]
     scan_of: Callable[[bytes], Scan]
     """Raises NotUnderstoodError for what no scan of ours has written."""
+    is_of: Callable[[Scan, Request], bool] = _always
+    """Whether what an earlier run has kept of a block is what is asked for."""
+    brief: Callable[[Scan], Any] = _nothing
+    """What has to be known of it to hand out more blocks."""
+
+
+@dataclass(frozen=True, eq=False)
+class LookedAt:
+    """What comes back of one block."""
+
+    key: BlockKey
+    brief: Any
+    notices: tuple[Message, ...] = ()
+    was_held: bool = False
+    """Whether an earlier run has measured it."""
+    record: bytes | None = None
+    """All of it, where who measured it doesn't see the folder to keep it in."""
+    trouble: Message | str = ""
+    """Why it could not be kept."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,8 +90,8 @@ class ScanStep:
     """Of all blocks, 0 to 1."""
     seconds_left: float | None
     """At the pace so far; None before that is known."""
-    scan: Scan
-    """What was measured in it."""
+    key: BlockKey
+    brief: Any = None
     notices: tuple[Message, ...] = ()
     """What could not be read in it; a later run measures the block anew."""
 
@@ -65,81 +100,128 @@ class JournaledBlocks:
     """Has blocks measured that a journal doesn't hold yet; knows how much is done, and how long the rest will take."""
 
     def __init__(
-        self, journal: ScanJournal, executor: Executor, ahead: int, cancelled: Callable[[], bool],
-        is_ours: Callable[[Scan], bool] = lambda scan: True,
+        self, journal: ScanJournal, executor: Executor, ahead: int, cancelled: Callable[[], bool]
     ) -> None:
-        """``ahead``: blocks under way or waiting to be taken. ``is_ours``: whether a block that the journal holds can
-        be one of this scan."""
-        self._journal, self._is_ours = journal, is_ours
-        self._crew = executor, ahead, cancelled
-        self._total = self._done = self._timed = 0
+        """``ahead``: blocks under way or waiting to be taken."""
+        self._journal, self._crew = journal, (executor, ahead, cancelled)
+        self._total = self._done = self._timed = self._missing = 0
         self._started = time.monotonic()
 
     def steps(
         self, look: BlockLook, keys: Sequence[BlockKey], request: Callable[[BlockKey], Request]
     ) -> Iterator[ScanStep]:
-        """The blocks that the journal holds, then the others as they are measured."""
+        """The blocks as they are measured, or were by an earlier run."""
+        files, held = self._journal.files, self._journal.files.names
         self._total += len(keys)
-        missing = []
-        for key in keys:
-            scan = _held(look, self._journal, key, _name(look, key), self._is_ours)
-            if scan is None:
-                missing.append(key)
-                continue
-            self._done += 1
+        self._missing += sum(_name(look, key) not in held for key in keys)
+        tasks = several(map(request, keys), self._crew[1])
+        for told in in_order(tasks, partial(_looked_at, look, files), partial(_failed, look, files), *self._crew):
+            for one in told:
+                yield self._step(look, one)
+
+    def _step(self, look: BlockLook, one: LookedAt) -> ScanStep:
+        if one.trouble:
+            raise self._journal.not_saved(one.trouble)
+        if one.record is not None:
+            self._journal.is_shared = False
+            self._journal.save(_name(look, one.key, one.notices), one.record)
+        self._done += 1
+        if one.was_held:
             self._started = time.monotonic()
-            yield ScanStep(self._done / self._total, None, scan)
-        measure, failed = partial(_measured_record, look), partial(_failed_record, look)
-        for record, notices in in_order(map(request, missing), measure, failed, *self._crew):
-            scan = look.scan_of(record)
-            name = _name(look, scan.key)
-            self._journal.save(f"{_INCOMPLETE} {name}" if notices else name, record)
-            self._done, self._timed = self._done + 1, self._timed + 1
-            left = None
-            if self._timed >= _FEWEST_TIMED:
-                left = (time.monotonic() - self._started) / self._timed * (self._total - self._done)
-            yield ScanStep(self._done / self._total, left, scan, notices)
+        else:
+            self._timed, self._missing = self._timed + 1, self._missing - 1
+        left = None
+        if self._timed >= _FEWEST_TIMED:
+            left = (time.monotonic() - self._started) / self._timed * self._missing
+        return ScanStep(self._done / self._total, left, one.key, one.brief, one.notices)
 
 
-_Recorded = tuple[bytes, tuple[Message, ...]]
-"""A block as it goes to the journal, and its notices: made where it is measured, and smaller on its way from there."""
+_One = TypeVar("_One")
 
 
-def _measured_record(look: BlockLook, request: Request) -> _Recorded:
-    scan = look.measure(request)
-    return look.record_of(scan), scan.notices
+def several(requests: Iterable[_One], ahead: int) -> Iterator[list[_One]]:
+    """Requests as they are handed out: several together where many take them."""
+    requests = iter(requests)
+    while some := list(islice(requests, _AT_A_TIME if ahead > _MANY else 1)):
+        yield some
 
 
-def _failed_record(look: BlockLook, request: Request, reason: Message) -> _Recorded:
-    """Where the measurement failed in a way that nobody foresaw."""
-    scan = look.nothing(request, (reason.as_warning(),))
-    return look.record_of(scan), scan.notices
+def _looked_at(look: BlockLook, files: BlockFiles, requests: Sequence[Request]) -> list[LookedAt]:
+    return [_looked_at_one(look, files, request) for request in requests]
 
 
-def held(look: BlockLook, journal: ScanJournal, key: BlockKey) -> Scan | None:
-    """What a journal holds of one block."""
-    name = _name(look, key)
-    return _held(look, journal, key, name) or _held(look, journal, key, f"{_INCOMPLETE} {name}")
-
-
-def _held(
-    look: BlockLook, journal: ScanJournal, key: BlockKey, name: str, is_ours: Callable[[Scan], bool] = lambda scan: True
-) -> Scan | None:
-    """None as well for a record that is of no such block, which is forgotten."""
-    if name not in journal.keys:
-        return None
+def _looked_at_one(look: BlockLook, files: BlockFiles, request: Request) -> LookedAt:
+    scan = _kept_before(look, files, request)
+    if scan is not None:
+        return LookedAt(scan.key, look.brief(scan), was_held=True)
     try:
-        scan = look.scan_of(journal.load(name))
-        if scan.key == key and is_ours(scan):
+        scan = look.measure(request)
+    except Exception as error:  # which costs this block only
+        scan = look.nothing(request, (unforeseen(error).as_warning(),))
+    return _kept(look, files, scan)
+
+
+def _kept_before(look: BlockLook, files: BlockFiles, request: Request) -> Scan | None:
+    """What an earlier run has measured; what is of no such block is forgotten."""
+    name = _name(look, request.key)
+    try:
+        record = files.load(name)
+        if record is None:
+            return None
+        scan = look.scan_of(record)
+        if scan.key == request.key and look.is_of(scan, request):
             return scan
-    except NotUnderstoodError:
-        pass
-    journal.forget(name)
+    except (NotUnderstoodError, OSError):
+        pass  # damaged: it is measured again
+    files.forget(name)
     return None
 
 
-def _name(look: BlockLook, key: BlockKey) -> str:
-    return f"{look.name} {key[0]} {key[1]}"
+def _kept(look: BlockLook, files: BlockFiles, scan: Scan) -> LookedAt:
+    record, told = look.record_of(scan), LookedAt(scan.key, look.brief(scan), scan.notices)
+    try:
+        files.save(_name(look, scan.key, scan.notices), record)
+    except FileNotFoundError:
+        return replace(told, record=record)
+    except OSError as error:
+        return replace(told, trouble=system_reason(error))
+    return told
+
+
+def _failed(look: BlockLook, files: BlockFiles, requests: Sequence[Request], reason: Message) -> list[LookedAt]:
+    """Where who was to measure them failed in a way that nobody foresaw."""
+    return [_kept(look, files, look.nothing(request, (reason.as_warning(),))) for request in requests]
+
+
+def held(look: BlockLook, files: BlockFiles, key: BlockKey) -> Scan | None:
+    """What was kept of one block. Raises SettingsError where that can't be read any more; it is then measured again
+    when the scan is started again."""
+    record = held_record(look, files, key)
+    if record is None:
+        return None
+    try:
+        return look.scan_of(record)
+    except NotUnderstoodError as error:
+        raise _lost(look, files, key, str(error)) from None
+
+
+def held_record(look: BlockLook, files: BlockFiles, key: BlockKey) -> bytes | None:
+    """The same as it was kept."""
+    try:
+        record = files.load(_name(look, key))
+        return files.load(f"{INCOMPLETE} {_name(look, key)}") if record is None else record
+    except OSError as error:
+        raise _lost(look, files, key, system_reason(error)) from None
+
+
+def _lost(look: BlockLook, files: BlockFiles, key: BlockKey, reason: Message | str) -> SettingsError:
+    files.forget(_name(look, key))
+    return SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=reason))
+
+
+def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
+    name = f"{look.name} {key[0]} {key[1]}"
+    return f"{INCOMPLETE} {name}" if lacks else name
 
 
 _OWN = {
@@ -165,7 +247,6 @@ def scan_of(record: bytes) -> BlockScan:
     with understanding():
         held = unpacked(record)
         row, column = held["key"].tolist()
-        names = held["sources"].tobytes().decode()
         cells = CellTable(*(held[f"cells {name}"] for name in _TABLES["cells"]))
         beside = MixtureTable(*(held[f"beside {name}"] for name in _TABLES["beside"]))
         if any(held[name].shape != (side, side) for name, side in _OWN.items()):
@@ -174,12 +255,33 @@ def scan_of(record: bytes) -> BlockScan:
             raise NotUnderstoodError("a table with holes")
         own = {name: held[name] for name in _OWN}
         return BlockScan(
-            (row, column), tuple(names.split("\n")) if names else (), **own, cells=cells, beside=beside
+            (row, column), _names(held), **own, cells=cells, beside=beside
         )
+
+
+def _names(held: Mapping[str, np.ndarray]) -> tuple[str, ...]:
+    names = held["sources"].tobytes().decode()
+    return tuple(names.split("\n")) if names else ()
 
 
 NOTHING = -1
 """Of a source's number in the whole scan: none is followed."""
+
+
+@dataclass(frozen=True, eq=False)
+class BlockBrief:
+    """What of a block decides on what is looked at once more."""
+
+    sources: tuple[str, ...]
+    squares: np.ndarray
+    """As ``BlockScan`` has them."""
+    dense: bytes
+    """The same, eight units a byte."""
+
+    @classmethod
+    def of(cls, scan: BlockScan) -> BlockBrief:
+        """A block that was measured."""
+        return cls(scan.sources, scan.squares, np.packbits(scan.dense).tobytes())
 
 
 class BlockRun:
@@ -190,25 +292,26 @@ class BlockRun:
         self._looks_twice = request.seam_squares is None
         shape = (request.blocks.rows, request.blocks.columns) if self._looks_twice else (0, 0)
         self._squares = np.full([SQUARES * count for count in shape], NOTHING, np.int32)
+        self._dense: dict[BlockKey, bytes] = {}
 
     def steps(self, executor: Executor, ahead: int, cancelled: Callable[[], bool]) -> Iterator[ScanStep]:
         """First every block, then along the borders of blocks what only two neighbours together show."""
-        blocks = JournaledBlocks(self._journal, executor, ahead, cancelled, self._is_ours)
+        blocks = JournaledBlocks(self._journal, executor, ahead, cancelled)
         for step in blocks.steps(FIRST_LOOK, self._request.keys(), self._request.block):
             if self._looks_twice:
-                numbers = global_numbers(step.scan, self._request.numbers)
-                self._squares[place_of(step.scan.key, SQUARES)] = numbers[step.scan.squares]
+                numbers = global_numbers(step.brief.sources, self._request.numbers)
+                self._squares[place_of(step.key, SQUARES)] = numbers[step.brief.squares]
+                self._dense[step.key] = step.brief.dense
             yield step
         if self._looks_twice and not cancelled():
-            second = {one.key: one for one in self._second_look()}
-            yield from blocks.steps(SECOND_LOOK, list(second), second.__getitem__)
+            second = dict(self._second_look())
+            yield from blocks.steps(SECOND_LOOK, list(second), lambda key: replace(
+                self._request.block(key), wanted=second[key], look_every=0
+            ))
 
-    def _is_ours(self, scan: BlockScan) -> bool:
-        """Whether it knows no source that this scan does not have."""
-        return self._request.numbers.keys() >= set(scan.sources)
-
-    def _second_look(self) -> Iterator[BlockRequest]:
-        """Row by row, and by what the journal holds: units of the whole mosaic are more than memory holds."""
+    def _second_look(self) -> Iterator[tuple[BlockKey, np.ndarray]]:
+        """Blocks and the units that are wanted of them, row by row: those of the whole mosaic are more than memory
+        holds."""
         for row in range(self._request.blocks.rows):
             above = min(row, 1)
             first = row * SQUARES
@@ -216,22 +319,74 @@ class BlockRun:
             wanted = wanted[above * UNITS // SQUARES :][:UNITS]
             for column in range(self._request.blocks.columns):
                 key, own = (row, column), wanted[place_of((0, column), UNITS)]
-                if own.any() and (own := own & ~block_scans(self._journal, key)[0].dense).any():
-                    yield replace(self._request.block(key), wanted=own, look_every=0)
+                if own.any() and (own := own & ~_units(self._dense[key])).any():
+                    yield key, own
 
 
-FIRST_LOOK = BlockLook("block", scan_block, BlockScan.nothing, record_of, scan_of)
-SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of)
+def _units(bits: bytes) -> np.ndarray:
+    return np.unpackbits(np.frombuffer(bits, np.uint8)).reshape(UNITS, UNITS).astype(bool)
 
 
-def block_scans(journal: ScanJournal, key: BlockKey) -> list[BlockScan]:
-    """What was measured of one block, the second look last."""
-    found = [held(look, journal, key) for look in (FIRST_LOOK, SECOND_LOOK)]
-    return [one for one in found if one is not None]
+def _is_of_its_sources(scan: BlockScan, request: BlockRequest) -> bool:
+    return scan.sources == tuple(one.ref.path for one in request.sources)
 
 
-def global_numbers(scan: BlockScan, numbers: dict[str, int]) -> np.ndarray:
+FIRST_LOOK = BlockLook("block", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources, BlockBrief.of)
+SECOND_LOOK = BlockLook("border", scan_block, BlockScan.nothing, record_of, scan_of, _is_of_its_sources)
+
+
+def whole_block(files: BlockFiles, key: BlockKey) -> BlockScan | None:
+    """What was measured of one block by both looks, None where nothing was. Raises SettingsError as ``held`` does."""
+    first, second = (held(look, files, key) for look in (FIRST_LOOK, SECOND_LOOK))
+    return first if first is None or second is None else both_looks(first, second)
+
+
+def block_labels(
+    files: BlockFiles, key: BlockKey, numbers: Mapping[str, int],
+    place: tuple[slice, slice] = (slice(LABELS), slice(LABELS)),
+) -> np.ndarray | None:
+    """(rows, columns) int32 of the labels of one block by both looks, ``numbers`` of the sources by their paths,
+    ``NOTHING`` where none is followed; None where it was not measured. Raises SettingsError as ``held`` does."""
+    found = None
+    for look in (FIRST_LOOK, SECOND_LOOK):
+        record = held_record(look, files, key)
+        if record is None:
+            continue
+        try:
+            with understanding():
+                parts = unpacked(record, ("sources", "labels", "dense"))
+                own = global_numbers(_names(parts), numbers)[parts["labels"][place]]
+                dense = enlarged(parts["dense"], LABELS // UNITS)[place]
+                found = own if found is None else np.where(dense, own, found)
+        except NotUnderstoodError as error:
+            raise _lost(look, files, key, str(error)) from None
+    return found
+
+
+def global_numbers(sources: Sequence[str], numbers: Mapping[str, int]) -> np.ndarray:
     """(256,) int32: the number in the whole scan of each source of a block; ``NOTHING`` for ``UNKNOWN``."""
     found = np.full(UNKNOWN + 1, NOTHING, np.int32)
-    found[: len(scan.sources)] = [numbers[path] for path in scan.sources]
+    found[: len(sources)] = [numbers[path] for path in sources]
     return found
+
+
+def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
+    """A block with what was looked at once more."""
+    labels_px, cells_px = len(first.labels) // UNITS, len(first.mixture) // UNITS
+    labels, mixture, clear, grey = (
+        np.where(enlarged(second.dense, times), new, old)
+        for times, new, old in (
+            (labels_px, second.labels, first.labels), (cells_px, second.mixture, first.mixture),
+            (cells_px, second.clear, first.clear), (cells_px, second.grey, first.grey),
+        )
+    )
+    cells, beside = first.cells, first.beside
+    replaced, was_beside = (
+        second.dense[one.row % CELLS // cells_px, one.column % CELLS // cells_px] for one in (cells, beside)
+    )
+    return replace(
+        first, labels=labels, mixture=mixture, clear=clear, grey=grey, dense=first.dense | second.dense,
+        cells=CellTable.joined([cells.chosen(~replaced), second.cells]),
+        beside=MixtureTable.joined([beside.chosen(~was_beside), second.beside]),
+        notices=first.notices + second.notices,
+    )

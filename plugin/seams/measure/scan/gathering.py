@@ -1,79 +1,102 @@
-"""From the blocks of a scan to what it tells: pieces of seam, the picture of losses, polygons, worst windows."""
+"""From the blocks of a scan to what it tells: pieces of seam, the picture of losses, polygons, worst windows.
+
+What one block and its neighbours tell is worked out by those who measure, as the blocks were (``block_outputs``); here
+their chains are joined to seams and cut in pieces, which they then measure (``piece_sums``).
+"""
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
-from typing import Callable
+from collections import defaultdict, deque
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from contextlib import ExitStack
+from functools import partial
+from typing import Any, Callable
 
 import numpy as np
 from osgeo import ogr
-from scipy import ndimage
 
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import CancelledError, Message
-from ..following.boxes import enlarged, in_squares
-from ..profile.cell_table import CellTable, MixtureTable
-from ..profile.ground import LevelGround, grounds
-from ..seam_cells import UNKNOWN
+from ....imagery.errors import CancelledError, Message, SeamInspectorError
+from ....imagery.grids import PixelWindow
+from ....imagery.raster_pool import own_threads
+from ..inspection import in_order
+from ..profile.seam_sums import StripProfile
 from . import messages
-from .block_runs import NOTHING, block_scans, global_numbers
-from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNITS, BlockKey
-from .blocks.scan_block import CELLS, BlockScan
-from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sides_of
-from .lines.seam_tracing import SourcePolygon, polygons_of, seams_of, trace_borders
-from .loss_raster import loss_cells, loss_raster
-from .piece_sums import PieceSums
+from .block_outputs import BlockOutputs, OutputsRequest, block_outputs
+from .block_runs import several
+from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, BlockKey
+from .lines.label_borders import Chain, LabelTile
+from .lines.piece_index import PieceIndex
+from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
+from .lines.seam_tracing import SourceBorder, SourcePolygon, polygons_of, seams_of, trace_borders
+from .loss_raster import SOURCE_BAND, LossRaster, loss_raster
+from .piece_sums import REACH_PX, MeasuredPieces, PiecesRequest, around_pieces, measure_pieces, visibilities
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
 from .scan_result import ScanResult, judge_piece, without_verdict, worst_windows
 
-FARTHEST_FILLED_PX = 700
-"""Between samples where seamlines are given: as far as the next one."""
-
 LEAST_UNEXPLAINED = 0.03
 """Of the mosaic, to be told."""
+_BLOCKS_OF_PIECES = 4
+"""Side by side, whose pieces are measured together; it must not depend on who measures, as the last digits do on it."""
+_TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
+"""Shares of the time at the ends of what there is to do."""
 
 
 class Gathering:
-    """Reads a journal block row by block row, so that memory does not grow with the mosaic."""
+    """Puts together what a journal holds."""
 
     def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
         self._request, self._journal = request, journal
-        self._grid = request.blocks
+        self._blocks = request.blocks
         self._units = self._unexplained = 0
-        self._label_type = np.int16 if len(request.sources) <= np.iinfo(np.int16).max else np.int32
 
-    def result(self, loss_path: str, goes_on: Callable[[float], bool]) -> ScanResult | None:
+    def result(
+        self, loss_path: str, goes_on: Callable[[float], bool], executor: Executor, ahead: int
+    ) -> ScanResult | None:
         """All of it; the picture of losses is written to ``loss_path``, if that is not empty.
 
-        ``goes_on`` takes the share that is done; where it says no the result is None. Raises RasterError when the
-        picture can't be written.
+        ``goes_on`` takes the share that is done; where it says no the result is None. Raises SettingsError when the
+        journal can't be read, RasterError when the picture can't be written.
         """
-        request, grid = self._request, self._request.mosaic.grid
-        borders = list(trace_borders(self._label_strips(lambda share: goes_on(0.2 * share)), grid, LABEL_PX))
-        if not goes_on(0.2):
-            return None
-        pieces = list(request.pieces)
-        if request.seams:
-            strips = self._label_strips(lambda share: goes_on(0.2 + 0.1 * share))
-            pieces = sides_of(pieces, strips, grid, LABEL_PX, request.named[0])
-            if not goes_on(0.3):
-                return None
-        else:
-            pieces = cut_in_pieces(seams_of(borders), request.settings.piece_m, grid)
         try:
-            sums = self._sums(pieces, loss_path, lambda share: goes_on(0.3 + 0.5 * share))
-        except CancelledError:
+            with ExitStack() as stack:
+                if not self._journal.is_shared:
+                    executor, ahead = stack.enter_context(own_threads())
+                settings, picture = self._request.settings, None
+                raster = stack.enter_context(
+                    loss_raster(loss_path, self._request.mosaic, settings.cell_px, settings.told)
+                ) if loss_path else None
+                aside = stack.enter_context(ThreadPoolExecutor(1, thread_name_prefix="seam-inspector-picture"))
+                if raster is not None:
+                    picture = _Picture(raster, aside)
+                return self._result(_Crew(executor, ahead, goes_on), aside, picture)
+        except CancelledError:  # which leaves no picture
             return None
-        judged = tuple(
-            judge_piece(piece, (self._name(piece.left), self._name(piece.right)), found,
-                        request.mosaic.ground_sample_distance, seen)
-            for piece, found, seen in zip(pieces, sums.profiles(), sums.visibilities(request.mosaic))
+
+    def _result(self, crew: _Crew, aside: Executor, picture: _Picture | None) -> ScanResult:
+        request, grid = self._request, self._request.mosaic.grid
+        known = given_polygons(request)
+        borders = self._borders(picture, crew, not (request.seams and known))
+        polygons = aside.submit(polygons_of, borders)
+        pieces = list(request.pieces) if request.seams else cut_in_pieces(
+            seams_of(borders), request.settings.piece_m, grid
         )
-        polygons = given_polygons(request) or tuple(polygons_of(borders))
+        crew.tell(_CUT)
+        pieces, found, seen = self._measured(pieces, crew)
+        judged = tuple(
+            judge_piece(piece, (self._name(piece.left), self._name(piece.right)), profile,
+                        request.mosaic.ground_sample_distance, jnd)
+            for piece, profile, jnd in zip(pieces, found, seen)
+        )
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
         notices = (*self._notices(), *without_verdict(judged))
-        return ScanResult(judged, polygons, tuple(worst), notices) if goes_on(1.0) else None
+        if not pieces and not request.seams:
+            notices += self._no_seam(polygons.result())
+        if picture is not None:
+            picture.wait()
+        crew.tell(1.0)
+        return ScanResult(judged, known or tuple(polygons.result()), tuple(worst), notices)
 
     def _name(self, side: Side) -> str | None:
         """Of a source as its file has it, else as the seams do."""
@@ -82,93 +105,191 @@ class Gathering:
             return side if number is None else self._request.sources[number].ref.name
         return None if side is None else self._request.sources[side].ref.name
 
-    def _label_strips(self, goes_on: Callable[[float], bool]) -> Iterator[np.ndarray]:
-        """Rows of the whole mosaic's labels, numbers of sources, ``NOTHING`` where none is followed; as far as
-        ``goes_on`` says so."""
-        mosaic, half = self._request.mosaic, LABEL_PX // 2
-        columns = -(-(mosaic.columns - half) // LABEL_PX)
-        for row in range(self._grid.rows):
-            if not goes_on(row / self._grid.rows):
-                return
-            strip = np.concatenate([self._labels(scan) for scan in self._row(row)], axis=1)
-            rows = -(-(min(mosaic.rows - row * BLOCK_PX, BLOCK_PX) - half) // LABEL_PX)
-            yield strip[:rows, :columns]
+    def _borders(self, picture: _Picture | None, crew: _Crew, traces: bool) -> list[SourceBorder]:
+        """Of what is followed, none unless they are traced; the picture of losses on the way."""
+        mosaic = self._request.mosaic
+        half = LABEL_PX // 2
+        chains: list[Chain] = []
+        rows, columns = (-(-(length - half) // LABEL_PX) for length in (mosaic.rows, mosaic.columns))
+        cell_px = self._request.settings.cell_px if picture is not None else 0
+        requests = (self._outputs(key, rows, columns, cell_px, traces) for key in self._blocks)
+        total = self._blocks.rows * self._blocks.columns
+        found: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
+        for one in found:
+            chains += one.chains
+            self._units += one.units
+            self._unexplained += one.unexplained
+            if picture is not None:
+                picture.add(one)
+        if picture is not None:
+            picture.finish(self._told, [source.ref.name for source in self._request.sources])
+        return trace_borders(chains, mosaic.grid, columns, LABEL_PX)
 
-    def _row(self, row: int) -> list[BlockScan]:
-        return [self._block((row, column)) for column in range(self._grid.columns)]
+    def _outputs(self, key: BlockKey, rows: int, columns: int, cell_px: int, traces: bool) -> OutputsRequest:
+        """``rows``, ``columns`` of labels of the whole mosaic."""
+        row, column = (one * LABELS for one in key)
+        tile = LabelTile(row, column, min(LABELS, rows - row), min(LABELS, columns - column), rows, columns)
+        window = self._blocks.window(key).with_margin(BLOCK_PX)
+        return OutputsRequest(
+            self._journal.files, key, tile, self._numbers(window), cell_px, traces and min(tile.height, tile.width) > 0
+        )
 
-    def _block(self, key: BlockKey) -> BlockScan:
-        found = block_scans(self._journal, key)
-        if not found:
-            return BlockScan.nothing(self._request.block(key), ())
-        return found[0] if len(found) == 1 else both_looks(*found)
+    def _numbers(self, window: PixelWindow) -> dict[str, int]:
+        """Of the sources that meet a window, by their paths."""
+        meeting = self._request.footprints.meeting(self._request.mosaic.grid.window_extent(window))
+        return {self._request.sources[number].ref.path: number for number in meeting}
 
-    def _labels(self, scan: BlockScan) -> np.ndarray:
-        labels = scan.labels if self._request.seam_squares is None else filled(scan)
-        numbers = global_numbers(scan, self._request.numbers).astype(self._label_type)
-        return np.asarray(numbers[labels])
+    def _measured(
+        self, pieces: Sequence[SeamPiece], crew: _Crew
+    ) -> tuple[list[SeamPiece], list[StripProfile], list[float | None]]:
+        """Pieces with what lies beside them, what each kept, and its loss in just noticeable differences at 2x."""
+        index = PieceIndex(pieces, self._blocks.grid)
+        groups = self._groups(pieces)
+        whole, brightest = list(pieces), 0.0
+        found: list[StripProfile] = [NOTHING] * len(pieces)
+        grey = np.full(len(pieces), np.nan)
+        requests = (self._pieces(pieces, index, numbers) for numbers in groups)
+        measured: Iterator[MeasuredPieces] = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
+        for one in measured:
+            grey[one.numbers], brightest = one.grey, max(brightest, one.brightest)
+            for place, number in enumerate(one.numbers.tolist()):
+                found[number] = one.found[place]
+                if one.beside is not None:
+                    whole[number] = sided(pieces[number], one.beside[place].tolist(), self._request.named[0])
+        return whole, found, visibilities(found, grey, brightest, self._request.mosaic)
 
-    def _sums(
-        self, pieces: Sequence[SeamPiece], loss_path: str, goes_on: Callable[[float], bool]
-    ) -> PieceSums:
-        """Of all pieces; the picture of losses on the way. Raises CancelledError where ``goes_on`` says no."""
-        mosaic, settings = self._request.mosaic, self._request.settings
-        sums = PieceSums(pieces, mosaic.grid, settings.levels)
-        if not loss_path:
-            for _, _, scan, ground in self._blocks_on_ground():
-                sums.add(scan.cells, self._mixture(scan), ground, self._grid.window(scan.key), scan.grey)
-            return sums
-        names: dict[int, int] = {}
-        with loss_raster(loss_path, mosaic, settings.cell_px, settings.told) as raster:
-            for row, column, scan, ground in self._blocks_on_ground():
-                sums.add(scan.cells, self._mixture(scan), ground, self._grid.window(scan.key), scan.grey)
-                labels = self._labels(scan)
-                for number in np.unique(labels[labels != NOTHING]).tolist():
-                    names.setdefault(number, len(names) + 1)
-                table = np.zeros(len(self._request.sources) + 1, np.int32)
-                table[list(names)] = list(names.values())
-                raster.write(row, column, loss_cells(scan, table[labels], ground, settings.cell_px))
-                if not column and not goes_on(row / self._grid.rows):
-                    raise CancelledError(imagery_messages.CANCELLED())  # which leaves no picture
-            raster.add_setting("seams", "given" if self._request.seams else "found")
-            if (share := self._share_unexplained) is not None:
-                raster.add_setting("unexplained", f"{share:.4f}")
-            raster.close([self._request.sources[number].ref.name for number in names])
-        return sums
+    def _groups(self, pieces: Sequence[SeamPiece]) -> list[np.ndarray]:
+        """Numbers of the pieces that are measured together, by where their middles lie, row by row."""
+        of_block: defaultdict[BlockKey, list[int]] = defaultdict(list)
+        for number, piece in enumerate(pieces):
+            middle = piece.vertices[len(piece.vertices) // 2][np.newaxis]
+            column, row = self._blocks.grid.to_pixels(middle)[0] // BLOCK_PX
+            of_block[int(row), int(column) // _BLOCKS_OF_PIECES].append(number)
+        return [np.array(of_block[key]) for key in sorted(of_block)]
 
-    def _blocks_on_ground(self) -> Iterator[tuple[int, int, BlockScan, list[LevelGround | None]]]:
-        """Every block, and what its ground makes one expect, with that of its neighbours where it has little."""
-        rows: dict[int, list[BlockScan]] = {}
-        for row in range(self._grid.rows):
-            rows = {near: rows.get(near) or self._row(near)
-                    for near in range(max(row - 1, 0), min(row + 2, self._grid.rows))}
-            for column, scan in enumerate(rows[row]):
-                around = [one.cells for near in rows.values() for one in near[max(column - 1, 0) : column + 2]]
-                self._account(scan)
-                yield row, column, scan, grounds(scan.cells, around=CellTable.joined(around))
+    def _pieces(self, pieces: Sequence[SeamPiece], index: PieceIndex, numbers: np.ndarray) -> PiecesRequest:
+        own = [pieces[number] for number in numbers.tolist()]
+        # What lies nearer to a cell than any of them does.
+        around = around_pieces(own, self._blocks.grid, 2 * REACH_PX)
+        return PiecesRequest(
+            self._journal.files, own, numbers, index.near(around, 0.0), self._blocks,
+            self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, bool(self._request.seams),
+        )
 
-    def _mixture(self, scan: BlockScan) -> MixtureTable:
-        """With the numbers of sources that all blocks share."""
-        numbers = global_numbers(scan, self._request.numbers)
-        return replace(scan.beside, source=numbers[scan.beside.source], other=numbers[scan.beside.other])
-
-    def _account(self, scan: BlockScan) -> None:
-        """Count units with pixels of the mosaic, and those of them that follow no source anywhere."""
-        step = LABELS // UNITS
-        followed = (in_squares(scan.labels, step) != UNKNOWN).any(axis=(1, 3))
-        self._units += int(np.count_nonzero(~scan.outside))
-        self._unexplained += int(np.count_nonzero(~scan.outside & ~followed))
+    @property
+    def _told(self) -> dict[str, str]:
+        """What the picture says beside its settings."""
+        told = {"seams": "given" if self._request.seams else "found"}
+        share = self._share_unexplained
+        return told if share is None else {**told, "unexplained": f"{share:.4f}"}
 
     @property
     def _share_unexplained(self) -> float | None:
         """Of the mosaic, that follows no source; None where not all of it was looked at."""
         return None if self._request.seam_squares is not None else self._unexplained / max(self._units, 1)
 
+    def _no_seam(self, polygons: Sequence[SourcePolygon]) -> tuple[Message, ...]:
+        """Where none was found, what the mosaic follows instead; ``polygons``: of what is followed."""
+        names = ", ".join(self._request.sources[one.source].ref.name for one in polygons)
+        return (messages.SCAN_WITHOUT_SEAMS(name=names),) if names else ()
+
     def _notices(self) -> tuple[Message, ...]:
         share = self._share_unexplained
         if share is None or share < LEAST_UNEXPLAINED:
             return ()
         return (messages.MOSAIC_UNEXPLAINED(share=100 * share),)
+
+
+NOTHING = StripProfile(None, 0.0, 0.0, 0.0)
+"""Of a piece that no cell is near to."""
+
+
+class _Crew:
+    """Those who measure, and the one who is told how far they are."""
+
+    def __init__(self, executor: Executor, ahead: int, goes_on: Callable[[float], bool]) -> None:
+        self._executor, self._ahead, self._goes_on = executor, ahead, goes_on
+        self._share = 0.0
+
+    def tell(self, share: float) -> None:
+        """So much is done. Raises CancelledError where nobody wants more."""
+        self._share = share
+        if not self._goes_on(share):
+            raise CancelledError(imagery_messages.CANCELLED())
+
+    def map(
+        self, work: Callable[[Any], Any], requests: Iterable[Any], count: int, first: float, last: float
+    ) -> Iterator[Any]:
+        """What is found of each request, in their order; the share grows from ``first`` to ``last``. Raises what it
+        raises."""
+        done = 0
+        tasks, stopped = several(requests, self._ahead), lambda: not self._goes_on(self._share)
+        for found in in_order(tasks, partial(_each, work), _raised, self._executor, self._ahead, stopped):
+            if isinstance(found, Message):
+                raise SeamInspectorError(found)
+            yield from found
+            done += len(found)
+            self.tell(first + (last - first) * done / count)
+        if done < count:
+            raise CancelledError(imagery_messages.CANCELLED())
+
+
+def _each(work: Callable[[Any], Any], requests: Sequence[Any]) -> list[Any] | Message:
+    """What is found of each, or the sentence that ends all."""
+    try:
+        return [work(request) for request in requests]
+    except SeamInspectorError as error:
+        return error.message
+
+
+def _raised(_requests: Sequence[Any], reason: Message) -> Message:
+    return reason
+
+
+_MOST_WAITING = 64  # blocks of the picture that are not written yet
+
+
+class _Picture:
+    """The picture of losses, written in a thread of its own; sources are numbered in the order in which it meets them.
+    All methods raise RasterError when the disk is full."""
+
+    def __init__(self, raster: LossRaster, thread: Executor) -> None:
+        self._raster, self._thread = raster, thread
+        self._names: dict[int, int] = {}
+        self._waiting: deque[Future[None]] = deque()
+
+    def add(self, one: BlockOutputs) -> None:
+        """A block."""
+        self._do(self._write, one)
+
+    def finish(self, settings: dict[str, str], names: Sequence[str]) -> None:
+        """All blocks are in it; ``names`` of all sources."""
+        self._do(self._close, settings, names)
+
+    def wait(self) -> None:
+        """Until all of it is done."""
+        while self._waiting:
+            self._waiting.popleft().result()
+
+    def _do(self, work: Callable[..., None], *given: Any) -> None:
+        self._waiting.append(self._thread.submit(work, *given))
+        if len(self._waiting) > _MOST_WAITING:
+            self._waiting.popleft().result()
+
+    def _write(self, one: BlockOutputs) -> None:
+        for source in one.sources:
+            self._names.setdefault(source, len(self._names) + 1)
+        if (found := one.cells) is None:
+            return
+        cells = found.copy()
+        for source in one.sources:
+            cells[SOURCE_BAND - 1][found[SOURCE_BAND - 1] == source + 1] = self._names[source]
+        self._raster.write(*one.key, cells)
+
+    def _close(self, settings: dict[str, str], names: Sequence[str]) -> None:
+        for name, value in settings.items():
+            self._raster.add_setting(name, value)
+        self._raster.close([names[number] for number in self._names])
 
 
 def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:
@@ -183,38 +304,3 @@ def given_polygons(request: ScanRequest) -> tuple[SourcePolygon, ...]:
             for number in range(outline.GetGeometryCount()):
                 whole.AddGeometry(outline.GetGeometryRef(number))
     return tuple(SourcePolygon(source, bytes(by_source[source].ExportToWkb())) for source in sorted(by_source))
-
-
-def filled(scan: BlockScan) -> np.ndarray:
-    """Labels of a block of which only strips along its seams and some samples were looked at: what is nearest."""
-    step = LABELS // UNITS
-    labels = scan.labels[step // 2 :: step, step // 2 :: step]
-    known = labels != UNKNOWN
-    if not known.any():
-        return scan.labels
-    distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
-    nearest = np.where(distance <= FARTHEST_FILLED_PX / LABEL_PX / step, labels[row, column], UNKNOWN).astype(np.uint8)
-    nearest[scan.dense | scan.outside] = UNKNOWN
-    return np.where(scan.labels == UNKNOWN, enlarged(nearest, step), scan.labels)
-
-
-def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
-    """A block with what was looked at once more."""
-    labels_px, cells_px = len(first.labels) // UNITS, len(first.mixture) // UNITS
-    labels, mixture, clear, grey = (
-        np.where(enlarged(second.dense, times), new, old)
-        for times, new, old in (
-            (labels_px, second.labels, first.labels), (cells_px, second.mixture, first.mixture),
-            (cells_px, second.clear, first.clear), (cells_px, second.grey, first.grey),
-        )
-    )
-    cells, beside = first.cells, first.beside
-    replaced, was_beside = (
-        second.dense[one.row % CELLS // cells_px, one.column % CELLS // cells_px] for one in (cells, beside)
-    )
-    return replace(
-        first, labels=labels, mixture=mixture, clear=clear, grey=grey, dense=first.dense | second.dense,
-        cells=CellTable.joined([cells.chosen(~replaced), second.cells]),
-        beside=MixtureTable.joined([beside.chosen(~was_beside), second.beside]),
-        notices=first.notices + second.notices,
-    )

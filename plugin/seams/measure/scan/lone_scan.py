@@ -135,7 +135,7 @@ class LoneScanning:
 
     def _table_of(self, key: BlockKey) -> LoneTable | None:
         """What the journal holds of one block."""
-        found = held(LONE_LOOK, self._journal, key)
+        found = held(LONE_LOOK, self._journal.files, key)
         return None if found is None else found.table
 
 

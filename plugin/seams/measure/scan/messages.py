@@ -91,6 +91,10 @@ SEAM_FEATURES_NOT_TRANSFORMED = Message(
 SCAN_GOES_ON = Message("The scan goes on where it stopped; blocks that are done already: {done}.", INFO)
 SCAN_ANEW = Message("The scan starts anew, since {what} changed since it stopped.", WARNING)
 SCAN_ANEW_DAMAGED = Message("The scan starts anew, since nothing in {path} can be read any more.", WARNING)
+SCAN_INPUT_CHANGED = Message(
+    "While the mosaic was scanned {name} changed, so what was read of it before can't be used; start the scan again "
+    "with the same output, and it is measured anew."
+)
 SCAN_JOURNAL_FOREIGN = Message("{path} was not left by a scan; move it away, or choose another output.")
 SCAN_JOURNAL_IN_USE = Message(
     "Another scan is writing this output ({path}); wait until it has ended, or choose another output."
@@ -107,6 +111,7 @@ SCAN_JOURNAL_NOT_READ = Message(
 SCAN_OF_ANOTHER_VERSION = Message("the plugin's version", INFO)
 SCAN_OF_ANOTHER_MOSAIC = Message("the mosaic", INFO)
 SCAN_OF_OTHER_SOURCES = Message("the sources or one of their files", INFO)
+SCAN_OF_OTHER_PLACES = Message("where the mosaic or one of the sources lies", INFO)
 SCAN_WITH_OTHER_SETTINGS = Message("a setting", INFO)
 SCAN_OF_OTHER_SEAMS = Message("the seam lines", INFO)
 SCAN_OF_ANOTHER_KIND = Message("an input or a setting", INFO)
@@ -114,6 +119,9 @@ SCAN_STOPPED = Message("The scan was stopped; started again with the same output
 SCAN_LAYER_NOT_WRITTEN = Message(
     "The layer {name} can't be written. What was measured is kept; make room on the disk, or choose another file for "
     "the layer, and start the scan again with the same picture of losses to go on."
+)
+SCAN_WITHOUT_SEAMS = Message(
+    "No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.", INFO
 )
 # what pieces of seam keep
 PIECE_NOT_MEASURED = Message(

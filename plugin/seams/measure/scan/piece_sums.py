@@ -1,56 +1,161 @@
-"""What is kept along every piece of seam: the cells of all blocks added up to the piece that is nearest to them."""
+"""What is kept along pieces of seam: the cells of all blocks beside them, added up to the piece that is nearest."""
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.rasters import Raster
+from ....imagery.while_measuring import measuring
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, whole_cells
 from ..profile.ground import FAR_PX, LevelGround
 from ..profile.seam_profile import strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
 from ..visibility import visibility, white_grey
-from .blocks.block_grid import BLOCK_PX
-from .blocks.scan_block import CELLS
+from .block_files import BlockFiles
+from .block_outputs import held_ground
+from .block_runs import block_labels, global_numbers, whole_block
+from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, BlockGrid, BlockKey
+from .blocks.scan_block import CELLS, BlockScan
+from .lines.label_borders import NONE
 from .lines.piece_index import PieceIndex
-from .lines.seam_pieces import SeamPiece
+from .lines.seam_pieces import SeamPiece, sources_beside
 
 REACH_PX = 144.0
 """How far from a piece cells are counted to it: what lies beyond is ground."""
 MOST_ASIDE_PX = 40.0
 """How far a line may lie from the seam that the mosaic shows, for that to be its seam."""
-NOTHING = StripProfile(None, 0.0, 0.0, 0.0)
-"""Of a piece that no cell is near to."""
+
+
+@dataclass(frozen=True, eq=False)
+class PiecesRequest:
+    """All that is needed to measure some pieces, in plain data that can cross threads and processes."""
+
+    files: BlockFiles
+    pieces: Sequence[SeamPiece]
+    numbers: np.ndarray
+    """(pieces,) int: of each in the index, ascending."""
+    index: PieceIndex
+    """With all that lies near them."""
+    blocks: BlockGrid
+    sources: Mapping[str, int]
+    """Numbers of those around, by their paths."""
+    levels: int
+    looks_beside: bool
+    """Whether it is asked which sources lie beside them."""
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredPieces:
+    """What comes back, an entry for each piece."""
+
+    numbers: np.ndarray
+    found: Sequence[StripProfile]
+    """Without the bins of their profiles."""
+    grey: np.ndarray
+    """(pieces,) mean of the mosaic in the strip, NaN where it is not known."""
+    brightest: float
+    """Cell of any strip."""
+    beside: np.ndarray | None
+    """(pieces, 2) as in ``sources_beside``; None where it was not asked for."""
+
+
+@measuring()
+def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
+    """Some pieces by the blocks around them. Raises SettingsError where what was measured can't be read any more."""
+    grid, files = request.blocks.grid, request.files
+    around = around_pieces(request.pieces, grid, REACH_PX)
+    rows, columns = (
+        slice(first // CELL_PX, -(-(first + length) // CELL_PX))
+        for first, length in ((around.row, around.height), (around.column, around.width))
+    )
+    sums = PieceSums(request.numbers, request.index, request.levels)
+    for key in _blocks_of(around, request.blocks):
+        window = request.blocks.window(key)
+        scan = whole_block(files, key) if sums.are_near(window) else None
+        if scan is not None:
+            cells, mixture = scan.cells.within((rows, columns)), with_numbers(scan, request.sources)
+            sums.add(cells, mixture.within((rows, columns)), held_ground(files, key), window, scan.grey)
+    found = [one if one.profile is None else replace(one, profile=replace(one.profile, bins=()))
+             for one in sums.profiles()]
+    labels = partial(_labels_at, request) if request.looks_beside else None
+    beside = sources_beside(request.pieces, labels, grid, LABEL_PX) if labels is not None else None
+    return MeasuredPieces(request.numbers, found, *sums.grey, beside)
+
+
+def visibilities(
+    found: Sequence[StripProfile], grey: np.ndarray, brightest: float, mosaic: Raster
+) -> list[float | None]:
+    """Of pieces, in just noticeable differences at 2x; ``mosaic``: what grey values mean on a screen. ``grey``,
+    ``brightest``: as ``MeasuredPieces`` has them."""
+    white = white_grey(mosaic, brightest)
+    return [
+        visibility(one.profile.kept, one.profile.energy, mean, white) if one.profile else None
+        for one, mean in zip(found, grey.tolist())
+    ]
+
+
+def with_numbers(scan: BlockScan, sources: Mapping[str, int]) -> MixtureTable:
+    """What is mixed of what in a block, with the numbers of sources that all blocks share."""
+    numbers = global_numbers(scan.sources, sources)
+    return replace(scan.beside, source=numbers[scan.beside.source], other=numbers[scan.beside.other])
+
+
+def around_pieces(pieces: Sequence[SeamPiece], grid: Grid, reach_px: float) -> PixelWindow:
+    """The pixels within reach of them."""
+    places = np.concatenate([grid.to_pixels(one.vertices) for one in pieces])
+    left, top = np.floor(places.min(axis=0) - reach_px).astype(int).tolist()
+    right, bottom = np.ceil(places.max(axis=0) + reach_px).astype(int).tolist()
+    return PixelWindow(left, top, right - left, bottom - top)
+
+
+def _blocks_of(around: PixelWindow, blocks: BlockGrid) -> list[BlockKey]:
+    """Row by row."""
+    rows, columns = (
+        range(max(first // BLOCK_PX, 0), min(-(-(first + length) // BLOCK_PX), count))
+        for first, length, count in (
+            (around.row, around.height, blocks.rows), (around.column, around.width, blocks.columns)
+        )
+    )
+    return [(row, column) for row in rows for column in columns]
+
+
+def _labels_at(request: PiecesRequest, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """As ``LabelsAt``."""
+    found = np.full(columns.shape, NONE, np.int32)
+    blocks = request.blocks
+    inside = (columns >= 0) & (rows >= 0) & (columns < blocks.columns * LABELS) & (rows < blocks.rows * LABELS)
+    number = np.where(inside, rows // LABELS * blocks.columns + columns // LABELS, -1)
+    for one in np.unique(number[inside]).tolist():
+        labels, own = block_labels(request.files, divmod(one, blocks.columns), request.sources), number == one
+        if labels is not None:
+            found[own] = labels[rows[own] % LABELS, columns[own] % LABELS]
+    return found
 
 
 class PieceSums:
-    """Adds up blocks, row by row of them; then tells every piece. Only pieces that blocks to come may lie beside are
-    held as sums, so that memory does not grow with the mosaic."""
+    """Adds up blocks; then tells every piece."""
 
-    def __init__(self, pieces: Sequence[SeamPiece], grid: Grid, levels: int) -> None:
-        self._levels = levels
-        self._index = PieceIndex(pieces, grid)
-        self._last_row = np.array([_last_row(one, grid) for one in pieces], np.intp)
-        order = np.argsort(self._last_row, kind="stable")
-        # The place of each among those that end in the same row of blocks.
-        self._place = np.empty(len(pieces), np.intp)
-        firsts = np.searchsorted(self._last_row[order], self._last_row[order])
-        self._place[order] = np.arange(len(pieces)) - firsts
-        self._open: dict[int, SeamSums] = {}  # by the last row of their pieces
-        self._found: list[StripProfile] = [NOTHING] * len(pieces)
-        self._grey = np.zeros((2, len(pieces)))  # of the strip's cells: mean of the mosaic times area, and area
-        self._brightest = 0.0  # of cells
+    def __init__(self, numbers: np.ndarray, index: PieceIndex, levels: int) -> None:
+        """``numbers`` (pieces,) of those that are measured, ascending; ``index``: they and all others near them."""
+        self._numbers, self._index = numbers, index
+        self._sums = SeamSums(len(numbers), levels)
+        self._grey = np.zeros((2, len(numbers)))  # of the strip's cells: mean of the mosaic times area, and area
+        self._brightest = 0.0
+
+    def are_near(self, window: PixelWindow) -> bool:
+        """Whether cells of a window may belong to any of them."""
+        return bool(np.isin(self._index.near(window, REACH_PX).numbers, self._numbers).any())
 
     def add(
         self, table: CellTable, mixture: MixtureTable, ground: Sequence[LevelGround | None], window: PixelWindow,
         grey: np.ndarray | None = None,
     ) -> None:
-        """The cells of one block; rows of blocks come one after the other. ``mixture`` has numbers of sources that
-        mean the same in all blocks. ``grey``: means of the mosaic as ``BlockScan`` has them, None where not known."""
-        self._finish(window.row // BLOCK_PX)
+        """The cells of one block. ``mixture`` has numbers of sources that mean the same in all blocks. ``grey``: means
+        of the mosaic as ``BlockScan`` has them, None where not known."""
         index = self._index.near(window, REACH_PX)
         whole = whole_cells(table)
         beside = np.flatnonzero(whole.nearest < MIXED_BINS)
@@ -61,49 +166,27 @@ class PieceSums:
         )
         nearest = np.array(EDGES_PX)[whole.nearest[beside]]
         is_its_own = (distance <= nearest + MOST_ASIDE_PX) | (nearest >= FAR_PX)
+        place = np.searchsorted(self._numbers, number).clip(0, len(self._numbers) - 1)
         piece_of = np.full(len(whole.keys), -1)
-        piece_of[beside] = np.where(is_its_own, number, -1)
+        piece_of[beside] = np.where(is_its_own & (self._numbers[place] == number), place, -1)
         near = table.bin < MIXED_BINS
         table, whole = table.chosen(near), replace(whole, of_row=whole.of_row[near])
         if grey is not None:
             self._add_grey(table, grey, piece_of[whole.of_row])
-        last = np.where(piece_of >= 0, self._last_row[piece_of], -1)
-        for row in np.unique(last[last >= 0]).tolist():
-            if row not in self._open:
-                self._open[row] = SeamSums(int(np.count_nonzero(self._last_row == row)), self._levels)
-            own = np.where(last == row, self._place[piece_of], -1)
-            self._open[row].add(table, mixture, whole, ground, own)
+        self._sums.add(table, mixture, whole, ground, piece_of)
 
     def profiles(self) -> list[StripProfile]:
         """Of every piece, in their order."""
-        self._finish(max(self._open, default=0) + 1)
-        return self._found
+        return self._sums.profiles(levels=1)
 
-    def visibilities(self, mosaic: Raster) -> list[float | None]:
-        """Of every piece, in just noticeable differences at 2x; ``mosaic``: what its grey values mean on a screen."""
-        grey, area = self._grey
-        means = np.divide(grey, area, out=np.full(len(area), np.nan), where=area > 0)
-        white = white_grey(mosaic, self._brightest)
-        return [
-            visibility(one.profile.kept, one.profile.energy, mean, white) if one.profile else None
-            for one, mean in zip(self.profiles(), means.tolist())
-        ]
+    @property
+    def grey(self) -> tuple[np.ndarray, float]:
+        """Mean of the mosaic in the strip of every piece, NaN where it is not known, and its brightest cell."""
+        total, area = self._grey
+        return np.divide(total, area, out=np.full(len(area), np.nan), where=area > 0), self._brightest
 
     def _add_grey(self, table: CellTable, grey: np.ndarray, piece: np.ndarray) -> None:
         strip = (table.bin < strip_bins(0).stop) & (piece >= 0)
         values, area = grey[table.row[strip] % CELLS, table.column[strip] % CELLS], table.area[0, strip]
-        self._grey += [np.bincount(piece[strip], one, len(self._found)) for one in (area * values, area)]
+        self._grey += [np.bincount(piece[strip], one, len(self._numbers)) for one in (area * values, area)]
         self._brightest = float(np.fmax.reduce(values, initial=self._brightest))
-
-    def _finish(self, row: int) -> None:
-        """The pieces that lie above a row of blocks."""
-        for last in [one for one in self._open if one < row]:
-            numbers = np.flatnonzero(self._last_row == last)
-            for number, profile in zip(numbers.tolist(), self._open.pop(last).profiles(levels=1)):
-                self._found[number] = profile
-
-
-def _last_row(piece: SeamPiece, grid: Grid) -> int:
-    """Of the blocks whose cells may lie beside it."""
-    lowest = float(np.max(grid.row_at(piece.vertices[:, 1])))
-    return int(max(lowest + REACH_PX, 0) // BLOCK_PX)

@@ -4,11 +4,11 @@ As long as what decides on its result is the same, which a fingerprint tells.
 """
 from __future__ import annotations
 
-import errno
 import os
 import re
-import time
-from collections.abc import Iterable, Iterator, KeysView, Sequence
+import stat
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from hashlib import blake2b
 from pathlib import Path
 from typing import Any
@@ -27,10 +27,15 @@ from ....imagery.record_store import RecordStore
 from ....imagery.remote_files import forget_fetched, is_remote, readable_path
 from ..source_images import Source
 from . import messages
+from .block_files import BlockFiles
 
 MOST_ASKED = 20  # remote sources whose server is asked for size and date; more would take seconds before a scan starts
 _BESIDE = ("", ".msk")
 """Endings of the files that say what a raster's pixels are: itself, its mask."""
+_PLACES = (".wld", ".prj", ".tab")
+"""Endings, in the place of the raster's own, of files that say where it lies; others are made of its own."""
+_LOOKS, _LOOK_BYTES = 4, 4096
+"""Parts of a file that are looked at: it may change with its size and time kept."""
 _SAID = ".aux.xml"
 """Of the file that may say more of them, its nodata for instance."""
 _OF_NO_CONSEQUENCE = "Metadata", "Histograms", "Description", "CategoryNames"
@@ -40,30 +45,38 @@ _PARTS = {
     "version": messages.SCAN_OF_ANOTHER_VERSION,
     "mosaic": messages.SCAN_OF_ANOTHER_MOSAIC,
     "sources": messages.SCAN_OF_OTHER_SOURCES,
+    "places": messages.SCAN_OF_OTHER_PLACES,
     "settings": messages.SCAN_WITH_OTHER_SETTINGS,
     "seams": messages.SCAN_OF_OTHER_SEAMS,
 }
 
 
 def fingerprint_of(
-    mosaic: RasterRef, sources: Sequence[Source], settings: Any, seams: Iterable[object] = ()
+    mosaic: RasterRef, sources: Sequence[Source], settings: Any, seams: Iterable[object] = (), place: object = None
 ) -> str:
     """The same as long as the result of a scan would be: a digest of each of its inputs.
 
-    Local files by path, size and time of change, those that a VRT or an archive is made of too; no source is opened.
-    The remote mosaic, and up to ``MOST_ASKED`` remote sources, by what their server says of them; more by their names.
-    ``settings``: a dataclass of numbers and texts; ``seams``: arrays, texts, numbers or bytes.
+    Local files by path, size, time of change and some of their bytes, those that a VRT or an archive is made of too; no
+    source is opened. The remote mosaic, and up to ``MOST_ASKED`` remote sources, by what their server says of them;
+    more by their names. ``settings``: a dataclass of numbers and texts; ``seams``: arrays, texts, numbers or bytes;
+    ``place``: where the mosaic lies.
     """
     asked = sum(is_remote(source.ref.path) for source in sources) <= MOST_ASKED
+    listed: dict[str, set[str]] = {}
     parts = {
         "version": _digest([_version()]),
-        "mosaic": _digest([mosaic.path, mosaic.wkt, *_states(mosaic.path, ask=True)]),
+        "mosaic": _digest([mosaic.path, *_states(mosaic.path, ask=True)]),
         "sources": _digest(
             item
             for source in sources
             for path in source.ref.paths
-            for item in (path, source.ref.wkt, source.extent, *_states(path, asked))
+            for item in (path, *_states(path, asked))
         ),
+        "places": _digest([
+            mosaic.wkt, place, *_said_of_place(mosaic.path, listed),
+            *(item for one in sources for item in (one.ref.wkt, one.extent)),
+            *(said for one in sources for path in one.ref.paths for said in _said_of_place(path, listed)),
+        ]),
         "settings": _digest([settings]),
         "seams": _digest(seams),
     }
@@ -98,17 +111,53 @@ def _states(path: str, ask: bool) -> Iterator[str]:
         if ask:
             yield _remote_state(readable_path(path))
         return
+    for file, state in _local_states(path).items():
+        yield f"{file} {state}"
+    for one in _with_parts(path):
+        if _local_file(one) == one and (said := _said_beside(one + _SAID)):
+            yield said
+
+
+def local_states(paths: Iterable[str]) -> dict[str, str]:
+    """What is known of the files of this machine that rasters are read from, by their paths."""
+    return {file: state for path in paths if not is_remote(path) for file, state in _local_states(path).items()}
+
+
+def _local_states(path: str) -> dict[str, str]:
+    found = {}
+    for one in _with_parts(path):
+        file = _local_file(one)
+        for ending in _BESIDE if file == one else ("",):
+            if state := _local_state(file + ending):
+                found[os.path.abspath(file + ending)] = state
+    return found
+
+
+def _said_of_place(path: str, listed: dict[str, set[str]]) -> Iterator[str]:
+    """What files beside a raster of this machine, or what a VRT is made of, say of where it lies; ``listed``: what lies
+    in folders that were looked into."""
+    if is_remote(path):
+        return
+    for one in _with_parts(path):
+        folder, name = os.path.split(one)
+        stem, own = os.path.splitext(name)
+        if folder not in listed:
+            listed[folder] = set()
+            with suppress(OSError, ValueError):
+                listed[folder].update(os.listdir(folder or "."))
+        endings = (*_PLACES, f"{own}w", f"{own[:2]}{own[-1:]}w")
+        beside = {stem + case for ending in endings for case in (ending.lower(), ending.upper())}
+        for found in sorted(beside & listed[folder] - {name}):
+            yield f"{found} {_local_state(os.path.join(folder, found), with_time=False)}"
+
+
+def _with_parts(path: str) -> Iterator[str]:
+    """A raster of this machine, and those that it is made of where it is a VRT."""
     seen = {path}
     waiting = [path]
     while waiting:
         one = waiting.pop()
-        file = _local_file(one)
-        for ending in _BESIDE if file == one else ("",):
-            state = _local_state(file + ending)
-            if state:
-                yield f"{os.path.abspath(file + ending)} {state}"
-        if file == one and (said := _said_beside(file + _SAID)):
-            yield said
+        yield one
         if one.lower().endswith(".vrt"):
             parts = [part for part in vrt_parts(one) if part not in seen]
             seen.update(parts)
@@ -132,13 +181,20 @@ def _said_beside(path: str) -> str:
     return "".join(re.sub(r"\s+", " ", tostring(one, "unicode")) for one in kept)
 
 
-def _local_state(path: str) -> str:
+def _local_state(path: str, with_time: bool = True) -> str:
     """Empty where there is no such file."""
     try:
         found = os.stat(path)
+        if not stat.S_ISREG(found.st_mode):
+            return f"{found.st_size} {found.st_mtime_ns}"
+        digest = blake2b(digest_size=8)
+        with open(path, "rb") as file:
+            for look in range(_LOOKS):
+                file.seek(max(found.st_size - _LOOK_BYTES, 0) * look // (_LOOKS - 1))
+                digest.update(file.read(_LOOK_BYTES))
     except (OSError, ValueError):
         return ""
-    return f"{found.st_size} {found.st_mtime_ns}"
+    return f"{found.st_size} {found.st_mtime_ns if with_time else ''} {digest.hexdigest()}"
 
 
 def _remote_state(path: str) -> str:
@@ -173,12 +229,13 @@ def _version() -> str:
     return found.group(1).strip() if found else ""
 
 
-MOST_LOST_SECONDS = 2.0
-"""Of work, when the power fails: to wait for the disk at every block would take longer than to put the block there."""
-
 _KIND = "Seam Inspector: journal of a scan, "
-_VERSION = "3"
+_VERSION = "4"
 _FINGERPRINT = ""  # the key of what the scan is of
+_BLOCKS = "-blocks"
+"""What the name of the folder of blocks beside the journal ends with."""
+INCOMPLETE = "again"
+"""Begins the name of a block that lacks something; a later run measures it anew."""
 
 
 def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | None]:
@@ -189,87 +246,68 @@ def open_journal(path: Path, fingerprint: str) -> tuple[ScanJournal, Message | N
 
     Raises SettingsError where no file can be, another scan has it open, or it is something else.
     """
+    files, store = BlockFiles(path.with_name(path.name + _BLOCKS)), None
     try:
         store = _opened(path)
         held = store.load(_FINGERPRINT)
         if held == fingerprint.encode():
-            done = len(store.keys) - 1
-            return ScanJournal(store), messages.SCAN_GOES_ON(done=done) if done else None
+            files.make()
+            done = sum(not name.startswith(INCOMPLETE) for name in files.names)
+            return ScanJournal(store, files), messages.SCAN_GOES_ON(done=done) if done else None
         is_damaged = store.was_damaged or (bool(store.keys) and held is None)
         if store.keys:
             store.remove()
             store = _opened(path)
+        files.remove()
+        files.make()
         store.save(_FINGERPRINT, fingerprint.encode())
     except OSError as error:
+        if store is not None:
+            store.close()
         raise SettingsError(messages.SCAN_JOURNAL_NOT_OPENED(path=path, error=system_reason(error))) from None
     if held is not None:
-        return ScanJournal(store), messages.SCAN_ANEW(what=what_changed(held.decode(errors="replace"), fingerprint))
-    return ScanJournal(store), messages.SCAN_ANEW_DAMAGED(path=path) if is_damaged else None
+        notice = messages.SCAN_ANEW(what=what_changed(held.decode(errors="replace"), fingerprint))
+        return ScanJournal(store, files), notice
+    return ScanJournal(store, files), messages.SCAN_ANEW_DAMAGED(path=path) if is_damaged else None
 
 
 class ScanJournal:
-    """Results by their keys. For one thread; the lock on its file ends with it, or with the process."""
+    """What a scan is of, and what it has measured so far; the lock on its file ends with it, or with the process.
 
-    def __init__(self, store: RecordStore) -> None:
-        self._store = store
-        self._done = {key: None for key in store.keys if key != _FINGERPRINT}
-        self._on_disk = time.monotonic()
+    What is measured outlives the process; what was written last may be lost with the power, and is measured again.
+    """
+
+    def __init__(self, store: RecordStore, files: BlockFiles) -> None:
+        self._store, self.files = store, files
+        self.is_shared = True
+        """Whether all who measure see the files."""
 
     @property
     def path(self) -> Path:
         """Of its file."""
         return self._store.path
 
-    @property
-    def keys(self) -> KeysView[str]:
-        """What is done, in the order in which it was."""
-        return self._done.keys()
-
-    def load(self, key: str) -> bytes:
-        """A result. Raises KeyError where it is not done, SettingsError when the disk lost it meanwhile."""
-        if key not in self._done:
-            raise KeyError(key)
+    def save(self, name: str, payload: bytes) -> None:
+        """Keep what somebody measured who could not. Raises SettingsError when the disk is full; what was saved before
+        stays."""
         try:
-            found = self._store.load(key)
-            if found is None:
-                self.forget(key)  # the next run measures it again
-                raise OSError(errno.EIO, os.strerror(errno.EIO))
+            self.files.save(name, payload)
         except OSError as error:
-            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=system_reason(error))) from None
-        return found
+            raise self.not_saved(system_reason(error)) from None
 
-    def forget(self, key: str) -> None:
-        """A result is worth nothing. Raises SettingsError when the disk refuses."""
-        try:
-            self._store.forget(key)
-            self._done.pop(key, None)
-        except OSError as error:
-            raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=self.path, error=system_reason(error))) from None
-
-    def save(self, key: str, payload: bytes) -> None:
-        """Keep a result. A key that is there gets the new one.
-
-        What is saved outlives the process; of what was saved last, ``MOST_LOST_SECONDS`` may be lost with the power.
-
-        Raises SettingsError when the disk is full; what was saved before stays, and more may be tried.
-        """
-        try:
-            self._store.save(key, payload)
-            if time.monotonic() - self._on_disk > MOST_LOST_SECONDS:
-                self._store.sync()
-                self._on_disk = time.monotonic()
-            self._done[key] = None
-        except OSError as error:
-            raise SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
-                path=self.path, error=system_reason(error), done=len(self._done)
-            )) from None
+    def not_saved(self, reason: Message | str) -> SettingsError:
+        """Why a block could not be kept."""
+        return SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
+            path=self.files.folder, error=reason, done=len(self.files.names)
+        ))
 
     def close(self) -> None:
         """Let go of the file, which stays for a scan that goes on."""
         self._store.close()
 
     def remove(self) -> None:
-        """Delete the file, as its scan is complete."""
+        """Delete all of it, as its scan is complete."""
+        self.files.remove()
         self._store.remove()
 
 

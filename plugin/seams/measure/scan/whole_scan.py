@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from concurrent.futures import Executor
 from contextlib import contextmanager
 from dataclasses import replace
@@ -11,16 +11,19 @@ from pathlib import Path
 from typing import Callable
 
 from ....imagery.atomic_files import drop_unfinished
-from ....imagery.errors import Message
+from ....imagery.errors import Message, SettingsError
 from ....imagery.raster_pool import own_threads, rasters_kept
 from ....imagery.rasters import Raster
 from ..inspection import Block, PathLike
-from .block_runs import BlockRun, ScanStep
+from . import messages
+from .block_runs import BlockRun, ScanStep, whole_block
+from .blocks.block_grid import BlockKey
+from .blocks.scan_block import BlockScan
 from .gathering import Gathering
 from .lines.given_seams import GivenSeams, given_seams
 from .lines.seam_features import read_seam_features
 from .lone_scan import LoneScanning
-from .scan_journal import ScanJournal, fingerprint_of, open_journal
+from .scan_journal import ScanJournal, fingerprint_of, local_states, open_journal
 from .scan_request import ScanRequest, scan_request
 from .scan_result import ScanResult, dated
 from .scan_settings import ScanSettings
@@ -38,8 +41,11 @@ GoesOn = Callable[[float], bool]
 class WholeScan:
     """One scan, which may have begun in an earlier run."""
 
-    def __init__(self, request: ScanRequest, journal: ScanJournal, notice: Message | None) -> None:
-        self.request = request
+    def __init__(
+        self, request: ScanRequest, journal: ScanJournal, notice: Message | None, read: Mapping[str, str] | None = None
+    ) -> None:
+        """``read``: ``local_states`` of what is read, before it is."""
+        self.request, self._read = request, read or {}
         self.notice = notice
         """What became of an earlier run: goes on, or starts anew and why."""
         self._journal = journal
@@ -47,7 +53,7 @@ class WholeScan:
             self._steps, self._result = BlockRun(request, journal).steps, Gathering(request, journal).result
         else:
             alone = LoneScanning(request, journal)
-            self._steps, self._result = alone.steps, alone.result
+            self._steps, self._result = alone.steps, lambda path, goes_on, *_crew: alone.result(path, goes_on)
 
     def steps(
         self, executor: Executor, ahead: int, cancelled: Callable[[], bool] = lambda: False
@@ -56,11 +62,26 @@ class WholeScan:
         with rasters_kept():
             yield from self._steps(executor, ahead, cancelled)
 
-    def result(self, loss_path: str = "", goes_on: GoesOn = lambda share: True) -> ScanResult | None:
+    def block(self, key: BlockKey) -> BlockScan | None:
+        """What was measured of one block so far, None where nothing was. Raises SettingsError where that can't be read
+        any more."""
+        return whole_block(self._journal.files, key)
+
+    def result(
+        self, loss_path: str = "", goes_on: GoesOn = lambda share: True, executor: Executor | None = None,
+        ahead: int = 0,
+    ) -> ScanResult | None:
         """What all blocks together tell, the picture of losses as a file where a path is given; None when ``goes_on``,
-        which is asked with the share that is done, says no."""
-        with rasters_kept():
-            found = self._result(loss_path, goes_on)
+        which is asked with the share that is done, says no. ``executor``: a thread per core where None.
+
+        Raises SettingsError where a raster has changed since the scan began.
+        """
+        now = local_states(_paths(self.request))
+        for path, state in self._read.items():
+            if now.get(path, state) != state:  # of one that is gone blocks have told
+                raise SettingsError(messages.SCAN_INPUT_CHANGED(name=Path(path).name))
+        with rasters_kept(), own_threads(executor, ahead) as crew:
+            found = self._result(loss_path, goes_on, *crew)
         dates = self.request.dates
         return found and replace(found, pieces=tuple(dated(piece, dates) for piece in found.pieces))
 
@@ -76,15 +97,21 @@ def whole_scan(request: ScanRequest, output: Path) -> Iterator[WholeScan]:
     Raises SettingsError where no file can be, or another scan is under way there.
     """
     seams = [(seam.vertices, seam.left, seam.right) for seam in request.seams]
+    read = local_states(_paths(request))
     fingerprint = fingerprint_of(
-        request.mosaic.ref, request.sources, request.settings, [item for seam in seams for item in seam]
+        request.mosaic.ref, request.sources, request.settings, [item for seam in seams for item in seam],
+        (request.mosaic.geotransform, request.mosaic.own_wkt),
     )
     journal, notice = open_journal(output.with_name(output.name + JOURNAL_ENDING), fingerprint)
     try:
         drop_unfinished(output)
-        yield WholeScan(request, journal, notice)
+        yield WholeScan(request, journal, notice, read)
     finally:
         journal.close()
+
+
+def _paths(request: ScanRequest) -> list[str]:
+    return [request.mosaic.ref.path, *(path for source in request.sources for path in source.ref.paths)]
 
 
 def scan(
@@ -127,7 +154,7 @@ def scan(
             for step in whole.steps(*opened):
                 told += step.notices
                 progress(MEASURED * step.share)
-            result = whole.result(os.fspath(loss), goes_on)
+            result = whole.result(os.fspath(loss), goes_on, *opened)
             assert result is not None  # it goes on
             whole.finish()
     return replace(result, notices=tuple(dict.fromkeys((*told, *result.notices))))

@@ -10,10 +10,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.imagery.record_store import RecordStore
 from seam_inspector.plugin.imagery.records import packed, unpacked
+from seam_inspector.plugin.seams.measure.scan.block_files import BlockFiles
 from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
-from seam_inspector.plugin.seams.measure.scan.scan_journal import _KIND, _VERSION
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
@@ -64,10 +63,9 @@ def test_a_foreign_record_is_measured_again(tmp_path: Path, foreign: str) -> Non
     request, _ = scan_request(made.mosaic, made.sources, ScanSettings())
     output = tmp_path / "loss.tif"
     expected, _ = scanned(request, output, is_last=False)
-    store = RecordStore(tmp_path / "loss.tif.scan", _KIND + _VERSION)
-    record = store.load("block 0 0")
+    files = BlockFiles(tmp_path / "loss.tif.scan-blocks")
+    record = files.load("block 0 0")
     assert record is not None
-    store.save("block 0 0", FOREIGN[foreign](record))
-    store.close()
+    files.save("block 0 0", FOREIGN[foreign](record))
     found, _ = scanned(request, output, is_last=True)
     assert [piece.kept for piece in found.pieces] == [piece.kept for piece in expected.pieces]

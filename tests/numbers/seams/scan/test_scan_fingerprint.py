@@ -45,6 +45,17 @@ def taken(files: dict[str, str], settings: ScanSettings = SETTINGS, seams: objec
     return fingerprint_of(RasterRef(files["mosaic"]), sources, settings, seams)  # type: ignore[arg-type]
 
 
+PLACES = "where the mosaic or one of the sources lies"
+
+
+def rewrite(path: str) -> None:
+    """With its size and time kept."""
+    before, held = os.stat(path), bytearray(Path(path).read_bytes())
+    held[-1] ^= 1
+    Path(path).write_bytes(held)
+    os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+
+
 def touch(path: str) -> None:
     os.utime(path, ns=(1, os.stat(path).st_mtime_ns + 1))
 
@@ -58,6 +69,11 @@ def touch(path: str) -> None:
         (lambda files: touch(str(Path(files["plain"]).parent / "archive.zip")), "the sources or one of their files"),
         (lambda files: touch(files["part"]), "the sources or one of their files"),
         (lambda files: Path(files["part"]).unlink(), "the sources or one of their files"),
+        (lambda files: rewrite(files["mosaic"]), "the mosaic"),
+        (lambda files: rewrite(files["part"]), "the sources or one of their files"),
+        (lambda files: Path(files["mosaic"]).with_suffix(".tfw").write_text("1"), PLACES),
+        (lambda files: Path(files["plain"]).with_suffix(".TFW").write_text("1"), PLACES),
+        (lambda files: Path(files["part"]).with_suffix(".wld").write_text("1"), PLACES),
     ],
 )
 def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dict[str, str]], None], what: str) -> None:
@@ -83,6 +99,8 @@ def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     refs = [Source(RasterRef(files[name]), EXTENT) for name in ("plain", "part")]
     first, second = (fingerprint_of(RasterRef(files["mosaic"]), some, None) for some in (refs, refs[::-1]))
     assert str(what_changed(first, second)) == "the sources or one of their files"
+    first, second = (fingerprint_of(RasterRef(files["mosaic"]), refs, None, place=(x, 1.0)) for x in (0.0, 25.0))
+    assert str(what_changed(first, second)) == PLACES
     monkeypatch.setattr(scan_journal, "_version", lambda: "0")
     assert str(what_changed(before, taken(files))) == "the plugin's version"
 

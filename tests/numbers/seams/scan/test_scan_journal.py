@@ -12,12 +12,14 @@ from pathlib import Path
 import pytest
 from seam_inspector.plugin.imagery.errors import INFO, WARNING, Message, SettingsError
 from seam_inspector.plugin.seams.measure.scan import messages
+from seam_inspector.plugin.seams.measure.scan.block_files import BlockFiles
+from seam_inspector.plugin.seams.measure.scan.block_runs import FIRST_LOOK, held
 from seam_inspector.plugin.seams.measure.scan.scan_journal import ScanJournal, open_journal
 
 from tests.numbers.disks import full_disk
 
 PRINT = "version=1 mosaic=2 sources=3 settings=4 seams=5"
-RESULTS = {"0": b"first", "1": b"", "ø/2": bytes(range(256)) * 50}
+RESULTS = {"block 0 0": b"first", "block 0 1": b"", "border 0 1": bytes(range(256)) * 50}
 
 
 @pytest.fixture
@@ -26,7 +28,7 @@ def path(tmp_path: Path) -> Path:
 
 
 def contents(journal: ScanJournal) -> dict[str, bytes]:
-    return {key: journal.load(key) for key in journal.keys}
+    return {name: journal.files.load(name) or b"" for name in journal.files.names}
 
 
 def written(path: Path, results: dict[str, bytes] = RESULTS) -> Path:
@@ -48,23 +50,22 @@ def sentence(notice: Message | None) -> str | None:
     return None if notice is None else notice.template
 
 
-def test_what_was_saved_is_there_in_its_order(path: Path) -> None:
+def test_what_was_saved_is_there(path: Path) -> None:
     journal, notice = open_journal(path, PRINT)
     assert notice is None
     for key, payload in RESULTS.items():
         journal.save(key, payload)
-        assert journal.load(key) == payload
-    assert list(journal.keys) == list(RESULTS)
-    journal.save("0", b"anew")
-    assert journal.load("0") == b"anew"
+        assert journal.files.load(key) == payload
+    journal.save("block 0 0", b"anew")
+    assert journal.files.load("block 0 0") == b"anew"
+    assert journal.files.load("never") is None
+    journal.save("again block 0 2", b"lacks something")
     journal.close()
     found, notice = reopened(path)
-    assert found == {**RESULTS, "0": b"anew"}
+    assert found == {**RESULTS, "block 0 0": b"anew", "again block 0 2": b"lacks something"}
     assert str(notice) == "The scan goes on where it stopped; blocks that are done already: 3."
     assert notice is not None
     assert notice.level is INFO
-    with pytest.raises(KeyError):
-        open_journal(path, PRINT)[0].load("never")
 
 
 def test_a_journal_without_results_has_nothing_to_say(path: Path) -> None:
@@ -73,7 +74,7 @@ def test_a_journal_without_results_has_nothing_to_say(path: Path) -> None:
 
 def test_a_complete_scan_leaves_nothing(path: Path, tmp_path: Path) -> None:
     journal, _ = open_journal(path, PRINT)
-    journal.save("0", b"x")
+    journal.save("block 0 0", b"x")
     journal.remove()
     assert os.listdir(tmp_path) == []
     assert reopened(path) == ({}, None)
@@ -100,14 +101,16 @@ def test_what_changed_is_said_and_nothing_of_the_other_scan_is_kept(path: Path, 
 
 
 def test_a_damaged_record_is_measured_again(path: Path) -> None:
-    whole = bytearray(written(path).read_bytes())
-    whole[whole.index(b"first") + 1] ^= 4
-    path.write_bytes(whole)
-    journal, _ = open_journal(path, PRINT)
+    damaged = written(path).with_name("loss.tif.scan-blocks") / "block 0 0"
+    whole = bytearray(damaged.read_bytes())
+    whole[1] ^= 4
+    damaged.write_bytes(whole)
+    files = BlockFiles(damaged.parent)
+    with pytest.raises(OSError, match="Input/output error"):
+        files.load("block 0 0")
     with pytest.raises(SettingsError, match=r"can't be read any more .*; start the scan again"):
-        journal.load("0")
-    journal.close()
-    assert reopened(path)[0] == {key: payload for key, payload in RESULTS.items() if key != "0"}
+        held(FIRST_LOOK, files, (0, 0))
+    assert reopened(path)[0] == {key: payload for key, payload in RESULTS.items() if key != "block 0 0"}
 
 
 def test_a_damaged_fingerprint_starts_anew_and_is_told(path: Path) -> None:
@@ -139,18 +142,18 @@ def test_a_folder_that_is_not_there_gets_a_sentence(tmp_path: Path) -> None:
 
 def test_a_full_disk_keeps_what_was_saved_and_says_how_to_go_on(path: Path) -> None:
     journal, _ = open_journal(path, PRINT)
-    journal.save("0", b"x" * 1000)
+    journal.save("block 0", b"x" * 1000)
     with full_disk(100_000):
         with pytest.raises(SettingsError) as caught:
-            journal.save("1", b"y" * 200_000)
-        journal.save("2", b"z" * 1000)  # a small one still finds room
+            journal.save("block 1", b"y" * 200_000)
+        journal.save("block 2", b"z" * 1000)  # a small one still finds room
     assert str(caught.value) == (
-        f"{path} can't be written (Input/output error). What was measured is kept (blocks done: 1); make room on "
+        f"{path}-blocks can't be written (File too large). What was measured is kept (blocks done: 1); make room on "
         "the disk and start the scan again with the same output to go on."
     )
-    journal.save("1", b"y" * 200_000)
+    journal.save("block 1", b"y" * 200_000)
     journal.close()
-    assert reopened(path)[0] == {"0": b"x" * 1000, "2": b"z" * 1000, "1": b"y" * 200_000}
+    assert reopened(path)[0] == {"block 0": b"x" * 1000, "block 2": b"z" * 1000, "block 1": b"y" * 200_000}
 
 
 # --- one scan at a time, killed at any moment ------------------------------------------------------------------
@@ -161,7 +164,7 @@ from pathlib import Path
 from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
 journal, _ = open_journal(Path(sys.argv[1]), sys.argv[2])
 print("open", flush=True)
-done = len(journal.keys)
+done = len(journal.files.names)
 while True:
     journal.save(str(done), str(done).encode() * (1 + done % 30_000))
     done += 1
@@ -205,24 +208,33 @@ def test_killed_at_random_moments_it_has_all_that_was_told_to_be_done(path: Path
     assert found
 
 
-PLACES = ("/etc/passwd", "../outside", "..\\outside", "/vsicurl/http://127.0.0.1:9/x", "file:///outside", "\0")
-
-
 def test_a_journal_by_somebody_else_names_no_file(tmp_path: Path) -> None:
-    """Its keys and fingerprint are words: nothing is opened, made or deleted by them."""
+    """Its fingerprint is words: nothing is opened, made or deleted by it, nor through a link among its blocks."""
     outside = tmp_path / "outside"
     outside.write_bytes(b"mine")
     folder = tmp_path / "handed over"
     folder.mkdir()
-    path = written(folder / "loss.tif.scan", {place: place.encode() for place in (*PLACES, str(outside))})
-    assert set(reopened(path)[0]) == {*PLACES, str(outside)}
+    path = written(folder / "loss.tif.scan")
+    (folder / "loss.tif.scan-blocks" / "block 9 9").symlink_to(outside)
+    assert set(reopened(path)[0]) == set(RESULTS)
     for fingerprint in (str(outside), "version=../outside mosaic=../outside"):
         journal, _ = open_journal(path, fingerprint)
-        journal.save(str(outside), b"overwritten")
+        journal.save("block 9 9", b"overwritten")
         journal.remove()
     assert list(folder.iterdir()) == []
-    assert sorted(one.name for one in tmp_path.iterdir()) == ["handed over", "outside"]
     assert outside.read_bytes() == b"mine"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links of POSIX")
+def test_a_folder_of_blocks_that_is_a_link_is_refused_and_left(path: Path) -> None:
+    outside = path.with_name("outside")
+    outside.mkdir()
+    (outside / "block 0 0").write_bytes(b"mine")
+    path.with_name("loss.tif.scan-blocks").symlink_to(outside)
+    for _ in range(2):
+        with pytest.raises(SettingsError, match="can't be written"):
+            open_journal(path, PRINT)
+    assert [one.read_bytes() for one in outside.iterdir()] == [b"mine"]
 
 
 @pytest.mark.skipif(os.name == "nt", reason="links and pipes of POSIX")

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy import ndimage
 
 from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
@@ -29,6 +30,8 @@ CROWDED_PX = 384  # side of a part that is measured by more sources than are hel
 MOST_UNEXPLAINED = 0.1  # of a part: beyond it sources that no patch follows are tried, too
 CELLS = BLOCK_PX // CELL_PX
 """Cells along a side of a block."""
+FARTHEST_FILLED_PX = 700
+"""Between samples where seamlines are given: as far as the next one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +138,21 @@ def _scanned(request: BlockRequest) -> BlockScan:
     made.leave_out(pixels.valid)
     if every > 1:
         made.take_outside(thin_valid(request.mosaic, request.window))
-    return made.result(tuple(dict.fromkeys(pixels.notices)))
+    found = made.result(tuple(dict.fromkeys(pixels.notices)))
+    return replace(found, labels=filled(found)) if every > 1 else found
+
+
+def filled(scan: BlockScan) -> np.ndarray:
+    """Labels of a block of which only strips along its seams and some samples were looked at: what is nearest."""
+    step = LABELS // UNITS
+    labels = scan.labels[step // 2 :: step, step // 2 :: step]
+    known = labels != UNKNOWN
+    if not known.any():
+        return scan.labels
+    distance, (row, column) = ndimage.distance_transform_edt(~known, return_indices=True)
+    nearest = np.where(distance <= FARTHEST_FILLED_PX / LABEL_PX / step, labels[row, column], UNKNOWN).astype(np.uint8)
+    nearest[scan.dense | scan.outside] = UNKNOWN
+    return np.where(scan.labels == UNKNOWN, enlarged(nearest, step), scan.labels)
 
 
 def _widened(window: PixelWindow) -> PixelWindow:

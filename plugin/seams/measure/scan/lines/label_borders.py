@@ -1,18 +1,19 @@
-"""Labels as an estimate leaves them, strip by strip -> cleaned ones -> the borders between them.
+"""Labels as an estimate leaves them -> cleaned ones -> the borders between them, tile by tile.
 
-Cleaning: what is done to a label depends on labels less than ``REACH`` samples away only, so neither the strips that
-come in nor the tiles that are worked on show in the result.
+Cleaning: what is done to a label depends on labels less than ``REACH`` samples away only, so a tile with such a margin
+gives what the whole mosaic would.
 
 Borders: chains of sample sides from one junction of three labels to the next. A node is a corner of samples, an edge a
 side between two samples with different labels. An edge is directed so that the lower label is on its left: at a node
 that two edges meet, one therefore comes in and the other goes out, and they part the same two labels. Where four edges
 meet and two labels face each other across, the node is taken for two that lie in one place, so that borders pass each
-other there and don't end.
+other there and don't end. Each tile chains its own edges; what ends on a tile's side goes on in the next one, and all
+chains are joined in the end.
 """
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from scipy import ndimage
@@ -23,69 +24,53 @@ NONE = -1
 """The label where no source is followed, or nobody looked."""
 REACH = 96
 """Samples: twice the filters' own, once the largest island removed and once the way to what fills it."""
+MARGIN = REACH + 1
+"""Samples around a tile that its chains are traced by."""
 
 _GAP = 3  # samples: a strip up to twice as wide without labels (12 to 24 px) is crossed by those around it
 _SIGMA = 1.5  # samples, 6 px: of the neighbourhood whose majority counts; errors at borders are a cell or two wide
 _ISLAND_PX2 = 600  # px squared: what is smaller says nothing of a seam, and is an error as often as not
-_TILE = 512  # samples a side
 _SQUARE, _VOTERS = 64, 5  # samples a side that are voted on together, and how far votes come from: 3 sigma
 
 
-def cleaned(strips: Iterable[np.ndarray], label_px: int) -> Iterator[np.ndarray]:
-    """Strips of labels (rows, columns) int16, from top to bottom, of heights of their own -> the same cleaned.
-
-    Narrow gaps are closed, single wrong labels outvoted by their neighbours, and islands of less than 600 px squared
-    given to what lies around them.
-    """
-    island = max(_ISLAND_PX2 // label_px**2, 1)
-    held: list[np.ndarray] = []
-    above = 0  # rows held that are done and serve as neighbours only
-    for strip in strips:
-        if not strip.size:
-            continue
-        held.append(strip)
-        if sum(map(len, held)) - above >= _TILE + REACH:
-            rows = np.concatenate(held)
-            stop = len(rows) - REACH
-            yield _clean(rows, above, stop, island)
-            held, above = [rows[max(stop - REACH, 0) :]], min(stop, REACH)
-    if held:
-        rows = np.concatenate(held)
-        if len(rows) > above:
-            yield _clean(rows, above, len(rows), island)
+def cleaned(labels: np.ndarray, label_px: int) -> np.ndarray:
+    """(rows, columns) int of samples of ``label_px``: narrow gaps are closed, single wrong labels outvoted by their
+    neighbours, and islands of less than 600 px squared given to what lies around them."""
+    if not labels.size or (labels == labels[0, 0]).all():
+        return labels
+    return _islands_filled(_outvoted(_gaps_closed(labels)), max(_ISLAND_PX2 // label_px**2, 1))
 
 
-def _clean(rows: np.ndarray, start: int, stop: int, island: int) -> np.ndarray:
-    """Rows ``start`` to ``stop``, tile by tile."""
-    out = rows[start:stop].copy()
-    for top in range(start, stop, _TILE):
-        bottom = min(top + _TILE, stop)
-        for left in range(0, rows.shape[1], _TILE):
-            right = min(left + _TILE, rows.shape[1])
-            first_row, first_column = max(top - REACH, 0), max(left - REACH, 0)
-            around = rows[first_row : bottom + REACH, first_column : right + REACH]
-            if (around == around[0, 0]).all():
-                continue
-            own = np.s_[top - first_row : bottom - first_row, left - first_column : right - first_column]
-            out[top - start : bottom - start, left:right] = _clean_tile(around, island)[own]
-    return out
-
-
-def _clean_tile(labels: np.ndarray, island: int) -> np.ndarray:
-    labels = _outvoted(_gaps_closed(labels))
-    return _islands_filled(labels, island)
+_DISK = sorted(
+    ((down, across) for down in range(-_GAP, _GAP + 1) for across in range(-_GAP, _GAP + 1)
+     if down**2 + across**2 <= _GAP**2),
+    key=lambda one: (one[0] ** 2 + one[1] ** 2, one),
+)
 
 
 def _gaps_closed(labels: np.ndarray) -> np.ndarray:
     """Narrow strips without labels filled by the nearest one; the outline of what has labels stays as it is."""
     empty = labels == NONE
-    if not empty.any() or empty.all():
+    if not empty.any():
         return labels
-    away, nearest = ndimage.distance_transform_edt(empty, return_indices=True)
-    far = away > _GAP
-    if far.any():
-        empty &= ndimage.distance_transform_edt(~far) > _GAP
-    return np.where(empty, labels[tuple(nearest)], labels)
+    wide = _spread(~_spread(~empty))  # what a disk finds room in
+    narrow = np.argwhere(empty & ~wide)
+    out, around = labels.copy(), np.pad(labels, _GAP, constant_values=NONE)
+    for down, across in _DISK:
+        row, column = narrow.T
+        found = around[row + down + _GAP, column + across + _GAP]
+        out[row, column] = found
+        narrow = narrow[found == NONE]
+    return out
+
+
+def _spread(mask: np.ndarray) -> np.ndarray:
+    """What lies within ``_GAP`` of a mask, bool."""
+    rows, columns = mask.shape
+    around, found = np.pad(mask, _GAP), np.zeros(mask.shape, bool)
+    for down, across in _DISK:
+        found |= around[down + _GAP : down + _GAP + rows, across + _GAP : across + _GAP + columns]
+    return found
 
 
 def _outvoted(labels: np.ndarray) -> np.ndarray:
@@ -152,9 +137,6 @@ def _islands_filled(labels: np.ndarray, island: int) -> np.ndarray:
     return out
 
 
-_ROWS = 128  # that are looked at together: their sides take some times as much memory as the labels
-
-
 @dataclass(frozen=True, eq=False)
 class LabelBorder:
     """One border between two labels, from one junction to the next, or a ring."""
@@ -169,55 +151,97 @@ class LabelBorder:
     """What its two ends are known by: borders with an end of the same key meet there."""
 
 
-@dataclass(frozen=True, eq=False)
-class _Edges:
-    """Sides between samples."""
+@dataclass(frozen=True)
+class LabelTile:
+    """A rectangle of the samples of a mosaic."""
 
-    start: np.ndarray
-    """(n,) int64: twice the number of the node, plus 1 for the second of two in one place."""
-    stop: np.ndarray
-    """(n,) int64"""
-    left: np.ndarray
-    """(n,) int16"""
-    right: np.ndarray
-    """(n,) int16"""
-    junctions: np.ndarray
-    """Nodes where borders end, of those that came with strips before."""
+    row: int
+    """The first one, as the next."""
+    column: int
+    height: int
+    width: int
+    rows: int
+    """Of the whole mosaic, as the next."""
+    columns: int
 
-    def taken(self, which: np.ndarray) -> _Edges:
-        """Some of them, in the order given."""
-        return replace(
-            self, start=self.start[which], stop=self.stop[which], left=self.left[which], right=self.right[which]
+    def around(self, margin: int) -> tuple[slice, slice]:
+        """Its rows and columns and ``margin`` more on all sides, as far as the mosaic goes."""
+        return (
+            slice(max(self.row - margin, 0), min(self.row + self.height + margin, self.rows)),
+            slice(max(self.column - margin, 0), min(self.column + self.width + margin, self.columns)),
         )
 
+    def is_shared(self, nodes: np.ndarray) -> np.ndarray:
+        """Which nodes lie on its sides, where other tiles may have edges, too."""
+        found = np.zeros(nodes.shape, bool)
+        places = np.divmod(nodes // 2, self.columns + 1)
+        firsts, lengths, ends = (self.row, self.column), (self.height, self.width), (self.rows, self.columns)
+        for place, first, length, end in zip(places, firsts, lengths, ends):
+            found |= ((place == first) & (first > 0)) | ((place == first + length) & (first + length < end))
+        return found
 
-def label_borders(strips: Iterable[np.ndarray]) -> Iterator[LabelBorder]:
-    """All borders, outlines included, each as soon as both its ends are known.
 
-    ``strips``: (rows, columns) labels from top to bottom, all of one width. Memory grows with what is open only.
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """Edges one after the other, between the same two labels."""
+
+    nodes: np.ndarray
+    """(n,) int64, n >= 2: twice the number of each node, plus 1 for the second of two in one place."""
+    left: int
+    right: int
+
+
+def cleaned_chains(labels: np.ndarray, tile: LabelTile, label_px: int) -> list[Chain]:
+    """The chains of a tile of labels that are not cleaned, (rows, columns) of ``tile.around(MARGIN)``."""
+    place = tuple(
+        slice(inner.start - outer.start, inner.stop - outer.start)
+        for inner, outer in zip(tile.around(1), tile.around(MARGIN))
+    )
+    return tile_chains(cleaned(labels, label_px)[place], tile)
+
+
+def tile_chains(labels: np.ndarray, tile: LabelTile) -> list[Chain]:
+    """The chains of a tile's own edges: those within it, on its upper and its left side, and on the mosaic's outline.
+
+    ``labels``: (rows, columns) of ``tile.around(1)``.
     """
-    above: np.ndarray | None = None
-    opened: _Edges | None = None
-    row = 0
-    for strip in (whole[start : start + _ROWS] for whole in strips for start in range(0, len(whole), _ROWS)):
-        if above is None:
-            above = np.full((1, strip.shape[1] + 2), NONE, strip.dtype)
-        padded = np.pad(strip, ((0, 0), (1, 1)), constant_values=NONE)
-        opened, done = _chained(opened, _edges(np.concatenate([above, padded]), row), row + len(strip), strip.shape[1])
-        yield from done
-        above, row = padded[-1:], row + len(strip)
-    if above is not None:
-        last = np.concatenate([above, np.full_like(above, NONE)])
-        yield from _chained(opened, _edges(last, row), -1, above.shape[1] - 2)[1]
+    margins = []
+    for around, first, length, end in zip(
+        tile.around(1), (tile.row, tile.column), (tile.height, tile.width), (tile.rows, tile.columns)
+    ):
+        # Of the last tile the sample beyond is its own: there is nothing, and the outline lies before it.
+        last = first + length + (first + length == end)
+        margins.append((around.start - first + 1, last + 1 - around.stop))
+    start, stop, left, right = _edges(np.pad(labels, margins, constant_values=NONE)[:-1], tile)
+    return [
+        Chain(np.append(start[one], stop[one[-1]]), int(left[one[0]]), int(right[one[0]]))
+        for one, _ in _chained(start, stop, tile.is_shared)
+    ]
 
 
-def _edges(labels: np.ndarray, first_row: int) -> _Edges:
-    """The edges along the tops of rows and within them; ``labels`` begins with the row above and is a column wider
-    on either side."""
-    width = labels.shape[1] - 2
+def joined_borders(chains: Sequence[Chain], columns: int) -> list[LabelBorder]:
+    """The borders that the chains of all tiles make, outlines included, by the nodes where they begin; ``columns`` of
+    the whole mosaic."""
+    start, stop = (np.array([one.nodes[end] for one in chains], np.int64) for end in (0, -1))
+    borders = []
+    for group, is_ring in _chained(start, stop):
+        parts = [chains[number].nodes for number in group.tolist()]
+        nodes = np.concatenate([parts[0][:1], *(part[1:] for part in parts)])
+        if is_ring:
+            nodes = np.append(np.roll(nodes[:-1], -int(nodes.argmin())), nodes.min())
+        one = chains[group[0]]
+        places = np.column_stack(np.divmod(nodes // 2, columns + 1))
+        borders.append(LabelBorder(places, one.left, one.right, (int(nodes[0]), int(nodes[-1]))))
+    return sorted(borders, key=lambda one: (one.keys, one.left, one.right))
+
+
+def _edges(labels: np.ndarray, tile: LabelTile) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """First and last node, left and right label of the edges along the tops and the left sides of samples; ``labels``
+    begins with the row above and is a column wider on either side."""
+    width = tile.columns
     upper, lower = labels[:-1], labels[1:]
     across = upper[:, 1:-1] != lower[:, 1:-1]  # between rows: (row, column)
-    down = lower[:, :-1] != lower[:, 1:]  # between columns: (row, node column)
+    down = lower[:, :-1] != lower[:, 1:]  # between columns: (row, node column); the last one is the next tile's
     # Nodes at the tops of these rows: the four samples around each.
     top_left, top_right = upper[:, :-1], upper[:, 1:]
     bottom_left, bottom_right = lower[:, :-1], lower[:, 1:]
@@ -228,7 +252,7 @@ def _edges(labels: np.ndarray, first_row: int) -> _Edges:
     rising = double & ~falling
 
     row, column = np.nonzero(across)
-    node = 2 * ((first_row + row) * (width + 1) + column)
+    node = 2 * ((tile.row + row) * (width + 1) + tile.column + column)
     north, south = upper[row, column + 1], lower[row, column + 1]
     # The node is the left end of one side, where falling takes the right arm up, and the right end of another.
     west, east = node + rising[row, column], node + 2 + falling[row, column + 1]
@@ -236,42 +260,37 @@ def _edges(labels: np.ndarray, first_row: int) -> _Edges:
     start, stop = np.where(eastward, west, east), np.where(eastward, east, west)
     left, right = np.minimum(north, south), np.maximum(north, south)
 
-    row, column = np.nonzero(down)
-    node = 2 * ((first_row + row) * (width + 1) + column)
+    row, column = np.nonzero(down[:, :-1])
+    node = 2 * ((tile.row + row) * (width + 1) + tile.column + column)
     upper_end, lower_end = node + double[row, column], node + 2 * (width + 1)
     west_label, east_label = lower[row, column], lower[row, column + 1]
     southward = east_label < west_label
-    return _Edges(
+    return (
         np.concatenate([start, np.where(southward, upper_end, lower_end)]).astype(np.int64),
         np.concatenate([stop, np.where(southward, lower_end, upper_end)]).astype(np.int64),
         np.concatenate([left, np.minimum(west_label, east_label)]),
         np.concatenate([right, np.maximum(west_label, east_label)]),
-        np.empty(0, np.int64),
     )
 
 
 def _chained(
-    opened: _Edges | None, new: _Edges, open_row: int, width: int
-) -> tuple[_Edges, list[LabelBorder]]:
-    """Edges that belong to borders which go on below the nodes of ``open_row``, and the borders that are whole."""
-    edges = new if opened is None else _Edges(
-        np.concatenate([opened.start, new.start]),
-        np.concatenate([opened.stop, new.stop]),
-        np.concatenate([opened.left, new.left]),
-        np.concatenate([opened.right, new.right]),
-        opened.junctions,
-    )
-    count = len(edges.start)
+    start: np.ndarray, stop: np.ndarray, is_open: Callable[[np.ndarray], np.ndarray] | None = None
+) -> list[tuple[np.ndarray, bool]]:
+    """Edges, or chains of them, one after the other: their numbers, and whether they make a ring.
+
+    Each runs from a node that other than two meet, or that ``is_open``, to the next; a ring from its lowest node.
+    """
+    count = len(start)
     if not count:
-        return edges, []
-    nodes, ends = np.unique(np.concatenate([edges.start, edges.stop]), return_inverse=True)
+        return []
+    nodes, ends = np.unique(np.concatenate([start, stop]), return_inverse=True)
     starts, stops = ends[:count], ends[count:]
-    pending = nodes // (2 * (width + 1)) == open_row
-    # The other borders of a junction may be done and gone, so it is remembered as one.
-    ending = ~pending & ((np.bincount(ends, minlength=len(nodes)) != 2) | np.isin(nodes, edges.junctions))
+    is_end = np.bincount(ends, minlength=len(nodes)) != 2
+    if is_open is not None:
+        is_end |= is_open(nodes)
     leaving = np.full(len(nodes), -1)
     leaving[starts] = np.arange(count)
-    following = np.where(pending[stops] | ending[stops], -1, leaving[stops])
+    following = np.where(is_end[stops], -1, leaving[stops])
     linked = np.flatnonzero(following >= 0)
     links = coo_matrix((np.ones(len(linked), bool), (linked, following[linked])), shape=(count, count))
     chains, chain = connected_components(links, directed=False)
@@ -283,15 +302,9 @@ def _chained(
         first_node = np.full(chains, len(nodes))
         np.minimum.at(first_node, chain, starts)
         following[is_ring[chain] & (stops == first_node[chain])] = -1
-    still_open = np.zeros(chains, dtype=bool)
-    still_open[chain[pending[starts] | pending[stops]]] = True
-
-    chosen = np.flatnonzero(~still_open[chain])
-    left_over = _edges_to_last(following)
-    order = chosen[np.lexsort((-left_over[chosen], chain[chosen]))]
-    groups = np.split(order, np.flatnonzero(np.diff(chain[order])) + 1) if len(order) else []
-    rest = replace(edges.taken(np.flatnonzero(still_open[chain])), junctions=nodes[ending])
-    return rest, [_border(edges, group, width) for group in groups]
+    order = np.lexsort((-_edges_to_last(following), chain))
+    groups = np.split(order, np.flatnonzero(np.diff(chain[order])) + 1)
+    return [(group, bool(is_ring[chain[group[0]]])) for group in groups]
 
 
 def _edges_to_last(following: np.ndarray) -> np.ndarray:
@@ -304,10 +317,3 @@ def _edges_to_last(following: np.ndarray) -> np.ndarray:
         far[moving] = far[target]
         moving = moving[far[moving] >= 0]
     return count
-
-
-def _border(edges: _Edges, group: np.ndarray, width: int) -> LabelBorder:
-    keys = np.append(edges.start[group], edges.stop[group[-1]])
-    nodes = np.column_stack(np.divmod(keys // 2, width + 1))
-    first = group[0]
-    return LabelBorder(nodes, int(edges.left[first]), int(edges.right[first]), (int(keys[0]), int(keys[-1])))

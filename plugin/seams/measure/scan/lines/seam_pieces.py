@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Union
 
@@ -31,7 +31,7 @@ class SidedSeam:
     """On the left hand of who walks along the vertices: the source's number; or what a producer says that the mosaic
     was made from, an orthoimage's name, else a date."""
     right: Side
-    """The same on the right hand. Producers' left and right are often exchanged; ``sides_of`` sets them right."""
+    """The same on the right hand. Producers' left and right are often exchanged; ``sided`` sets them right."""
 
     @property
     def length(self) -> float:
@@ -118,29 +118,35 @@ def _inside(path: np.ndarray, grid: Grid) -> Iterator[tuple[np.ndarray, float]]:
             yield part, float(along[run[0]] + enter[run[0]] * np.hypot(*step[run[0]]))
 
 
+LabelsAt = Callable[[np.ndarray, np.ndarray], np.ndarray]
+"""Takes columns and rows of samples, int of one shape, and gives the labels there, ``NONE`` outside."""
+
 _STATIONS = 6  # along a piece
 _OFFSETS_PX = (10.0, 20.0)  # to either side: beyond the errors of labels at a seam, and within narrow parts
 _TINY = np.finfo(float).tiny
 _LEAST_SHARE = 0.5  # of the samples on a side that have to agree
 
 
-def sides_of(
-    pieces: Sequence[SeamPiece],
-    strips: Iterable[np.ndarray],
-    grid: Grid,
-    label_px: int = 4,
-    numbers: Mapping[str, int] | None = None,
-) -> list[SeamPiece]:
-    """Pieces with the sources that most labels beside them show.
+def sources_beside(pieces: Sequence[SeamPiece], labels_at: LabelsAt, grid: Grid, label_px: int) -> np.ndarray:
+    """(pieces, 2) int: the source that most labels on the left and on the right hand of each piece show, ``NONE`` where
+    they don't agree."""
+    return _majorities(labels_at(*_places(pieces, grid, label_px)))
 
-    ``strips``: labels as ``trace_borders`` takes them, read once. A piece whose sides aren't named gets the numbers of
-    its sources, None where labels don't agree, and the same number twice where the mosaic doesn't change sources
-    there. One that is named keeps its names; they are exchanged where the labels say so (``numbers``: of the names).
+
+def sided(piece: SeamPiece, shown: Sequence[int], numbers: Mapping[str, int]) -> SeamPiece:
+    """A piece with what lies beside it, ``shown`` as in ``sources_beside``.
+
+    One whose sides aren't named gets the numbers of its sources, None where labels don't agree, and the same number
+    twice where the mosaic doesn't change sources there. One that is named keeps its names; they are exchanged where the
+    labels say so (``numbers``: of the names).
     """
-    columns, rows = _places(pieces, grid, label_px)
-    found = _looked_up(columns, rows, strips)
-    winners = _majorities(found)
-    return [_sided(piece, winners[i], numbers or {}) for i, piece in enumerate(pieces)]
+    left, right = (None if label == NONE else int(label) for label in shown)
+    if piece.left is None and piece.right is None:
+        return replace(piece, left=left, right=right)
+    named = _number(piece.left, numbers), _number(piece.right, numbers)
+    if left != right and _agreeing(named[::-1], (left, right)) > _agreeing(named, (left, right)):
+        return replace(piece, left=piece.right, right=piece.left)
+    return piece
 
 
 def _places(pieces: Sequence[SeamPiece], grid: Grid, label_px: int) -> tuple[np.ndarray, np.ndarray]:
@@ -161,21 +167,6 @@ def _places(pieces: Sequence[SeamPiece], grid: Grid, label_px: int) -> tuple[np.
     return found[..., 0], found[..., 1]
 
 
-def _looked_up(columns: np.ndarray, rows: np.ndarray, strips: Iterable[np.ndarray]) -> np.ndarray:
-    """The label at each place, ``NONE`` outside."""
-    found = np.full(columns.size, NONE, np.int64)
-    order = np.argsort(rows, axis=None, kind="stable")
-    flat_rows, flat_columns = rows.ravel()[order], columns.ravel()[order]
-    top = 0
-    for strip in strips:
-        first, last = np.searchsorted(flat_rows, (top, top + len(strip)))
-        within = (flat_columns[first:last] >= 0) & (flat_columns[first:last] < strip.shape[1])
-        chosen = np.arange(first, last)[within]
-        found[order[chosen]] = strip[flat_rows[chosen] - top, flat_columns[chosen]]
-        top += len(strip)
-    return found.reshape(columns.shape)
-
-
 def _majorities(found: np.ndarray) -> np.ndarray:
     """The label of most samples on each side, (pieces, 2), ``NONE`` where fewer than half agree."""
     best = np.full(found.shape[:2], NONE, np.int64)
@@ -187,16 +178,6 @@ def _majorities(found: np.ndarray) -> np.ndarray:
         best[better], most[better] = candidate[better], count[better]
     best[most < _LEAST_SHARE * found.shape[2]] = NONE
     return best
-
-
-def _sided(piece: SeamPiece, shown: np.ndarray, numbers: Mapping[str, int]) -> SeamPiece:
-    left, right = (None if label == NONE else int(label) for label in shown)
-    if piece.left is None and piece.right is None:
-        return replace(piece, left=left, right=right)
-    named = _number(piece.left, numbers), _number(piece.right, numbers)
-    if left != right and _agreeing(named[::-1], (left, right)) > _agreeing(named, (left, right)):
-        return replace(piece, left=piece.right, right=piece.left)
-    return piece
 
 
 def _number(side: Side, numbers: Mapping[str, int]) -> int | None:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import struct
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,7 @@ from scipy import ndimage
 
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Grid
-from .label_borders import NONE, LabelBorder, cleaned, label_borders
+from .label_borders import NONE, Chain, LabelBorder, joined_borders
 from .seam_pieces import SidedSeam
 
 _SIGMA = 2.0  # samples along a border, 8 px: a stair's length and more; a corner of 90 degrees is cut by 6 px
@@ -41,18 +41,19 @@ def seams_of(borders: Iterable[SourceBorder]) -> list[SidedSeam]:
     return sorted(seams, key=lambda one: (-round(one.length, 6), -one.vertices[0, 1], one.vertices[0, 0]))
 
 
-def trace_borders(strips: Iterable[np.ndarray], grid: Grid, label_px: int = 4) -> Iterator[SourceBorder]:
-    """The seams and outlines that labels show, in no order to rely on.
+def trace_borders(chains: Sequence[Chain], grid: Grid, columns: int, label_px: int = 4) -> list[SourceBorder]:
+    """The seams and outlines that the chains of all tiles of labels make.
 
-    ``strips``: (rows, columns) int16 of the label raster from top to bottom, of any heights; a label stands for the
-    middle of ``label_px`` x ``label_px`` pixels of ``grid`` and is the number of a source or -1 for none. Ends that
-    meet in a junction are equal to the last digit. Memory grows with the length of the seams.
+    A label stands for the middle of ``label_px`` x ``label_px`` pixels of ``grid``, ``columns`` of them lie side by
+    side; it is the number of a source or -1 for none. Ends that meet in a junction are equal to the last digit.
     """
     corner = np.array([grid.left, grid.top])
     pixel = np.array([grid.pixel_width, -grid.pixel_height])
-    for border in label_borders(cleaned(strips, label_px)):
+    found = []
+    for border in joined_borders(chains, columns):
         places = np.minimum(_regularised(border) * label_px, (grid.columns, grid.rows))
-        yield SourceBorder(corner + places * pixel, border.left, border.right, border.keys)
+        found.append(SourceBorder(corner + places * pixel, border.left, border.right, border.keys))
+    return found
 
 
 def _regularised(border: LabelBorder) -> np.ndarray:

@@ -8,13 +8,24 @@ from scipy import ndimage
 from scipy.spatial import cKDTree
 from scipy.special import ndtri
 from seam_inspector.plugin.imagery.grids import Grid
+from seam_inspector.plugin.seams.measure.scan.lines.label_borders import MARGIN, Chain, LabelTile, cleaned_chains
 
 LABEL_PX = 4
 
 
-def strips_of(labels: np.ndarray, height: int = 512) -> Iterator[np.ndarray]:
-    """From top to bottom."""
-    return (labels[row : row + height] for row in range(0, len(labels), height))
+def tiles_of(labels: np.ndarray, side: int = 512) -> Iterator[tuple[LabelTile, np.ndarray]]:
+    """Tiles that cover labels, each with those around that its chains are traced by."""
+    rows, columns = labels.shape
+    for row in range(0, rows, side):
+        for column in range(0, columns, side):
+            tile = LabelTile(row, column, min(side, rows - row), min(side, columns - column), rows, columns)
+            yield tile, labels[tile.around(MARGIN)]
+
+
+def chains_of(labels: np.ndarray, side: int = 512) -> list[Chain]:
+    """Of all tiles."""
+    found = [cleaned_chains(part, tile, LABEL_PX) for tile, part in tiles_of(labels, side)]
+    return [chain for chains in found for chain in chains]
 
 
 def estimated(labels: np.ndarray, seed: int, right_near: float = 0.94, right_far: float = 0.995) -> np.ndarray:

@@ -2,12 +2,17 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 from seam_inspector.plugin.imagery.grids import Grid
 from seam_inspector.plugin.seams.measure.scan.lines.seam_fields import source_numbers
-from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sides_of
+from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import (
+    SeamPiece,
+    Side,
+    cut_in_pieces,
+    sided,
+    sources_beside,
+)
 
-from tests.numbers.seams.scan.lines.labelled import estimated, strips_of
+from tests.numbers.seams.scan.lines.labelled import estimated
 
 GRID = Grid(1000.0, 2000.0, 0.5, 0.5, 800, 800)
 
@@ -27,17 +32,22 @@ def seam(*places: tuple[float, float], left: Side = None, right: Side = None) ->
     return SeamPiece(1, 0, 0, np.column_stack([1000 + x / 2, 2000 - y / 2]), left, right)
 
 
-def sides(piece: SeamPiece, numbers: dict[str, int] | None = None, height: int = 64) -> tuple[Side, Side]:
-    (found,) = sides_of([piece], strips_of(labels(), height), GRID, 4, numbers)
+def with_sides(pieces: list[SeamPiece], numbers: dict[str, int] | None = None) -> list[SeamPiece]:
+    whole = np.pad(labels(), 300, constant_values=-1)
+    shown = sources_beside(pieces, lambda columns, rows: whole[rows + 300, columns + 300], GRID, 4)
+    return [sided(piece, own, numbers or {}) for piece, own in zip(pieces, shown.tolist())]
+
+
+def sides(piece: SeamPiece, numbers: dict[str, int] | None = None) -> tuple[Side, Side]:
+    (found,) = with_sides([piece], numbers)
     return found.left, found.right
 
 
-@pytest.mark.parametrize("height", [1, 64, 200])
-def test_the_labels_beside_a_piece_are_its_sides(height: int) -> None:
-    assert sides(seam((400, 200), (400, 460)), height=height) == (3, 5)  # southward: east is left
-    assert sides(seam((400, 460), (400, 200)), height=height) == (5, 3)
-    assert sides(seam((400, 480), (700, 480)), height=height) == (3, 7)
-    assert sides(seam((100, 480), (300, 480)), height=height) == (5, 5)
+def test_the_labels_beside_a_piece_are_its_sides() -> None:
+    assert sides(seam((400, 200), (400, 460))) == (3, 5)  # southward: east is left
+    assert sides(seam((400, 460), (400, 200))) == (5, 3)
+    assert sides(seam((400, 480), (700, 480))) == (3, 7)
+    assert sides(seam((100, 480), (300, 480))) == (5, 5)
 
 
 def test_no_side_is_told_where_none_is_followed() -> None:
@@ -57,10 +67,10 @@ def test_names_that_are_exchanged_are_set_right_and_others_stay() -> None:
 
 def test_every_piece_of_a_long_seam_has_its_own_sides() -> None:
     pieces = cut_in_pieces([seam((400, 200), (400, 480), (400, 780))], 10, GRID)
-    found = sides_of(pieces, strips_of(labels()), GRID)
+    found = with_sides(pieces)
     assert {(piece.left, piece.right) for piece in found} == {(3, 5), (7, 5)}
     assert [piece.station_m for piece in found] == [piece.station_m for piece in pieces]
-    assert sides_of([], strips_of(labels()), GRID) == []
+    assert with_sides([]) == []
 
 
 def test_names_are_found_among_files() -> None:

@@ -1,9 +1,7 @@
-"""Seams traced from labels: where they are, smooth, joined, and the same in whatever strips the labels come."""
+"""Seams traced from labels: where they are, smooth, joined, and the same in whatever tiles the labels come."""
 from __future__ import annotations
 
-import tracemalloc
 from collections import Counter
-from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -11,17 +9,25 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
+from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.label_borders import LabelBorder, cleaned, label_borders
+from seam_inspector.plugin.seams.measure.scan.lines.label_borders import (
+    LabelBorder,
+    _gaps_closed,
+    cleaned,
+    joined_borders,
+    tile_chains,
+)
 from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import SidedSeam, seams_of, trace_borders
 
 from tests.numbers.seams.scan.lines.labelled import (
     LABEL_PX,
+    chains_of,
     distances,
     estimated,
     points_along,
     points_between,
-    strips_of,
+    tiles_of,
 )
 from tests.numbers.synthetic import read_pixels
 
@@ -29,8 +35,8 @@ SIDE = 200
 """Samples of a small mosaic."""
 
 
-def trace_seams(strips: Iterable[np.ndarray], grid: Grid, label_px: int = 4) -> list[SidedSeam]:
-    return seams_of(trace_borders(strips, grid, label_px))
+def trace_seams(labels: np.ndarray, grid: Grid, side: int = 512) -> list[SidedSeam]:
+    return seams_of(trace_borders(chains_of(labels, side), grid, labels.shape[1], LABEL_PX))
 
 
 def grid_of(labels: np.ndarray) -> Grid:
@@ -38,8 +44,8 @@ def grid_of(labels: np.ndarray) -> Grid:
     return Grid(576000.0, 5188000.0, 0.5, 0.5, columns * LABEL_PX, rows * LABEL_PX)
 
 
-def traced(labels: np.ndarray, height: int = 512) -> list[SidedSeam]:
-    return trace_seams(strips_of(labels.astype(np.int16), height), grid_of(labels), LABEL_PX)
+def traced(labels: np.ndarray, side: int = 512) -> list[SidedSeam]:
+    return trace_seams(labels.astype(np.int16), grid_of(labels), side)
 
 
 def pixels(seam: SidedSeam, labels: np.ndarray) -> np.ndarray:
@@ -139,7 +145,7 @@ def test_an_island_without_labels_around_it_goes_too() -> None:
 def test_seams_come_longest_first_and_stay_inside_the_mosaic() -> None:
     labels = np.repeat(np.repeat(np.arange(16).reshape(4, 4), 50, 0), 50, 1)
     grid = Grid(0.0, 0.0, 0.5, 0.5, SIDE * LABEL_PX - 3, SIDE * LABEL_PX - 1)  # the last samples stick out
-    seams = trace_seams([labels.astype(np.int16)], grid, LABEL_PX)
+    seams = trace_seams(labels.astype(np.int16), grid)
     lengths = [np.hypot(*np.diff(seam.vertices, axis=0).T).sum() for seam in seams]
     assert len(seams) == 24
     assert lengths == sorted(lengths, reverse=True)
@@ -151,7 +157,7 @@ def test_seams_come_longest_first_and_stay_inside_the_mosaic() -> None:
 def test_labels_of_one_source_and_none_at_all_have_no_seams() -> None:
     assert traced(np.zeros((50, 50))) == []
     assert traced(np.full((50, 50), -1)) == []
-    assert trace_seams([], Grid(0, 0, 1, 1, 10, 10)) == []
+    assert joined_borders([], 10) == []
 
 
 def quilt(rows: int, columns: int, seed: int) -> np.ndarray:
@@ -165,25 +171,32 @@ def quilt(rows: int, columns: int, seed: int) -> np.ndarray:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("height", [1, 37, 512])
-def test_the_strips_that_labels_come_in_do_not_show(height: int) -> None:
-    labels = estimated(quilt(1500, 1100, 1), 2)
-    whole = traced(labels, len(labels))
-    in_strips = traced(labels, height)
-    assert len(in_strips) == len(whole) > 10
-    for one, other in zip(whole, in_strips):
+@pytest.mark.parametrize("side", [37, 100, 512])
+def test_the_tiles_that_labels_come_in_do_not_show(side: int) -> None:
+    labels = estimated(quilt(700, 600, 1), 2)
+    whole = traced(labels, max(labels.shape))
+    in_tiles = traced(labels, side)
+    assert len(in_tiles) == len(whole) > 10
+    for one, other in zip(whole, in_tiles):
         np.testing.assert_array_equal(one.vertices, other.vertices)
         assert (one.left, one.right) == (other.left, other.right)
+
+
+def borders_of(labels: np.ndarray, side: int) -> list[LabelBorder]:
+    """Of labels as they are, tile by tile."""
+    tiles = [tile for tile, _ in tiles_of(labels, side)]
+    chains = [chain for tile in tiles for chain in tile_chains(labels[tile.around(1)], tile)]
+    return joined_borders(chains, labels.shape[1])
 
 
 SOME_LABELS = arrays(np.int16, st.tuples(st.integers(1, 9), st.integers(1, 9)), elements=st.integers(-1, 3))
 
 
 @given(SOME_LABELS, st.integers(1, 9))
-def test_every_sample_side_between_labels_is_on_one_border(labels: np.ndarray, height: int) -> None:
+def test_every_sample_side_between_labels_is_on_one_border(labels: np.ndarray, side: int) -> None:
     padded = np.pad(labels, 1, constant_values=-1)
     sides: Counter[tuple[int, int, int, int]] = Counter()
-    for border in label_borders(strips_of(labels, height)):
+    for border in borders_of(labels, side):
         walk = border.nodes
         assert border.left < border.right
         for (row, column), (next_row, next_column) in zip(walk[:-1].tolist(), walk[1:].tolist()):
@@ -199,6 +212,14 @@ def test_every_sample_side_between_labels_is_on_one_border(labels: np.ndarray, h
     assert len(sides) == between
 
 
+@given(SOME_LABELS, st.integers(1, 9))
+def test_whatever_the_tiles_the_borders_are_the_same(labels: np.ndarray, side: int) -> None:
+    whole, found = borders_of(labels, 9), borders_of(labels, side)
+    assert [(one.left, one.right, one.keys, one.nodes.tolist()) for one in found] == [
+        (one.left, one.right, one.keys, one.nodes.tolist()) for one in whole
+    ]
+
+
 @given(SOME_LABELS)
 def test_borders_end_only_where_three_labels_meet(labels: np.ndarray) -> None:
     padded = np.pad(labels, 1, constant_values=-1)
@@ -207,40 +228,30 @@ def test_borders_end_only_where_three_labels_meet(labels: np.ndarray) -> None:
         row, column = node.tolist()
         return len(np.unique(padded[row : row + 2, column : column + 2]))
 
-    borders: list[LabelBorder] = list(label_borders([labels]))
+    borders = borders_of(labels, 9)
     for border in borders:
         if (border.nodes[0] != border.nodes[-1]).any():
             assert labels_at(border.nodes[0]) >= 3
             assert labels_at(border.nodes[-1]) >= 3
 
 
-@pytest.mark.slow
-def test_memory_does_not_grow_with_the_mosaic() -> None:
-    def strips(count: int) -> Iterator[np.ndarray]:
-        strip = np.zeros((512, 600), np.int16)
-        strip[:, 250:] = 1
-        strip[200:300, 400:500] = 2  # a ring in each strip
-        return (strip.copy() for _ in range(count))
-
-    def peak(count: int) -> int:
-        tracemalloc.start()
-        seams = trace_seams(strips(count), Grid(0, 0, 1, 1, 2400, 512 * 4 * count))
-        assert len(seams) == count + 1
-        _, most = tracemalloc.get_traced_memory()
-        tracemalloc.stop()
-        return most
-
-    few, many = peak(8), peak(40)
-    # The one seam from top to bottom is open all the while: some 100 bytes a sample of its length.
-    assert many - few < 32 * 512 * 150
-
-
 def test_cleaned_labels_have_the_size_and_the_outline_they_came_with() -> None:
     labels = estimated(quilt(700, 500, 3), 4)
-    out = np.concatenate(list(cleaned(strips_of(labels, 100), LABEL_PX)))
+    out = cleaned(labels, LABEL_PX)
     assert out.shape == labels.shape
     wide = np.s_[150:300, 200:300]  # the hole
     np.testing.assert_array_equal(out[wide] == -1, labels[wide] == -1)
+
+
+@given(arrays(np.int16, st.tuples(st.integers(1, 30), st.integers(1, 30)), elements=st.sampled_from([-1, -1, -1, 0])))
+def test_gaps_are_closed_that_no_disk_finds_room_in(labels: np.ndarray) -> None:
+    """By Euclid's distances, as scipy takes them."""
+    empty = labels == -1
+    far = np.zeros(labels.shape, bool)
+    if not empty.all():
+        far = empty & (ndimage.distance_transform_edt(empty) > 3)
+    narrow = empty & (ndimage.distance_transform_edt(~far) > 3 if far.any() else ~empty.all())
+    assert ((_gaps_closed(labels) == -1) == (empty & ~narrow)).all()
 
 
 # --- Brighton --------------------------------------------------------------------------------------------------
@@ -261,7 +272,7 @@ def test_seams_of_brighton_lie_where_the_true_ones_do(
     if seed is not None:
         labels = estimated(labels, seed, right_near, right_far)
     grid = Grid(576665.77, 5188204.05, 0.03, 0.03, 3423, 2987)
-    seams = trace_seams(strips_of(labels), grid, LABEL_PX)
+    seams = trace_seams(labels, grid)
     true, found = points_between(brighton), points_along([seam.vertices for seam in seams], grid)
     for apart in (distances(found, true), distances(true, found)):
         assert (apart * 0.03 <= 0.3).mean() >= 0.95

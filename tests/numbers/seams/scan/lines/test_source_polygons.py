@@ -6,9 +6,14 @@ import pytest
 from osgeo import ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid
-from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import polygons_of, seams_of, trace_borders
+from seam_inspector.plugin.seams.measure.scan.lines.seam_tracing import (
+    SourceBorder,
+    polygons_of,
+    seams_of,
+    trace_borders,
+)
 
-from tests.numbers.seams.scan.lines.labelled import LABEL_PX, estimated, strips_of
+from tests.numbers.seams.scan.lines.labelled import LABEL_PX, chains_of, estimated
 
 SIDE = 200
 
@@ -18,8 +23,13 @@ def grid_of(labels: np.ndarray) -> Grid:
     return Grid(576000.0, 5188000.0, 0.5, 0.5, columns * LABEL_PX, rows * LABEL_PX)
 
 
-def polygons(labels: np.ndarray, height: int = 64) -> dict[int, ogr.Geometry]:
-    found = polygons_of(trace_borders(strips_of(labels.astype(np.int16), height), grid_of(labels), LABEL_PX))
+def borders_of(labels: np.ndarray, side: int = 64) -> list[SourceBorder]:
+    chains = chains_of(labels.astype(np.int16), side)
+    return trace_borders(chains, grid_of(labels), labels.shape[1], LABEL_PX)
+
+
+def polygons(labels: np.ndarray) -> dict[int, ogr.Geometry]:
+    found = polygons_of(borders_of(labels))
     return {one.source: ogr.CreateGeometryFromWkb(one.wkb) for one in found}
 
 
@@ -100,8 +110,8 @@ def test_corners_of_the_mosaic_stay() -> None:
 
 def test_borders_are_the_seams() -> None:
     labels = estimated(quarters(), 3)
-    borders = list(trace_borders(strips_of(labels), grid_of(labels), LABEL_PX))
-    seams = seams_of(trace_borders(strips_of(labels), grid_of(labels), LABEL_PX))
+    borders = borders_of(labels)
+    seams = seams_of(borders_of(labels, 512))
     assert [seam.vertices.tolist() for seam in seams_of(borders)] == [seam.vertices.tolist() for seam in seams]
     corners = {one.source: set(points(ogr.CreateGeometryFromWkb(one.wkb))) for one in polygons_of(borders)}
     for seam in seams:
@@ -111,4 +121,4 @@ def test_borders_are_the_seams() -> None:
 
 def test_nothing_followed_gives_no_polygons() -> None:
     assert polygons(np.full((20, 20), -1)) == {}
-    assert polygons_of(trace_borders([], Grid(0, 0, 1, 1, 10, 10))) == []
+    assert polygons_of([]) == []

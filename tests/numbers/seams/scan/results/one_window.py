@@ -8,6 +8,7 @@ from seam_inspector.plugin.seams.measure.profile.seam_sums import StripProfile
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import LABEL_PX, LABELS, SQUARES, UNITS
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS, BlockScan
+from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
 from seam_inspector.plugin.seams.measure.scan.piece_sums import PieceSums
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
@@ -32,9 +33,14 @@ def pieces_of(made: Blend, count: int = 1, grid: Grid = GRID) -> list[SeamPiece]
     return found
 
 
+def sums_of(pieces: list[SeamPiece], grid: Grid = GRID) -> PieceSums:
+    """Of all of them."""
+    return PieceSums(np.arange(len(pieces)), PieceIndex(pieces, grid), LEVELS)
+
+
 def profiles_of(detail: WindowDetail, pieces: list[SeamPiece]) -> list[StripProfile]:
     """By the window's own ground."""
-    sums = PieceSums(pieces, GRID, LEVELS)
+    sums = sums_of(pieces)
     sums.add(detail.cells, detail.mixture, detail.ground, WINDOW)
     return sums.profiles()
 

@@ -1,6 +1,8 @@
 """From blocks to what a scan tells."""
 from __future__ import annotations
 
+import os
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Callable
@@ -9,16 +11,22 @@ import numpy as np
 import pytest
 from osgeo import gdal, ogr
 from scipy import ndimage
+from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.seams.measure.profile.cell_table import CELL_PX, PRODUCTS, CellTable, MixtureTable
-from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, global_numbers
+from seam_inspector.plugin.seams.measure.scan.block_runs import NOTHING, both_looks, global_numbers
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import BlockScan, scan_block
-from seam_inspector.plugin.seams.measure.scan.gathering import FARTHEST_FILLED_PX, both_looks, filled
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
+    FARTHEST_FILLED_PX,
+    BlockScan,
+    filled,
+    scan_block,
+)
 from seam_inspector.plugin.seams.measure.scan.lines.given_seams import GivenSeams, SidedSeam
 from seam_inspector.plugin.seams.measure.scan.loss_raster import NODATA as NO_LOSS
 from seam_inspector.plugin.seams.measure.scan.scan_request import ScanRequest, scan_request
 from seam_inspector.plugin.seams.measure.scan.scan_result import ScanResult
 from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.scan.whole_scan import whole_scan
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.verdicts import Verdict
 
@@ -165,12 +173,39 @@ def test_a_seam_across_two_blocks_is_one(tmp_path: Path) -> None:
 
 def test_a_mosaic_of_one_source_has_no_seam(tmp_path: Path) -> None:
     given = images()
-    result = result_of(tmp_path, scene(tmp_path, given[0] // 2 + 60, given))
+    one = scene(tmp_path, given[0] // 2 + 60, given)
+    result, given_name = result_of(tmp_path, one), one.sources[0].ref.name
     assert result.pieces == ()
     assert result.seam_metres == result.failed_metres == 0
     assert result.worst_kept is None
     assert not result.worst
     assert [polygon.source for polygon in result.polygons] == [0]
+    assert [str(one) for one in result.notices] == [
+        f"No seam was found: as far as the orthoimages explain the mosaic, all of it follows {given_name}."
+    ]
+
+
+@pytest.mark.parametrize("which", ["mosaic", "source"])
+def test_a_raster_that_is_rewritten_while_it_is_scanned_is_told_and_all_is_measured_again(
+    tmp_path: Path, which: str
+) -> None:
+    given = images()
+    one = scene(tmp_path, blended(*given, beside(SEAM)), given)
+    request = request_of(one)
+    path = Path(one.mosaic.ref.path if which == "mosaic" else one.sources[1].ref.path)
+    with whole_scan(request, tmp_path / "loss.tif") as scan, ThreadPoolExecutor(1) as executor:
+        for number, _ in enumerate(scan.steps(executor, 2)):
+            if number:
+                continue
+            before, held = path.stat(), bytearray(path.read_bytes())
+            held[-1] ^= 1
+            path.write_bytes(held)
+            os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+        with pytest.raises(SettingsError, match=f"While the mosaic was scanned {path.name} changed"):
+            scan.result(str(tmp_path / "loss.tif"))
+    assert not (tmp_path / "loss.tif").exists()
+    with whole_scan(request, tmp_path / "loss.tif") as scan:
+        assert "The scan starts anew" in str(scan.notice)
 
 
 def test_a_seam_beside_missing_pixels_is_no_worse_for_it(tmp_path: Path) -> None:
@@ -306,5 +341,5 @@ def test_cells_of_any_block_are_replaced_by_their_place_in_it() -> None:
 
 
 def test_numbers_of_a_block_become_those_of_the_scan() -> None:
-    numbers = global_numbers(block(), {"z": 0, "b": 7, "a": 70000})
+    numbers = global_numbers(("a", "b"), {"z": 0, "b": 7, "a": 70000})
     assert numbers[[0, 1, 2, UNKNOWN]].tolist() == [70000, 7, NOTHING, NOTHING]

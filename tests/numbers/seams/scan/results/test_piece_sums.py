@@ -19,11 +19,11 @@ from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, M
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS
-from seam_inspector.plugin.seams.measure.scan.piece_sums import NOTHING, PieceSums
+from seam_inspector.plugin.seams.measure.scan.piece_sums import visibilities
 from seam_inspector.plugin.seams.measure.visibility import window_visibility
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend, spread
-from tests.numbers.seams.scan.results.one_window import GRID, WINDOW, pieces_of, profiles_of
+from tests.numbers.seams.scan.results.one_window import GRID, WINDOW, pieces_of, profiles_of, sums_of
 
 WIDTHS = [0, 13, 33, 66, 100]
 
@@ -135,7 +135,7 @@ def test_blocks_add_up_in_any_order() -> None:
     parts = [part(upper, left) for upper in (True, False) for left in (True, False)]
     found = []
     for order in ([(detail.cells, detail.mixture)], parts, parts[::-1]):
-        sums = PieceSums(pieces, GRID, LEVELS)
+        sums = sums_of(pieces)
         for cells, mixture in order:
             sums.add(cells, mixture, ground, WINDOW)
         found.append([one.profile for one in sums.profiles()])
@@ -148,7 +148,7 @@ def test_blocks_add_up_in_any_order() -> None:
 
 
 def test_rows_of_blocks_add_up_to_a_seam_across_all_of_them() -> None:
-    """Pieces are told as soon as no block to come lies beside them; one of them lies on the border."""
+    """One of the pieces lies on the border."""
     made = blend(33)
     detail = made.detail()
     grid = replace(GRID, rows=2 * BLOCK_PX)
@@ -157,7 +157,7 @@ def test_rows_of_blocks_add_up_to_a_seam_across_all_of_them() -> None:
     cells, mixture, ground = detail.cells.moved(by_cells, 0), detail.mixture.moved(by_cells, 0), detail.ground
     down = window.row * grid.pixel_height
     pieces = [replace(one, vertices=one.vertices - (0, down)) for one in pieces_of(made, 3)]
-    sums = PieceSums(pieces, grid, LEVELS)
+    sums = sums_of(pieces, grid)
     for row in range(2):
         place = slice(row * BLOCK_PX // CELL_PX, (row + 1) * BLOCK_PX // CELL_PX), slice(0, SIDE // CELL_PX)
         sums.add(
@@ -180,7 +180,7 @@ def test_a_piece_that_ends_above_a_row_of_blocks_waits_for_the_cells_below() -> 
     upper = whole.vertices[: SIDE // 2 - 10] - (0, first * CELL_PX * grid.pixel_height)
     areas = []
     for at_once in (True, False):
-        sums = PieceSums([replace(whole, vertices=upper)], grid, LEVELS)
+        sums = sums_of([replace(whole, vertices=upper)], grid)
         border = BLOCK_PX // CELL_PX
         for row in (slice(0, 2 * border),) if at_once else (slice(0, border), slice(border, 2 * border)):
             place = row, slice(0, SIDE // CELL_PX)
@@ -203,9 +203,9 @@ def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
     grey[:count, :count] = made.made.reshape(count, CELL_PX, count, CELL_PX).mean(axis=(1, 3))
     whole = slice(0, SIDE), slice(0, SIDE)
     expected = window_visibility(detail.profile, detail.judged, made.made, whole, MOSAIC)
-    sums = PieceSums(pieces_of(made), GRID, LEVELS)
+    sums = sums_of(pieces_of(made))
     sums.add(detail.cells, detail.mixture, detail.ground, WINDOW, grey)
-    (found,) = sums.visibilities(MOSAIC)
+    (found,) = visibilities(sums.profiles(), *sums.grey, MOSAIC)
     assert found == pytest.approx(expected, rel=0.03, abs=0.03)
     assert found is not None
     assert (found > 1) == (width > 0)
@@ -214,10 +214,10 @@ def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
 def test_a_piece_on_ground_of_unknown_brightness_is_not_said_to_be_seen() -> None:
     made = blend(66)
     detail = made.detail()
-    sums = PieceSums(pieces_of(made), GRID, LEVELS)
+    sums = sums_of(pieces_of(made))
     sums.add(detail.cells, detail.mixture, detail.ground, WINDOW)
     assert sums.profiles()[0].profile is not None
-    assert sums.visibilities(MOSAIC) == [None]
+    assert visibilities(sums.profiles(), *sums.grey, MOSAIC) == [None]
 
 
 # --- too little -------------------------------------------------------------------------------------------------
@@ -256,7 +256,8 @@ def test_a_table_without_rows_adds_nothing() -> None:
     made = blend(0)
     empty = replace(made.detail(), cells=CellTable.empty(LEVELS), mixture=MixtureTable.empty(LEVELS))
     assert grounds(empty.cells) == [None] * LEVELS
-    assert profiles_of(empty, pieces_of(made)) == [NOTHING]
+    (found,) = profiles_of(empty, pieces_of(made))
+    assert (found.profile, found.area_px, found.fit, found.texture) == (None, 0, 0, 0)
     assert profiles_of(made.detail(), []) == []
 
 
@@ -278,7 +279,7 @@ def test_a_block_with_little_ground_takes_its_neighbours() -> None:
     table = blend(33).detail().cells
     few = table.chosen((table.row < 1) & (table.column < 20))
     assert grounds(few)[0] is None
-    (own, around) = (grounds(one, around=table)[0] for one in (table, few))
+    (own, around) = (grounds(one, around=lambda: table)[0] for one in (table, few))
     assert own is not None
     assert around is not None
     energies = np.geomspace(1, 500, 20)

@@ -1,0 +1,154 @@
+"""What a scan tells of one block as soon as it and its neighbours are measured: the borders of what it follows, what
+its ground makes one expect, its part of the picture of losses."""
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ....imagery.errors import SettingsError
+from ....imagery.messages import system_reason
+from ....imagery.records import packed, unpacked
+from ....imagery.while_measuring import measuring
+from ..following.boxes import in_squares
+from ..profile.cell_table import CellTable
+from ..profile.ground import EnergyResponse, LevelGround, grounds
+from ..seam_cells import UNKNOWN
+from . import messages
+from .block_files import BlockFiles
+from .block_runs import NOTHING, block_labels, whole_block
+from .blocks.block_grid import LABEL_PX, LABELS, UNITS, BlockKey
+from .blocks.scan_block import BlockScan
+from .lines.label_borders import MARGIN, Chain, LabelTile, cleaned_chains
+from .loss_raster import NODATA, loss_cells
+
+_CELLS = "cells"
+
+
+@dataclass(frozen=True, eq=False)
+class OutputsRequest:
+    """All that is needed for it, in plain data that can cross threads and processes."""
+
+    files: BlockFiles
+    key: BlockKey
+    tile: LabelTile
+    """Its samples of the labels."""
+    numbers: Mapping[str, int]
+    """Of the sources of it and its neighbours, by their paths."""
+    cell_px: int
+    """Of the picture; 0: none is wanted."""
+    traces: bool
+    """Whether borders are wanted."""
+
+
+@dataclass(frozen=True, eq=False)
+class BlockOutputs:
+    """What comes back."""
+
+    key: BlockKey
+    chains: Sequence[Chain]
+    picture: bytes | None
+    """``loss_cells``, packed, its sources numbered from 1 on as in the whole scan; None where nothing is shown."""
+    sources: Sequence[int]
+    """That are followed anywhere, ascending."""
+    units: int
+    """In which the mosaic has pixels."""
+    unexplained: int
+    """Of these, that follow no source."""
+
+    @property
+    def cells(self) -> np.ndarray | None:
+        """The picture's."""
+        return None if self.picture is None else unpacked(self.picture)[_CELLS]
+
+
+@measuring()
+def block_outputs(request: OutputsRequest) -> BlockOutputs:
+    """Of one block; what its ground makes one expect is kept beside it. Raises SettingsError where what was measured
+    can't be read any more, or nothing can be kept."""
+    files, key = request.files, request.key
+    labels, scan = block_labels(files, key, request.numbers), whole_block(files, key)
+    chains = cleaned_chains(_labels_around(request), request.tile, LABEL_PX) if request.traces else []
+    if scan is None or labels is None:
+        return BlockOutputs(key, chains, None, (), 0, 0)
+    ground = grounds(scan.cells, around=lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
+    try:
+        files.save(_ground_name(key), packed({"ground": np.array([_row(one) for one in ground])}))
+    except OSError as error:
+        raise SettingsError(messages.SCAN_JOURNAL_NOT_SAVED(
+            path=files.folder, error=system_reason(error), done=len(files.names)
+        )) from None
+    picture = None
+    if request.cell_px:
+        cells = loss_cells(scan, labels + 1, ground, request.cell_px)
+        picture = packed({_CELLS: cells}, (_CELLS,)) if (cells != NODATA).any() else None
+    used = np.unique(labels)
+    return BlockOutputs(key, chains, picture, used[used != NOTHING].tolist(), *_explained(scan))
+
+
+def held_ground(files: BlockFiles, key: BlockKey) -> list[LevelGround | None]:
+    """What ``block_outputs`` kept of one block, by level; nothing where that was not measured. Raises
+    SettingsError where it can't be read any more."""
+    try:
+        record = files.load(_ground_name(key))
+    except OSError as error:
+        raise SettingsError(messages.SCAN_JOURNAL_NOT_READ(path=files.folder, error=system_reason(error))) from None
+    return [] if record is None else [_level(row) for row in unpacked(record)["ground"].tolist()]
+
+
+def _labels_around(request: OutputsRequest) -> np.ndarray:
+    """Of the block and as much of its neighbours as cleaning has to know."""
+    place = request.tile.around(MARGIN)
+    found = np.full([one.stop - one.start for one in place], NOTHING, np.int32)
+    first, last = ([edge // LABELS for edge in edges] for edges in zip(*((one.start, one.stop - 1) for one in place)))
+    for row in range(first[0], last[0] + 1):
+        for column in range(first[1], last[1] + 1):
+            ours, theirs = zip(*(
+                (slice(max(start, one.start) - one.start, min(start + LABELS, one.stop) - one.start),
+                 slice(max(start, one.start) - start, min(start + LABELS, one.stop) - start))
+                for start, one in zip((row * LABELS, column * LABELS), place)
+            ))
+            labels = block_labels(request.files, (row, column), request.numbers, theirs)
+            if labels is not None:
+                found[ours] = labels
+    return found
+
+
+def _cells_around(files: BlockFiles, key: BlockKey) -> list[CellTable]:
+    """Of the neighbours that were measured."""
+    row, column = key
+    near = [(row + down, column + across) for down in (-1, 0, 1) for across in (-1, 0, 1) if down or across]
+    scans = [whole_block(files, one) for one in near]
+    return [one.cells for one in scans if one is not None]
+
+
+def _explained(scan: BlockScan) -> tuple[int, int]:
+    """Units with pixels of the mosaic, and those of them that follow no source anywhere."""
+    followed = (in_squares(scan.labels, LABELS // UNITS) != UNKNOWN).any(axis=(1, 3))
+    return int(np.count_nonzero(~scan.outside)), int(np.count_nonzero(~scan.outside & ~followed))
+
+
+def _ground_name(key: BlockKey) -> str:
+    return f"ground {key[0]} {key[1]}"
+
+
+_RESPONSE = 6  # numbers of an EnergyResponse
+
+
+def _row(ground: LevelGround | None) -> np.ndarray:
+    """One level in numbers, NaN where there is none."""
+    if ground is None:
+        return np.full(2 * _RESPONSE + 4, np.nan)
+    curves = [(*one.coefficients, one.middle, one.lowest, one.highest) for one in (ground.amplitude, ground.gain)]
+    return np.array([*curves[0], *curves[1], ground.scatter, ground.blocks, ground.reach, ground.far_px])
+
+
+def _level(row: Sequence[float]) -> LevelGround | None:
+    if np.isnan(row[-1]):
+        return None
+    amplitude, gain = (
+        EnergyResponse(np.array(one[:3]), *one[3:]) for one in (row[:_RESPONSE], row[_RESPONSE : 2 * _RESPONSE])
+    )
+    scatter, blocks, reach, far_px = row[2 * _RESPONSE :]
+    return LevelGround(amplitude, gain, scatter, blocks, reach, int(far_px))
