@@ -5375,7 +5375,7 @@
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="134"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
@@ -5385,7 +5385,7 @@
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
@@ -5410,17 +5410,17 @@
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="125"/>
+        <location filename="../plugin/seams/jobs.py" line="124"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="127"/>
+        <location filename="../plugin/seams/jobs.py" line="126"/>
         <source>some {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="128"/>
+        <location filename="../plugin/seams/jobs.py" line="127"/>
         <source>some {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
@@ -5545,67 +5545,67 @@
         <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="94"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="98"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="96"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="100"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="98"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="102"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="100"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="104"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="104"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="108"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="107"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="108"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="112"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="109"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="110"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="115"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="116"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="117"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="128"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="118"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
@@ -5675,22 +5675,22 @@
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="149"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="144"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="152"/>
         <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="148"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="156"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="152"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="160"/>
         <source>Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep {low:.0f} to {high:.0f} %.</source>
         <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
     </message>
@@ -5705,17 +5705,17 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="164"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="168"/>
         <source>Without orthoimages a piece of seam can be judged on this mosaic from some {length:.0f} m on.</source>
         <translation>Bez ortoobrazów źródłowych odcinek linii mozaikowania można na tej ortofotomapie ocenić od długości około {length:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="163"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="171"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -5735,7 +5735,7 @@
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="115"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
@@ -5745,97 +5745,97 @@
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="123"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="131"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="52"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="53"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="55"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="70"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="76"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="79"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="80"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="85"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="86"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="86"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="90"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="91"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="92"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="96"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="97"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="101"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="101"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="102"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="106"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="107"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="108"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="109"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="117"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="120"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
         <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
@@ -5845,17 +5845,17 @@
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="143"/>
         <source>Length with a significant loss (metres)</source>
         <translation>Długość z istotną stratą (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="144"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="136"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="144"/>
         <source>{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
         <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
     </message>
@@ -5880,12 +5880,12 @@
         <translation>{name} wszędzie jest taki jak ortofotomapa i nie ma innego ortoobrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc ortoobrazy źródłowe, z których ortofotomapa powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="127"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="135"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="130"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="138"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
@@ -5895,7 +5895,7 @@
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="141"/>
         <source>{metres:.0f} of {all:.0f} m of seam have no verdict; the field &apos;reason&apos; of the seams says why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie ma oceny; pole „reason” mówi dlaczego.</translation>
     </message>
@@ -11238,7 +11238,7 @@
         <translation>Prostokąty w zmierzonych granicach, z oceną, z tym, co zachowano wzdłuż linii mozaikowania, z tym, na ile oko widzi stratę w powiększeniu 2× („visibility”, 1 to strata ledwie widoczna), i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="126"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="129"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees the loss at 2x, and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
@@ -11565,6 +11565,21 @@
         <location filename="../plugin/sensors/measure/messages.py" line="226"/>
         <source>The distortion of the camera shows no view at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="95"/>
+        <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
+        <translation>Podczas skanowania mozaiki zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom skan ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="114"/>
+        <source>where the mosaic or one of the sources lies</source>
+        <translation>położenie mozaiki lub jednego ze źródeł</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="124"/>
+        <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
+        <translation>Nie znaleziono linii łączenia: w zakresie, w jakim ortoobrazy wyjaśniają mozaikę, cała pochodzi z {name}.</translation>
     </message>
 </context>
 </TS>
