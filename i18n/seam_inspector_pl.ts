@@ -11569,17 +11569,17 @@
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="95"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
-        <translation>Podczas skanowania mozaiki zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom skan ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
+        <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="114"/>
         <source>where the mosaic or one of the sources lies</source>
-        <translation>położenie mozaiki lub jednego ze źródeł</translation>
+        <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="124"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
-        <translation>Nie znaleziono linii łączenia: w zakresie, w jakim ortoobrazy wyjaśniają mozaikę, cała pochodzi z {name}.</translation>
+        <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
     </message>
 </context>
 </TS>

@@ -343,7 +343,8 @@ def test_more_sources_than_can_be_told_apart_are_named(tmp_path: Path, feathered
     slivers = []
     for number in range(256):
         slivers.append(str(tmp_path / f"{number}.vrt"))
-        gdal.Translate(slivers[-1], feathered.west, srcWin=[0, 0, 16, 16 + number], format="VRT")
+        tones = [[0, 255, number % 16, 255 - number // 16]]  # else they were parts of one image
+        gdal.Translate(slivers[-1], feathered.west, srcWin=[0, 0, 16, 16 + number], format="VRT", scaleParams=tones)
     found = scan(feathered, SOURCES=[*slivers, *feathered.sources])
     (said,) = found.log.warnings
     assert_sentence(said, r"More than 255 orthoimages .* \(blocks: 1\)")

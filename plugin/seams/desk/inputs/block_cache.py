@@ -64,7 +64,7 @@ class BlockCache(QObject):
 
     def forget(self) -> None:
         """Another project."""
-        self._files: BlockFiles | None = None
+        self._files: InputFiles | None = None
         self._opened: OpenedFiles | None = None
         self._unopened: Message = messages.NO_MOSAIC()  # why nothing is opened; a warning while it is being opened
         self._block: Block | None = None
@@ -280,7 +280,7 @@ def _is_transformed(geometry: QgsGeometry, transform: QgsCoordinateTransform) ->
 
 
 @dataclass(frozen=True)
-class BlockFiles:
+class InputFiles:
     """What of a block has to be opened: that may take long when it is on a network drive."""
 
     mosaic: RasterRef
@@ -303,13 +303,13 @@ class OpenedFiles:
     """Which source each part of the mosaic was cut from."""
 
 
-def block_files(project: QgsProject, inputs: Inputs) -> BlockFiles:
+def block_files(project: QgsProject, inputs: Inputs) -> InputFiles:
     """The files of the inputs. Raises SettingsError when there is no mosaic, RasterError when it is no file."""
     mosaic = project.mapLayer(inputs.mosaic)
     if not isinstance(mosaic, QgsRasterLayer):
         raise SettingsError(messages.NO_MOSAIC())
     places = [_origin(project.mapLayer(layer_id)) for layer_id in (inputs.source_index, inputs.cells)]
-    return BlockFiles(layers.layer_ref(mosaic), *places[0], *places[1])
+    return InputFiles(layers.layer_ref(mosaic), *places[0], *places[1])
 
 
 def _origin(layer: QgsMapLayer | None) -> tuple[str, str]:
@@ -335,7 +335,7 @@ class LayerFeatures:
         return LayerFeatures(source, source.fields().names(), layers.layer_path(layer), layer.crs())
 
 
-def opening_job(project: QgsProject, inputs: Inputs, files: BlockFiles) -> Job:
+def opening_job(project: QgsProject, inputs: Inputs, files: InputFiles) -> Job:
     """Opens them; yields the OpenedFiles, or the Message why there are none."""
     context = project.transformContext()
     index, cells = (LayerFeatures.of(project.mapLayer(layer_id)) for layer_id in (inputs.source_index, inputs.cells))

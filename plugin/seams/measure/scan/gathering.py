@@ -69,12 +69,12 @@ class Gathering:
                 ) if loss_path else None
                 aside = stack.enter_context(ThreadPoolExecutor(1, thread_name_prefix="seam-inspector-picture"))
                 if raster is not None:
-                    picture = _Picture(raster, aside)
+                    picture = _LossPicture(raster, aside)
                 return self._result(_Crew(executor, ahead, goes_on), aside, picture)
         except CancelledError:  # which leaves no picture
             return None
 
-    def _result(self, crew: _Crew, aside: Executor, picture: _Picture | None) -> ScanResult:
+    def _result(self, crew: _Crew, aside: Executor, picture: _LossPicture | None) -> ScanResult:
         request, grid = self._request, self._request.mosaic.grid
         known = given_polygons(request)
         borders = self._borders(picture, crew, not (request.seams and known))
@@ -105,7 +105,7 @@ class Gathering:
             return side if number is None else self._request.sources[number].ref.name
         return None if side is None else self._request.sources[side].ref.name
 
-    def _borders(self, picture: _Picture | None, crew: _Crew, traces: bool) -> list[SourceBorder]:
+    def _borders(self, picture: _LossPicture | None, crew: _Crew, traces: bool) -> list[SourceBorder]:
         """Of what is followed, none unless they are traced; the picture of losses on the way."""
         mosaic = self._request.mosaic
         half = LABEL_PX // 2
@@ -249,7 +249,7 @@ def _raised(_requests: Sequence[Any], reason: Message) -> Message:
 _MOST_WAITING = 64  # blocks of the picture that are not written yet
 
 
-class _Picture:
+class _LossPicture:
     """The picture of losses, written in a thread of its own; sources are numbered in the order in which it meets them.
     All methods raise RasterError when the disk is full."""
 
