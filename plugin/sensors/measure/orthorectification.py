@@ -196,9 +196,9 @@ def orthorectify(
                 notices.append(messages.ORTHO_APPROXIMATE(most=most))
             del plan
             _warp(request, source, options, grid, progress, cancelled)
-    extent = grid.extent
+    size = grid.columns, grid.rows
     return Ortho(
-        request.output, grid.wkt, extent, grid.size, grid.columns, grid.rows, rms, most, uncovered, tuple(notices)
+        request.output, grid.wkt, grid.extent, grid.pixel_width, *size, rms, most, uncovered, tuple(notices)
     )
 
 
@@ -297,7 +297,8 @@ def _target(request: OrthoRequest, plan: _Plan) -> MapGrid:
             raise SettingsError(messages.EXTENT_OUTSIDE())
     left, bottom = (float(np.floor(bounds[i] / size) * size) for i in (0, 1))
     right, top = (float(np.ceil(bounds[i] / size) * size) for i in (2, 3))
-    return MapGrid(wkt, left, top, size, max(round((right - left) / size), 1), max(round((top - bottom) / size), 1))
+    columns, rows = max(round((right - left) / size), 1), max(round((top - bottom) / size), 1)
+    return MapGrid(left, top, size, size, columns, rows, wkt=wkt)
 
 
 # --- GDAL ------------------------------------------------------------------------------------------------------

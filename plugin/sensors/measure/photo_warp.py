@@ -12,7 +12,7 @@ import numpy as np
 from osgeo import gdal
 
 from ...imagery.gdal_calls import gdal_silenced
-from ...imagery.grids import Extent, PixelWindow
+from ...imagery.grids import Grid, PixelWindow
 from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import GeoTransform
 from ...imagery.reference_systems import horizontal_wkt, same_system, transform_points
@@ -26,35 +26,20 @@ _MOST_THREADS = 4
 
 
 @dataclass(frozen=True)
-class MapGrid:
-    """The pixels of an orthoimage."""
+class MapGrid(Grid):
+    """The pixels of an orthoimage, all of them square."""
 
-    wkt: str
+    wkt: str = ""
     """Reference system."""
-    left: float
-    """x of the left edge, map units."""
-    top: float
-    """y of the upper edge, map units."""
-    size: float
-    """Of a pixel, map units."""
-    columns: int
-    """Number of columns, px."""
-    rows: int
-    """Number of rows, px."""
-
-    @property
-    def extent(self) -> Extent:
-        """xmin, ymin, xmax, ymax."""
-        return self.left, self.top - self.rows * self.size, self.left + self.columns * self.size, self.top
 
     @property
     def geotransform(self) -> GeoTransform:
         """As GDAL has it."""
-        return self.left, self.size, 0.0, self.top, 0.0, -self.size
+        return self.left, self.pixel_width, 0.0, self.top, 0.0, -self.pixel_height
 
     def places(self, columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
         """(n, 2) x and y of (n,) columns and rows, px."""
-        return np.column_stack([self.left + columns * self.size, self.top - rows * self.size])
+        return np.column_stack([self.left + columns * self.pixel_width, self.top - rows * self.pixel_height])
 
 
 @dataclass(frozen=True)
@@ -169,7 +154,8 @@ class PhotoWarp:
             for first, size in ((part.column, part.width), (part.row, part.height))
         )
         if same_system(self.grid.wkt, self.wkt):
-            x, y = self.grid.left + columns * self.grid.size, self.grid.top - rows[:, None] * self.grid.size
+            grid = self.grid
+            x, y = grid.left + columns * grid.pixel_width, grid.top - rows[:, None] * grid.pixel_height
             return self.camera.seen(x, y, height)
         knots = [np.append(np.arange(side[0], side[-1], _KNOT_PX), side[-1]) for side in (columns, rows)]
         at = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
@@ -183,9 +169,9 @@ class PhotoWarp:
         grid, steps = self.grid, np.linspace(0.1, 0.9, 9)
         columns, rows = (side.ravel() for side in np.meshgrid(steps * grid.columns, steps * grid.rows))
         heights, ground = self._heights(), []
+        height = [float(heights.ReadAsArray(int(x), int(y), 1, 1)[0, 0]) for x, y in zip(columns, rows)]
         for right, down in ((0, 0), (1, 0), (0, 1)):
             places = transform_points(grid.places(columns + right, rows + down), grid.wkt, self.wkt)
-            height = [float(heights.ReadAsArray(int(x), int(y), 1, 1)[0, 0]) for x, y in zip(columns, rows)]
             ground.append(self.camera.project(np.column_stack([places, height])))
         changes = np.stack([ground[1] - ground[0], ground[2] - ground[0]])
         known = np.isfinite(changes).all(axis=(0, 2))
