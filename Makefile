@@ -1,7 +1,7 @@
 # Seam Inspector: `make help` lists the targets.
 
 PYTHON := .venv/bin/python
-QT6 := .venv-qt6/bin/python
+PYTHON_QT6 := .venv-qt6/bin/python
 PACKAGE := build/plugins/seam_inspector
 # Tests of one file share what they make, so a file goes to one process; those with slow tests come first
 SIDE_BY_SIDE := -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder
@@ -54,9 +54,9 @@ test-numbers: link ## Run the tests of the numbers, without QGIS
 
 test-qt6: link ## Hold the code against Qt 6 and QGIS 4: names, types, and what draws without QGIS
 	@tools/install_qt6.sh
-	$(QT6) -m tools.qt6.check_names
-	$(QT6) -m tools.qt6.check_types
-	QT_QPA_PLATFORM=offscreen PYTHONPATH=$(PYTHONPATH):$(CURDIR) $(QT6) -m pytest -q -p tests.qt6.under_qt6 \
+	$(PYTHON_QT6) -m tools.qt6.check_names
+	$(PYTHON_QT6) -m tools.qt6.check_types
+	QT_QPA_PLATFORM=offscreen PYTHONPATH=$(PYTHONPATH):$(CURDIR) $(PYTHON_QT6) -m pytest -q -p tests.qt6.under_qt6 \
 		--confcutdir tests/qgis/seams tests/qt6 $(ALSO_UNDER_QT6)
 
 test-in-qgis: link ## Run what test-qgis and test-desktop run, side by side but for what measures stalls
@@ -76,9 +76,9 @@ endif
 mutants: link ## Change the measuring code at random, and tell which changes no test sees: N=40 SEED=1
 	$(ONE_THREAD) $(PYTHON) -m tools.mutants $(if $(N),--count $(N)) $(if $(SEED),--seed $(SEED))
 
-test-matrix: link ## Run the tests on the QGIS of this machine, of Debian trixie and of sid, in chroots; FULL=1 for all of them
+test-matrix: link ## Run the tests on the QGIS of this machine, of Debian trixie and of sid, in chroots; FULL=1 for all of them, SUITES=qt6 QT6=folder or tarball for a QGIS on Qt 6
 	$(PYTHON) -m tools.qgis_matrix.run $(if $(FULL),--full) $(if $(MIRROR),--mirror "$(MIRROR)") \
-		$(if $(SUITES),--suites "$(SUITES)") $(if $(CHROOTS),--chroots "$(CHROOTS)")
+		$(if $(SUITES),--suites "$(SUITES)") $(if $(QT6),--qt6 "$(QT6)") $(if $(CHROOTS),--chroots "$(CHROOTS)")
 
 guide: link ## Make the guide of docs, in build/guide/index.html
 	$(PYTHON) -m sphinx -W --keep-going -q -j auto -b html docs build/guide
@@ -107,8 +107,8 @@ demo-data: link ## Make all data that the examples of docs/algorithms take, in o
 benchmark: link ## Measure the speed, on one core
 	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.run
 
-speed: link ## Measure the README's table of speed, three runs on one core, and write it there
-	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.speed --write README.md
+speed: link ## Measure the guide's table of speed, three runs on one core, and write it there
+	OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 MKL_NUM_THREADS=1 GDAL_NUM_THREADS=1 $(PYTHON) -m benchmarks.speed --write docs/reference/speed.md
 
 benchmark-scan: link ## Measure the scan of a whole mosaic against the bare read of its files, on all cores, as a user runs it; SIDE=3000 for a try
 	$(PYTHON) -m benchmarks.scan $(if $(SIDE),--side $(SIDE))

@@ -45,10 +45,12 @@ from .plugin.acceptance.measure.deciding import decide as decide
 from .plugin.acceptance.measure.acceptance_rules import AcceptanceRules as AcceptanceRules
 from .plugin.acceptance.measure.delivery import Delivery as Delivery
 from .plugin.acceptance.measure.decision import Decision as Decision
+from .plugin.acceptance.measure.decision import AcceptanceOutcome as AcceptanceOutcome
 from .plugin.acceptance.measure.decision import DecidedPiece as DecidedPiece
 from .plugin.acceptance.measure.decision import FailureRun as FailureRun
 from .plugin.acceptance.measure.decision import MetreFigures as MetreFigures
 from .plugin.acceptance.measure.decision import RuleOutcome as RuleOutcome
+from .plugin.imagery.seam_totals import PieceState as PieceState
 
 # Pixels
 from .plugin.imagery.open_raster import OpenRaster as OpenRaster
@@ -62,6 +64,7 @@ from .plugin.imagery.wavelets import Curve as Curve
 from .plugin.noise.measure.band_noise import measure_noise as measure_noise
 from .plugin.noise.measure.band_noise import BandNoise as BandNoise
 from .plugin.noise.measure.band_noise import NoiseVerdict as NoiseVerdict
+from .plugin.noise.measure.noise_amount import NoiseAmount as NoiseAmount
 
 # Ground resolved distance
 from .plugin.resolution.measure.bars import measure_line as measure_line

@@ -3,7 +3,7 @@
 Verdicts are drawn from known distributions whose best Youden threshold is known, alone or in neighbourhoods that share
 an effect. Printed per case: how often the range of the product covers it, and its median width; beside it the range
 that a percentile bootstrap of the judged windows' best step has; and how far the smoothed threshold and that step err.
-Nothing of it is asserted: docs/acceptance/calibration.md says the figures.
+Nothing of it is asserted: docs/appendix/calibration.md says the figures.
 """
 from __future__ import annotations
 

@@ -6,6 +6,8 @@ from functools import lru_cache
 import numpy as np
 import pywt
 
+MIRRORED_PX = 32
+"""Farther than the wavelets look, and a multiple of 2^level."""
 LUMINANCE = np.array((0.299, 0.587, 0.114), np.float32)
 
 
@@ -22,14 +24,14 @@ def detail_energy(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
 def details(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:
     """The three details of a level by the undecimated transform, (3, rows, columns), each at its own pixel.
 
-    Rows and columns that are no multiple of 2^level are filled up by mirroring. All squares together are the energy
-    that leaves at that level.
+    The plane is mirrored at its edges: the step from one edge to the other, which a periodic transform shows there, is
+    no detail.
     """
     rows, columns = plane.shape
-    padded = np.pad(plane, [(0, -size % 2**level) for size in plane.shape], mode="symmetric")
+    padded = np.pad(plane, [(MIRRORED_PX, MIRRORED_PX + -size % 2**level) for size in plane.shape], mode="symmetric")
     found = _details(padded, level, wavelet)
     placed = [np.roll(one, (-down, -across), (0, 1)) for one, (down, across) in zip(found, _delays(level, wavelet))]
-    return np.stack(placed)[:, :rows, :columns]
+    return np.stack(placed)[:, MIRRORED_PX : MIRRORED_PX + rows, MIRRORED_PX : MIRRORED_PX + columns]
 
 
 def _details(plane: np.ndarray, level: int, wavelet: str) -> np.ndarray:

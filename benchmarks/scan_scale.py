@@ -1,4 +1,4 @@
-"""How the scan of a mosaic grows with threads and workers: the figures of `docs/acceptance/cluster.md`.
+"""How the scan of a mosaic grows with threads and workers: the figures of `docs/appendix/cluster.md`.
 
     .venv/bin/python -m benchmarks.scan_scale [--side 12288]
 

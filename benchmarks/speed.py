@@ -1,6 +1,6 @@
-"""The README's table of speed: three runs in processes of their own, as ratios with their spread: `make speed`.
+"""The guide's table of speed: three runs in processes of their own, as ratios with their spread: `make speed`.
 
-    python -m benchmarks.speed [--runs 3] [--write README.md]
+    python -m benchmarks.speed [--runs 3] [--write docs/reference/speed.md]
 
 Prints the table as Markdown; ``--write`` puts it between the two marks of a page. Times are those of the processor, so
 that other processes change little; the load is told beside the machine all the same.

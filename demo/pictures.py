@@ -27,7 +27,7 @@ def draw(
     chosen: Iterable[Inspected], profiles: dict[int, Profile], curves: dict[int, list[ChartCurve]], mosaic_file: Path,
     sources: Sequence[Path], path: Path,
 ) -> None:
-    """For each window its profile, its curves, and the mosaic beside the least sharp source at 2x."""
+    """For each window its profile, its curves, and the mosaic above the least sharp source at 2x."""
     chosen = list(chosen)
     figure = Figure(figsize=(4.6 * len(chosen), 12.4), layout="constrained")
     grid = figure.subplots(3, len(chosen), squeeze=False, gridspec_kw={"height_ratios": [0.6, 0.72, 1.0]})
@@ -66,19 +66,22 @@ def draw_profile(axes: Any, profile: Profile) -> None:
 def draw_pictures(
     axes: Any, window: Inspected, curves: list[ChartCurve], mosaic: Raster, mosaic_file: Path, sources: Sequence[Path]
 ) -> None:
-    """The middle of a window in the mosaic and in the least sharp source, one above the other."""
+    """The middle of a window in the mosaic and, one above the other, in the least sharp source that covers it all."""
     files = {path.name: path for path in sources}  # the composite is no file
-    source = min((curve for curve in curves if curve.label in files), key=lambda curve: curve.detail[0]).label
+    wholly = [curve for curve in curves if curve.label in files]  # those that cover the window in part have no curve
+    source = files[min(wholly, key=lambda curve: curve.detail[0]).label] if wholly else None
+    shown = [mosaic_file, *([source] if source else [])]
     whole = grids.snap_window(mosaic.grid, window.extent)
     width, height = min(PICTURE_PX[0], whole.width), min(PICTURE_PX[1], whole.height)
     middle = grids.PixelWindow(
         whole.column + (whole.width - width) // 2, whole.row + (whole.height - height) // 2, width, height
     )
-    clips = [read_clip(OpenRaster(RasterRef(str(file))), mosaic, middle) for file in (mosaic_file, files[source])]
+    clips = [read_clip(OpenRaster(RasterRef(str(file))), mosaic, middle) for file in shown]
     images = [np.moveaxis(clip.bands[[0, 1, 2] if clip.raster.has_luminance else [0, 0, 0]], 0, -1) for clip in clips]
     gap = np.full((4, width, 3), 255, dtype=np.uint8)
-    axes.imshow(np.concatenate([stretched(images[0]), gap, stretched(images[1])]), interpolation="nearest")
-    axes.set_title(f"above the mosaic, below {source}", fontsize=9)
+    parts = [part for image in images for part in (stretched(image), gap)]
+    axes.imshow(np.concatenate(parts[:-1]), interpolation="nearest")
+    axes.set_title(f"above the mosaic, below {source.name}" if source else "the mosaic", fontsize=9)
     axes.axis("off")
 
 

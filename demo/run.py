@@ -24,6 +24,7 @@ from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.open_raster import describe, describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.provider import SeamInspectorProvider
+from seam_inspector.plugin.seams.measure.limits import MEASURABLE_SIDE_PX
 
 from demo.block import Damage, make_block
 from demo.canvas import Extent
@@ -52,16 +53,20 @@ class Inputs:
 
 
 class Log(QgsProcessingFeedback):
-    """What the algorithms say, on standard output."""
+    """What the algorithms say, for standard output."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.lines: list[str] = []
 
     def pushInfo(self, info: str) -> None:  # noqa: N802
-        print("   ", info)
+        self.lines.append(f"    {info}")
 
     def pushWarning(self, warning: str) -> None:  # noqa: N802
-        print("    !", warning)
+        self.lines.append(f"    ! {warning}")
 
     def reportError(self, error: str, fatalError: bool = False) -> None:  # noqa: N802
-        print("    !!", error)
+        self.lines.append(f"    !! {error}")
 
 
 def main() -> int:
@@ -138,7 +143,7 @@ def inspect(job: Inputs, output: Path, side: float | None, spacing: float | None
     package, curves, profiles = output / "windows.gpkg", output / "curves.csv", output / "profiles.csv"
     for wide in [side] if side else fitting_sides(job.mosaic):
         package.unlink(missing_ok=True)
-        if place(job, package, wide, spacing or wide):
+        if place(job, package, wide, spacing or 2 * wide):  # as the desk does
             break
     else:
         print("No window has room on the mosaic.")
@@ -146,16 +151,16 @@ def inspect(job: Inputs, output: Path, side: float | None, spacing: float | None
     print(f"Inspecting them against {len(job.sources)} orthoimages")
     images = {"MOSAIC": str(job.mosaic), "SOURCES": [str(path) for path in job.sources]}
     tables = {"CURVES": str(curves), "PAIRS": str(output / "pairs.csv")}
-    run(
+    tell(run(
         "inspectwindows",
         WINDOWS=f"{package}|layername=placed",
         OUTPUT=f"ogr:dbname='{package}' table=\"inspected\" (geom)",
         PROFILES=str(profiles),
         **images,
         **tables,
-    )
+    ))  # fmt: skip
     found = f"{package}|layername=inspected"
-    run("report", WINDOWS=found, OUTPUT=str(output / "report.html"), PROFILES=str(profiles), **images, **tables)
+    tell(run("report", WINDOWS=found, OUTPUT=str(output / "report.html"), PROFILES=str(profiles), **images, **tables))
     inspected = read_windows(found)
     chosen = representative(inspected, job.damage)
     if not chosen:
@@ -174,7 +179,7 @@ def place(job: Inputs, package: Path, side: float, spacing: float) -> int:
     """Place windows along the seams; how many had room."""
     print(f"Placing windows of {side:.4g} m along the seams of {job.mosaic.name}")
     seamlines = f"{job.seamlines}|layername=seamlines" if has_layer(job.seamlines, "seamlines") else job.seamlines
-    run(
+    log = run(
         "placewindows",
         SEAMLINES=str(seamlines),
         MOSAIC=str(job.mosaic),
@@ -182,18 +187,25 @@ def place(job: Inputs, package: Path, side: float, spacing: float) -> int:
         SPACING=spacing,
         OUTPUT=f"ogr:dbname='{package}' table=\"placed\" (geom)",
     )
-    return int(QgsVectorLayer(f"{package}|layername=placed", "placed", "ogr").featureCount())
+    count = int(QgsVectorLayer(f"{package}|layername=placed", "placed", "ogr").featureCount())
+    if count:
+        tell(log)
+    else:
+        print("    0 windows placed: none of this side has room.")
+    return count
 
 
 def fitting_sides(mosaic: Path) -> Iterator[float]:
-    """100 m, or a quarter of a smaller mosaic; then half as much again and again, for one that is a narrow strip."""
+    """100 m, or 256 px where these are longer, at most a quarter of the mosaic; then half as much again and again, for
+    one that is a narrow strip."""
     raster = describe_mosaic(RasterRef(str(mosaic)))
     grid = raster.grid
     shorter = min(grid.columns * grid.metres_x * grid.pixel_width, grid.rows * grid.metres_y * grid.pixel_height)
-    side = min(imagery_limits.STANDARD_SIDE_M, shorter / 4)
-    yield side
-    while side / 2 >= imagery_limits.MIN_SIDE_PX * raster.ground_sample_distance:
-        side /= 2
+    pixel = raster.ground_sample_distance
+    side = min(max(imagery_limits.STANDARD_SIDE_M, MEASURABLE_SIDE_PX * pixel), shorter / 4)
+    shortest = imagery_limits.MIN_SIDE_PX * pixel
+    yield max(side, shortest)
+    while (side := side / 2) >= shortest:
         yield side
 
 
@@ -202,15 +214,22 @@ def has_layer(path: Path, name: str) -> bool:
     return gdal.OpenEx(str(path), gdal.OF_VECTOR).GetLayerByName(name) is not None
 
 
-def run(name: str, **parameters: Any) -> None:
-    """Run one of our algorithms."""
+def tell(log: Log) -> None:
+    """What an algorithm said."""
+    print(*log.lines, sep="\n")
+
+
+def run(name: str, **parameters: Any) -> Log:
+    """Run one of our algorithms; what it said."""
     algorithm = QgsApplication.processingRegistry().createAlgorithmById(f"seaminspector:{name}")
     context, feedback = QgsProcessingContext(), Log()
     acceptable, why = algorithm.checkParameterValues(parameters, context)
     if not acceptable:
         raise SystemExit(why)
     if not algorithm.run(parameters, context, feedback)[1]:
+        tell(feedback)
         raise SystemExit(f"{name} failed.")
+    return feedback
 
 
 if __name__ == "__main__":

@@ -39,6 +39,10 @@ def _file(name: str) -> Path:
     return Path(name)
 
 
+FOLDERS = {"first": {".xml"}, "second": {".csv"}, "delivery": {".tif"}}
+"""The endings of what folders of the samples hold."""
+MODELS = {"inspect_mosaic", "accept_delivery"}
+"""Their rasters are loaded by QGIS itself before a step of ours begins, and their steps refuse what they are given."""
 _SOURCES = _files("west.tif", "east.tif")
 _SCANNED = _files("scan/west.tif", "scan/east.tif")
 _FITTED = {"GCPS": Address(Path("gcps.csv")), "HEIGHTS": "ellipsoid"}
@@ -69,6 +73,12 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
         "SOURCE_FIELD": "source", "DENSITY": "full", "PIECE": 5.0}),
     ("scanmosaic", "index", {
         "MOSAIC": _file("mosaic.tif"), "SOURCE_INDEX": _file("index.gpkg"), "PIECE": 5.0, "SCHEDULER": ""}),
+    ("mendseams", "scanned", {
+        "MOSAIC": _file("scan/mosaic.tif"), "SOURCES": _SCANNED, "SEAMS": _file("scan_seams.gpkg"), "WHAT": "all",
+        "WIDTH": 3.0, "BLEND": 3}),
+    ("mendseams", "index", {
+        "MOSAIC": _file("mosaic.tif"), "SOURCE_INDEX": _file("index.gpkg"), "SEAMS": _file("windows.gpkg"),
+        "SCHEDULER": ""}),
     ("planinspection", "iso", {
         "SEAMS": _files("scan_seams.gpkg"), "PLAN": "iso2859", "LOT_SIZE": 0, "AQL": "1.0", "PIECE": 5.0, "SEED": 1}),
     ("planinspection", "count", {
@@ -79,12 +89,17 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
         "BAD_SHARE": 8.0, "CONSUMERS_RISK": 10.0, "CORRELATION": 0.1, "MIN_KEPT": 0.7}),
     ("acceptmosaic", "limits", {
         "SEAMS": _files("scan_seams.gpkg"), "MIN_KEPT": 0.7, "MAX_SHARE": 2.0, "MAX_RUN": 50.0, "MIN_MEASURED": 90.0,
-        "MOSAIC": _files("scan/mosaic.tif"), "LOSS": _file("scan_loss.tif"), "WINDOWS": _file("windows.gpkg")}),
+        "MOSAIC": _files("scan/mosaic.tif"), "LOSS": _files("scan_loss.tif"), "WINDOWS": _file("windows.gpkg"),
+        "SOURCES": _SCANNED, "RADIOMETRY": _file("checked.gpkg")}),
     ("acceptmosaic", "rules", {
-        "SEAMS": _files("scan_seams.gpkg"), "RULES": _file("acceptance.json"), "SHEETS": _file("sheets.gpkg")}),
+        "SEAMS": _files("scan_seams.gpkg"), "RULES": _file("acceptance.json"), "SHEETS": _file("sheets.gpkg"),
+        "MOSAIC": _files("scan/mosaic.tif"), "SOURCE_INDEX": _file("scan/index.gpkg")}),
     ("acceptmosaic", "observer", {
         "SEAMS": _files("scan_seams.gpkg"), "PLAN": "iso2859", "JUDGE": "observer", "WINDOWS": _file("windows.gpkg"),
         "LOT_SIZE": 100, "SEED": 3}),
+    ("checkdelivery", "sheets", {
+        "SHEETS": _file("sheets.gpkg"), "PATTERN": "*.tif", "PIXEL": 0.1, "BANDS": 3, "MAX_NODATA": 1.0}),
+    ("checkdelivery", "folder", {"FOLDER": _file("delivery"), "CRS": "EPSG:32633", "DATA_TYPE": "uint8"}),
     ("predictloss", "width", {
         "WINDOWS": _file("windows.gpkg"), "SOURCES": _SOURCES, "WIDTH": 3.0, "SEAMLINES": _file("seams.gpkg"),
         "LEVELS": 3, "WAVELET": "db4"}),
@@ -175,6 +190,12 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
     ("inspect_mosaic", "index", {
         "seamlines": _file("seams.gpkg"), "mosaic": _file("mosaic.tif"), "source_index": _file("index.gpkg"),
         "side": 12.8, "spacing": 12.8}),
+    ("accept_delivery", "sources", {
+        "folder": _file("delivery"), "sheets": _file("ordered.gpkg"), "sources": _SCANNED, "piece": 5.0,
+        "rules": _file("acceptance.json")}),
+    ("accept_delivery", "index", {
+        "folder": _file("delivery"), "source_index": _file("scan/index.gpkg"), "seamlines": _file("scan/seam.gpkg"),
+        "piece": 5.0}),
 ))  # fmt: skip
 
 

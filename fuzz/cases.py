@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from fuzz.breakages import of_bytes, of_layers, of_rasters, of_texts, of_vrts
+from fuzz.breakages import of_bytes, of_growth, of_layers, of_rasters, of_several, of_texts, of_vrts
 from fuzz.breakages.broken import BREAKAGES, Broken, copied
 from fuzz.breakages.of_values import other_input, other_value
-from fuzz.calls import CALLS, Address, Call, placed
+from fuzz.calls import CALLS, FOLDERS, Address, Call, placed
 from fuzz.running import created
 
-REGISTERED = (of_bytes, of_layers, of_rasters, of_texts, of_vrts)
+REGISTERED = (of_bytes, of_growth, of_layers, of_rasters, of_several, of_texts, of_vrts)
 SOUND, NO_FILE, OTHER_VALUE = "sound", "no_file", "other_value"
 NOTHING = "-"
 """The parameter of a call that is left as it is."""
@@ -58,7 +58,7 @@ def _kinds(call: Call) -> Iterator[tuple[str, str, str, str]]:
         files = _files(value)
         if files:
             yield call.algorithm, call.name, name, NO_FILE
-            endings = {one.suffix.lower() for one in files} if files[0].suffix else {".xml", ".csv"}
+            endings = set().union(*(FOLDERS.get(one.name, {one.suffix.lower()}) for one in files))
             for registered in BREAKAGES.values():
                 if endings & set(registered.endings):
                     yield call.algorithm, call.name, name, registered.name
@@ -72,7 +72,12 @@ def _files(value: Any) -> list[Path]:
     return [value.path] if isinstance(value, Address) else [value] if isinstance(value, Path) else []
 
 
-def values_of(case: Case, samples: Path, folder: Path, outside: Path) -> dict[str, Any]:
+def grows(case: Case) -> bool:
+    """Whether twice as much of its breakage can be made."""
+    return case.breakage in BREAKAGES and BREAKAGES[case.breakage].grows
+
+
+def values_of(case: Case, samples: Path, folder: Path, outside: Path, scale: int = 1) -> dict[str, Any]:
     """What the algorithm is given; broken files are made in the folder."""
     call, chance = case.sound_call, random.Random(str(case))
     values = {name: placed(value, samples) for name, value in call.values.items()}
@@ -85,24 +90,28 @@ def values_of(case: Case, samples: Path, folder: Path, outside: Path) -> dict[st
     elif case.breakage == NO_FILE:
         values[case.parameter] = other_input(values[case.parameter], definition, chance)
     else:
-        values[case.parameter] = _broken(case, call.values[case.parameter], samples, folder, outside, chance)
+        values[case.parameter] = _broken(
+            case, call.values[case.parameter], samples, folder, outside, chance, scale
+        )
     return values
 
 
-def _broken(case: Case, value: Any, samples: Path, folder: Path, outside: Path, chance: random.Random) -> Any:
+def _broken(
+    case: Case, value: Any, samples: Path, folder: Path, outside: Path, chance: random.Random, scale: int
+) -> Any:
     registered = BREAKAGES[case.breakage]
     if isinstance(value, list):
         at = chance.choice([n for n, one in enumerate(value) if one.suffix.lower() in registered.endings])
         made: list[Any] = list(placed(value, samples))
-        made[at] = _broken(case, value[at], samples, folder, outside, chance)
+        made[at] = _broken(case, value[at], samples, folder, outside, chance, scale)
         return made
     path = value.path if isinstance(value, Address) else value
     copy = copied(samples / path, folder)
     if copy.is_dir():  # one of its files
         inside = [one for one in sorted(copy.iterdir()) if one.suffix.lower() in registered.endings]
-        registered.breaks(Broken(chance.choice(inside), samples, chance, outside))
+        registered.breaks(Broken(chance.choice(inside), samples, chance, outside, scale))
         return str(copy)
-    given = registered.breaks(Broken(copy, samples, chance, outside))
+    given = registered.breaks(Broken(copy, samples, chance, outside, scale))
     if isinstance(value, Address):
         return value.of(Path(given) if isinstance(given, str) else copy)
     return str(copy) if given is None else given

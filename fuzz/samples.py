@@ -17,7 +17,7 @@ from tests.numbers.synthetic import UTM33, wkt, write_plain, write_raster
 from tests.qgis.photos.photo_scenes import make_photo
 from tests.qgis.resolution.bar_scenes import make_bar_scene
 from tests.qgis.scenes import BLURRED, SHARP, layer, line, make_scene, outline, saved, windows
-from tests.qgis.seams.scan_scenes import write_scene
+from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, write_scene
 
 PIECE_M = 5.0
 POINTS = 40
@@ -89,6 +89,13 @@ def _layers(folder: Path) -> None:
     saved(layer("LineString", [line((210, 0), (210, 520))]), folder / "scan" / "seam.gpkg")
     saved(windows((30, 30, 60, 60)), folder / "grey.gpkg")
     saved(windows((0, 0, 256, 256), (256, 0, 256, 256), name=("string(9)", ["A", "B"])), folder / "sheets.gpkg")
+    sides = (0, 0, COLUMNS // 2, ROWS), (COLUMNS // 2, 0, COLUMNS // 2, ROWS)
+    (folder / "delivery").mkdir()
+    for name, side in zip("AB", sides):
+        gdal.Translate(str(folder / "delivery" / f"{name}.tif"), str(folder / "scan" / "mosaic.tif"), srcWin=side)
+    saved(windows(*sides, sheet=("string(9)", ["A", "B"])), folder / "ordered.gpkg")
+    saved(windows(*[(0, 0, COLUMNS, ROWS)] * 2, location=("string(80)", ["west.tif", "east.tif"])),
+          folder / "scan" / "index.gpkg")
     bars = make_bar_scene(folder)
     saved(bars.lines(), folder / "bars.gpkg")
     rows = [f"{height},{height / 100 + step}" for height in (1000, 2000, 3000) for step in (0, 1)]
@@ -172,6 +179,7 @@ def _derived(folder: Path) -> None:
         "inspectwindows": {
             "OUTPUT": "inspected.gpkg", "CURVES": "curves.gpkg", "PAIRS": "pairs.gpkg", "PROFILES": "profiles.gpkg",
         },
+        "checkradiometry": {"OUTPUT": "checked.gpkg"},
         "interiororientation": {"OUTPUT": "marks.gpkg"},
         "fitsensormodel": {"OUTPUT": "residuals.gpkg", "MODEL_FILE": "model.json", "RPC": "rpc/image.RPB"},
     }
@@ -184,6 +192,7 @@ def _derived(folder: Path) -> None:
             "WINDOWS": str(folder / "windows.gpkg"), "MOSAIC": str(folder / "mosaic.tif"),
             "SOURCES": [str(folder / "west.tif"), str(folder / "east.tif")],
         },
+        "checkradiometry": {"RASTERS": [str(folder / "scan" / "mosaic.tif")]},
         "interiororientation": {"PHOTO": str(folder / "photo.bmp"), "CALIBRATION": str(folder / "camera.csv")},
         "fitsensormodel": {
             "GCPS": gcps_address(folder / "gcps.csv"), "IMAGE": str(folder / "image.tif"), "HEIGHTS": "ellipsoid",

@@ -21,7 +21,8 @@ from osgeo import gdal
 from qgis.core import QgsApplication, QgsProject
 from seam_inspector.plugin.provider import SeamInspectorProvider
 
-from fuzz.cases import NOTHING, Case, kinds, values_of
+from fuzz.calls import MODELS
+from fuzz.cases import NOTHING, Case, grows, kinds, values_of
 from fuzz.judging import MOST_BYTES, UNBROKEN, Report, judged
 from fuzz.running import Outcome, outputs, run
 from fuzz.samples import make_samples
@@ -30,12 +31,14 @@ from fuzz.watching import differences, forget, state_of
 SAID = "said.txt"
 MOST_ADDRESSES = 12 * 2**30
 """Far more than what is used: only what would fall on the whole machine at once ends here."""
+LONG_SECONDS = 0.5
+"""Of the processor: what takes less tells nothing of how it grows."""
+MOST_GROWTH = 3.0
+"""Times the time, for twice the bytes."""
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
-MODELS = {"inspect_mosaic"}
-"""Their rasters are loaded by QGIS itself before a step of ours begins."""
 _KEPT_BY_QGIS = re.compile(r"^(made|changed) .*\.aux\.xml$|^changed .*\.vrt$")
 """Statistics, by which it stretches a raster: GDAL keeps them beside it, those of a VRT in the VRT."""
-_SAID_BY_QGIS = re.compile(r"Unable to load mesh|Creating Warped VRT")
+_SAID_BY_QGIS = re.compile(r"Unable to load mesh|Creating Warped VRT|Warped VRT Creation failed")
 """A file that is no raster is tried as a mesh, and one that is rotated is warped, both aloud."""
 
 
@@ -70,9 +73,10 @@ class Player:
         watched = (self.samples, inputs, self._here, self._outside)
         before = state_of(watched)
         _forget_peak()
-        start = time.monotonic()
+        start, worked = time.monotonic(), time.process_time()
         chosen = {**outputs(case.algorithm, results), **values}
         outcome = self._outcome(case, chosen)
+        worked = time.process_time() - worked
         sys.stdout.flush()
         sys.stderr.flush()
         report = Report(str(case), "refused" if outcome.refusal else "ran" if outcome.worked else "failed")
@@ -84,6 +88,8 @@ class Player:
             changed = [one for one in changed if not _KEPT_BY_QGIS.search(one)]
             report.stderr = "\n".join(line for line in report.stderr.splitlines() if not _SAID_BY_QGIS.search(line))
         report.findings = judged(outcome, report.stderr) + changed
+        if grows(case) and worked > LONG_SECONDS:
+            report.findings += self._growth(case, folder, worked)
         if report.peak_bytes > MOST_BYTES:
             report.findings.append(f"took {report.peak_bytes / 2**30:.1f} GB")
         if case.parameter == NOTHING and not outcome.worked:
@@ -102,6 +108,18 @@ class Player:
         QgsProject.instance().clear()
         gc.collect()
         return report
+
+    def _growth(self, case: Case, folder: Path, worked: float) -> list[str]:
+        """The same with twice the bytes: it may take longer, but not by more than that."""
+        with gdal_quiet():
+            values = values_of(case, self.samples, folder / "twice", self._outside / "secret.txt", scale=2)
+        (folder / "out twice").mkdir()
+        start = time.process_time()
+        self._outcome(case, {**outputs(case.algorithm, folder / "out twice"), **values})
+        again = time.process_time() - start
+        return [f"twice the bytes took {again / worked:.1f} times as long ({worked:.2f} s)"] if (
+            again > MOST_GROWTH * worked
+        ) else []
 
     @staticmethod
     def _outcome(case: Case, values: dict[str, Any]) -> Outcome:

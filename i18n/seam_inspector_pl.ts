@@ -4,17 +4,17 @@
 <context>
     <name>@default</name>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="46"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="45"/>
         <source>Inspect windows</source>
         <translation>Skontroluj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="59"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="58"/>
         <source>Windows</source>
         <translation>Okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="61"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="60"/>
         <source>Rectangles on the mosaic in any reference system, drawn or placed along the seamlines. What is measured is the rectangle around each, snapped to the mosaic&apos;s pixels.</source>
         <translation>Prostokąty na ortofotomapie, w dowolnym układzie współrzędnych, narysowane lub rozmieszczone wzdłuż linii mozaikowania. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli ortofotomapy.</translation>
     </message>
@@ -29,12 +29,12 @@
         <translation>Scheduler Dask</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="103"/>
         <source>Detail by direction</source>
         <translation>Detale według kierunków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="106"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="105"/>
         <source>Adds to the curves of the mosaic and the sources the three directional components of each level: LH, in which horizontal lines show up, HL, vertical ones, and HH, diagonal ones. Their sum is the level&apos;s detail. Takes several times as long as the curves alone.</source>
         <translation>Dodaje do krzywych ortofotomapy i ortoobrazów źródłowych trzy komponenty kierunkowe każdego poziomu: LH, w którym ujawniają się linie poziome, HL – pionowe i HH – ukośne. Ich suma to detale tego poziomu. Trwa kilka razy dłużej niż same krzywe.</translation>
     </message>
@@ -44,7 +44,7 @@
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="87"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="90"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
@@ -54,32 +54,32 @@
         <translation>Krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="122"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="121"/>
         <source>Relative variance of every component, for each window, raster and band.</source>
         <translation>Wariancja względna każdego komponentu, dla każdego okna, rastra i kanału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="60"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="61"/>
         <source>Pairs</source>
         <translation>Pary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="126"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="125"/>
         <source>The mosaic against each single source: ratios, similarity, sub-pixel offset.</source>
         <translation>Ortofotomapa względem każdego ortoobrazu źródłowego z osobna: stosunki wariancji, podobieństwo, przesunięcie podpikselowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="135"/>
         <source>Windows with a significant loss</source>
         <translation>Okna z istotną stratą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="137"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="136"/>
         <source>Windows that can&apos;t be compared</source>
         <translation>Okna niedające się porównać</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="155"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="149"/>
         <source>Seam inspection</source>
         <translation>Kontrola linii mozaikowania</translation>
     </message>
@@ -89,7 +89,7 @@
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="180"/>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="28"/>
         <source>Mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
@@ -99,7 +99,7 @@
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, z określonym układem współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="89"/>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="34"/>
         <source>Sources</source>
         <translation>Ortoobrazy źródłowe</translation>
     </message>
@@ -159,12 +159,12 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: linia mozaikowania biegnie tam, gdzie stykają się dwa poligony. Fragmenty linii są najpierw łączone, a przebiegi schodkowe (po krawędziach pikseli) prostowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="85"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="86"/>
         <source>Window side (metres)</source>
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="86"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="87"/>
         <source>What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
@@ -189,72 +189,72 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="52"/>
+        <location filename="../plugin/imagery/messages.py" line="60"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="53"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="55"/>
+        <location filename="../plugin/imagery/messages.py" line="63"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="69"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="75"/>
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="77"/>
+        <location filename="../plugin/imagery/messages.py" line="85"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="80"/>
-        <source>{levels} levels asked for; the decomposition has {least} to {most}.</source>
+        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="82"/>
+        <location filename="../plugin/imagery/messages.py" line="90"/>
         <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="84"/>
+        <location filename="../plugin/imagery/messages.py" line="92"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="96"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="92"/>
+        <location filename="../plugin/imagery/messages.py" line="100"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="95"/>
+        <location filename="../plugin/imagery/messages.py" line="103"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="98"/>
+        <location filename="../plugin/imagery/messages.py" line="106"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="101"/>
+        <location filename="../plugin/imagery/messages.py" line="109"/>
         <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -274,32 +274,22 @@
         <translation>Ortofotomapa ma {width:.1f} × {height:.1f} m i jest za mała na okno o boku {side:.1f} m; podaj krótszy bok.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="37"/>
-        <source>Seam {seam} has no window at {station:.1f} m: it would stick out of the mosaic or hold too few valid pixels, and there is no room beside.</source>
-        <translation>Linia mozaikowania {seam} nie ma okna na {station:.1f} m: wystawałoby poza ortofotomapę lub zawierało zbyt mało pikseli z danymi, a obok nie ma miejsca.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/messages.py" line="41"/>
-        <source>Seam {seam} has no windows from {start:.1f} to {end:.1f} m: they would stick out of the mosaic or hold too few valid pixels, and there is no room beside.</source>
-        <translation>Linia mozaikowania {seam} nie ma okien od {start:.1f} do {end:.1f} m: wystawałyby poza ortofotomapę lub zawierały zbyt mało pikseli z danymi, a obok nie ma miejsca.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="45"/>
         <source>Left out because they would share more than half of their pixels with another window of the same seam: {count}.</source>
         <translation>Okna pominięte, ponieważ miałyby ponad połowę pikseli wspólnych z innym oknem tej samej linii mozaikowania: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/messages.py" line="44"/>
         <source>Seams that lie within windows of longer ones and got none of their own: {count}.</source>
         <translation>Linie mozaikowania leżące w oknach dłuższych linii, bez własnych okien: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="49"/>
+        <location filename="../plugin/seams/measure/messages.py" line="45"/>
         <source>Seams shorter than {shortest:.2f} m, too short to matter in a window: {count}.</source>
         <translation>Linie mozaikowania krótsze niż {shortest:.2f} m, zbyt krótkie, aby miały znaczenie w oknie: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="50"/>
+        <location filename="../plugin/seams/measure/messages.py" line="46"/>
         <source>Seams outside the mosaic: {count}.</source>
         <translation>Linie mozaikowania poza ortofotomapą: {count}.</translation>
     </message>
@@ -319,42 +309,42 @@
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="25"/>
+        <location filename="../plugin/imagery/messages.py" line="33"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="26"/>
+        <location filename="../plugin/imagery/messages.py" line="34"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="28"/>
+        <location filename="../plugin/imagery/messages.py" line="36"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="30"/>
+        <location filename="../plugin/imagery/messages.py" line="38"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy albo zapisz w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="32"/>
+        <location filename="../plugin/imagery/messages.py" line="40"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="68"/>
+        <location filename="../plugin/imagery/messages.py" line="76"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="70"/>
+        <location filename="../plugin/imagery/messages.py" line="78"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="42"/>
+        <location filename="../plugin/imagery/messages.py" line="50"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -374,47 +364,47 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="39"/>
+        <location filename="../plugin/imagery/messages.py" line="47"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="68"/>
+        <location filename="../plugin/seams/measure/messages.py" line="63"/>
         <source>No source covers the window; add the orthoimages that overlap it or move the window.</source>
         <translation>Żaden ortoobraz źródłowy nie pokrywa okna; dodaj ortoobrazy z tego miejsca albo przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="69"/>
+        <location filename="../plugin/seams/measure/messages.py" line="64"/>
         <source>No source can be compared here: {why}</source>
         <translation>Żadnego ortoobrazu źródłowego nie można tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="70"/>
+        <location filename="../plugin/seams/measure/messages.py" line="65"/>
         <source>The mosaic has no variance in the window; move the window to where there is content.</source>
         <translation>Ortofotomapa ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="71"/>
+        <location filename="../plugin/seams/measure/messages.py" line="66"/>
         <source>{name} has no variance in the window; move the window to where there is content.</source>
         <translation>Raster {name} ma w oknie zerową wariancję; przesuń okno tam, gdzie jest treść.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="73"/>
+        <location filename="../plugin/seams/measure/messages.py" line="68"/>
         <source>No source has detail at level 1 in the window; move the window to where there is some.</source>
         <translation>Żaden ortoobraz źródłowy nie ma w oknie detali na poziomie 1; przesuń okno tam, gdzie są detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="75"/>
+        <location filename="../plugin/seams/measure/messages.py" line="70"/>
         <source>{name} has no {band} (its bands: {bands}); choose sources with the mosaic&apos;s bands.</source>
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="58"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="129"/>
+        <location filename="../plugin/seams/measure/messages.py" line="125"/>
         <source>The window could not be measured ({error}); please report this.</source>
         <translation>Nie udało się zmierzyć okna ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -459,22 +449,17 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="66"/>
+        <location filename="../plugin/toolkit/messages.py" line="18"/>
         <source>{count} windows had no number of their own and were given the next free ones.</source>
         <translation>{count} {count:okno bez własnego numeru otrzymało kolejny wolny numer|okna bez własnego numeru otrzymały kolejne wolne numery|okien bez własnego numeru otrzymało kolejne wolne numery}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="28"/>
+        <location filename="../plugin/toolkit/messages.py" line="33"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos; or leave the scheduler empty.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="31"/>
-        <source>The Dask scheduler at {address} does not answer ({error}); check the address or leave it empty.</source>
-        <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres albo pozostaw pole puste.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="33"/>
+        <location filename="../plugin/toolkit/messages.py" line="43"/>
         <source>The Dask scheduler at {address} has no workers; start some or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
@@ -539,7 +524,7 @@
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="88"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="122"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -549,52 +534,52 @@
         <translation>źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="36"/>
+        <location filename="../plugin/seams/words.py" line="37"/>
         <source>significant</source>
         <translation>istotna strata</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="37"/>
+        <location filename="../plugin/seams/words.py" line="38"/>
         <source>reduced</source>
         <translation>osłabione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="38"/>
+        <location filename="../plugin/seams/words.py" line="39"/>
         <source>preserved</source>
         <translation>zachowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="40"/>
+        <location filename="../plugin/seams/words.py" line="41"/>
         <source>not comparable</source>
         <translation>nieporównywalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="42"/>
+        <location filename="../plugin/seams/words.py" line="43"/>
         <source>not inspected</source>
         <translation>nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="65"/>
+        <location filename="../plugin/seams/words.py" line="66"/>
         <source>visible</source>
         <translation>widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="65"/>
+        <location filename="../plugin/seams/words.py" line="66"/>
         <source>invisible</source>
         <translation>niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="42"/>
+        <location filename="../plugin/seams/words.py" line="43"/>
         <source>Not inspected yet.</source>
         <translation>Okno nie było jeszcze kontrolowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="40"/>
+        <location filename="../plugin/seams/words.py" line="41"/>
         <source>The mosaic could not be compared with a source here.</source>
         <translation>Ortofotomapy nie udało się tu porównać z żadnym ortoobrazem źródłowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="216"/>
+        <location filename="../plugin/seams/window_summary.py" line="202"/>
         <source>{finding} Changed since: inspect it again.</source>
         <translation>{finding} Od tego czasu nastąpiły zmiany: skontroluj okno ponownie.</translation>
     </message>
@@ -609,62 +594,62 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="195"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="201"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="219"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="224"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="221"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="156"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="237"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="245"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="107"/>
+        <location filename="../plugin/radiometry/report.py" line="89"/>
         <source>none</source>
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="241"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="246"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="254"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -674,37 +659,37 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="250"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="258"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="253"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="278"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="279"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="280"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="281"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="282"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -719,7 +704,7 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="131"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="132"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
@@ -774,52 +759,52 @@
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="124"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="134"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="128"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="138"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="135"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="145"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="309"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="311"/>
         <source>Judge visible</source>
         <translation>Strata widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="311"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="313"/>
         <source>Judge invisible</source>
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="250"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="267"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="253"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="271"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="247"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="249"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="250"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="252"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="248"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="250"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
@@ -829,32 +814,32 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="227"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="135"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="137"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="139"/>
-        <source>Windows without the observer&apos;s word.</source>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="135"/>
+        <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="137"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="129"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="125"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
@@ -864,52 +849,52 @@
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="305"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="306"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="308"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="309"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="309"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="125"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="135"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="129"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="139"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="315"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="317"/>
         <source>Take judgement back</source>
         <translation>Wycofaj opinię</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="316"/>
-        <source>The selected windows are not judged yet.</source>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <source>Marks the selected windows as not judged.</source>
         <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="323"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="325"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="324"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="326"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
@@ -919,42 +904,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="149"/>
+        <location filename="../plugin/seams/desk/dock.py" line="141"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="149"/>
+        <location filename="../plugin/seams/desk/dock.py" line="141"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="144"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="152"/>
+        <location filename="../plugin/seams/desk/dock.py" line="144"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="165"/>
+        <location filename="../plugin/seams/desk/dock.py" line="162"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="165"/>
+        <location filename="../plugin/seams/desk/dock.py" line="162"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="168"/>
+        <location filename="../plugin/seams/desk/dock.py" line="165"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="168"/>
+        <location filename="../plugin/seams/desk/dock.py" line="165"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -969,7 +954,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="271"/>
+        <location filename="../plugin/seams/desk/dock.py" line="268"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -999,67 +984,67 @@
         <translation>Po&amp;ziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="128"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="127"/>
         <source>Ratio at level {level}: {ratio}</source>
         <translation>Stosunek wariancji na poziomie {level}: {ratio}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="149"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="148"/>
         <source>ratio 1</source>
         <translation>stos. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="154"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
         <source>id</source>
         <translation>nr</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="158"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="157"/>
         <source>verdict</source>
         <translation>ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="186"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="185"/>
         <source>src.</source>
         <translation>źr.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="182"/>
         <source>sources</source>
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="189"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="188"/>
         <source>observer</source>
         <translation>obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="194"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="193"/>
         <source>reason</source>
         <translation>powód</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="88"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="87"/>
         <source>Detail at level {level} in the mosaic as a multiple of the least sharp source&apos;s.</source>
         <translation>Stosunek wariancji detali na poziomie {level}: ortofotomapa względem najmniej ostrego ortoobrazu źródłowego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="154"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="153"/>
         <source>Number of the window.</source>
         <translation>Numer okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="184"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="183"/>
         <source>How many sources the mosaic was compared with.</source>
         <translation>Z iloma ortoobrazami źródłowymi porównano ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="190"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="189"/>
         <source>Whether the operator saw the loss of detail at 2x magnification.</source>
         <translation>Czy operator widział stratę detali w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="195"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="194"/>
         <source>Why the mosaic could not be compared with a source.</source>
         <translation>Dlaczego ortofotomapy nie udało się porównać z ortoobrazem źródłowym.</translation>
     </message>
@@ -1085,7 +1070,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/source_list.py" line="84"/>
-        <source>Check no raster; missing ones are removed</source>
+        <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
@@ -1244,7 +1229,7 @@
         <translation>{window}: bez pokrycia źródłami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="64"/>
+        <location filename="../plugin/seams/measure/messages.py" line="60"/>
         <source>No window layer can be written to {folder}; save the project in a folder that you may write to.</source>
         <translation>Nie można zapisać warstwy okien w {folder}; zapisz projekt w katalogu, w którym masz prawo zapisu.</translation>
     </message>
@@ -1259,7 +1244,7 @@
         <translation>Okien warstwy {name} nie udało się zapisać razem z projektem ({error}); warstwa pozostaje w trybie edycji, więc zapisz ją w innym miejscu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="51"/>
+        <location filename="../plugin/seams/measure/messages.py" line="47"/>
         <source>Windows placed along the seams: {count}. Inspect them when you are ready.</source>
         <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania. Skontroluj je, gdy zechcesz.</translation>
     </message>
@@ -1274,32 +1259,32 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="26"/>
+        <location filename="../plugin/toolkit/messages.py" line="31"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_watch.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/window_watch.py" line="143"/>
         <source>Add fields</source>
         <translation>Dodaj pola</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/new_windows.py" line="145"/>
+        <location filename="../plugin/seams/desk/windows/new_windows.py" line="158"/>
         <source>Add windows</source>
         <translation>Dodaj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="178"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="182"/>
         <source>Number windows</source>
         <translation>Ponumeruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/session.py" line="233"/>
+        <location filename="../plugin/seams/desk/session.py" line="240"/>
         <source>Judge windows</source>
         <translation>Wydaj opinię o oknach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/tables/window_layer.py" line="228"/>
+        <location filename="../plugin/seams/tables/window_layer.py" line="232"/>
         <source>Remove windows</source>
         <translation>Usuń okna</translation>
     </message>
@@ -1399,17 +1384,17 @@
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="188"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="97"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="101"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
@@ -1434,12 +1419,12 @@
         <translation>&amp;Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="176"/>
         <source>cause</source>
         <translation>przyczyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="178"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="177"/>
         <source>The step of production that explains what happened to the contrast.</source>
         <translation>Etap produkcji, który wyjaśnia, co się stało z kontrastem.</translation>
     </message>
@@ -1559,7 +1544,7 @@
         <translation>Symuluj filtr Bayera</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="34"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="35"/>
         <source>Ground resolution</source>
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
@@ -1609,7 +1594,7 @@
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="87"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="97"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
@@ -1649,62 +1634,52 @@
         <translation>Ocenione modele</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="44"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="42"/>
         <source>Predict loss by feathering</source>
         <translation>Przewidź stratę wskutek wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="46"/>
-        <source>Says before any mosaic is made how much detail feathering would cost in each window. Where two images are blended half and half, the part of their detail that they do not share cancels: with rho the agreement of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower.</source>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="44"/>
+        <source>Predicts, before any mosaic is made, how much detail feathering would cost in each window. Where two images are blended half and half, the part of their detail that they do not share cancels: with rho the agreement of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower.</source>
         <translation>Jeszcze przed wykonaniem ortofotomapy mówi, ile detali kosztowałoby wtapianie w każdym oknie. Gdzie dwa obrazy są mieszane pół na pół, znosi się ta część ich detali, która nie jest wspólna: przy zgodności rho ich współczynników detali zostaje (1 + rho) / 2 ich wariancji. Obrazy przesunięte względem siebie o 1 px mogą w ten sposób stracić połowę najdrobniejszych detali. Najmniejszy stosunek wariancji spośród par ortoobrazów źródłowych mówi, gdzie wtapianie zaszkodzi; można wtedy poprowadzić linię mozaikowania gdzie indziej, lepiej dopasować obrazy albo zwęzić pas wtapiania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="59"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="57"/>
         <source>Rectangles where seams are to run, in any reference system. What is measured is the rectangle around each, snapped to the pixels of the finest source that covers it.</source>
         <translation>Prostokąty, przez które mają przebiegać linie mozaikowania, w dowolnym układzie współrzędnych. Pomiar obejmuje prostokąt opisany na każdym z nich, dociągnięty do siatki pikseli najdokładniejszego ortoobrazu źródłowego, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="66"/>
         <source>Width of the feather (metres)</source>
         <translation>Szerokość pasa wtapiania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="70"/>
-        <source>Full width, from where the one image is all to where the other is. What such a feather would leave, in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle of the feather is foretold, where both images weigh the same.</source>
-        <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="74"/>
         <source>Ramp of the feather</source>
         <translation>Przebieg wag w pasie wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="78"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="76"/>
         <source>How the weights of the two images change across the feather: in a straight line, as half a wave of the cosine, or as a mask smoothed by a Gaussian. The full width of the Gaussian is 4 sigma, from weights of 0.02 to 0.98.</source>
         <translation>Jak w poprzek pasa wtapiania zmieniają się wagi obu obrazów: liniowo, jak połowa fali cosinusa albo jak maska wygładzona filtrem Gaussa. Pełna szerokość przy filtrze Gaussa to 4 sigma, od wagi 0,02 do 0,98.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="86"/>
-        <source>Lines along which the images are to be joined, or polygons with such borders, where they are known. Elsewhere the seam is assumed to run straight through the middle of its window, and what is foretold is the mean over the directions it may have.</source>
-        <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="91"/>
         <source>Predicted windows</source>
         <translation>Okna z prognozą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="92"/>
         <source>The rectangles as measured, in the sources&apos; reference system, with the smallest ratio over the pairs.</source>
         <translation>Prostokąty w zmierzonych granicach, w układzie współrzędnych ortoobrazów źródłowych, z najmniejszym stosunkiem wariancji spośród par.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="95"/>
         <source>Source pairs</source>
         <translation>Pary ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/predictloss.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="96"/>
         <source>Every two sources of a window: agreement of their detail, ratio to be expected, shift between them.</source>
         <translation>Każde dwa ortoobrazy źródłowe okna: zgodność ich detali, spodziewany stosunek wariancji, wzajemne przesunięcie.</translation>
     </message>
@@ -1739,7 +1714,7 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="74"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="18"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
@@ -1750,7 +1725,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="83"/>
-        <source>The limit drawn into the charts: that which the windows were inspected with.</source>
+        <source>The limit drawn into the charts: the one the windows were inspected with.</source>
         <translation>Granica rysowana na wykresach: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
@@ -1759,102 +1734,102 @@
         <translation>Strona, jeden plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="72"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="71"/>
         <source>Verdict against</source>
         <translation>Ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="80"/>
         <source>Seam cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="83"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="82"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic was cut from. Where they are known they decide on the composite; elsewhere it is found from the detail itself.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu źródłowego wycięto każdą część ortofotomapy. Gdzie są znane, decydują o kompozycji; w pozostałych miejscach jest ona ustalana na podstawie samych detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="46"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="47"/>
         <source>Measure ground resolved distance</source>
         <translation>Zmierz terenową zdolność rozdzielczą (GRD)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="59"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="60"/>
         <source>The image of the target, north-up. One without georeference is taken as QGIS shows it.</source>
         <translation>Obraz testu, zorientowany na północ. Obraz bez georeferencji jest brany tak, jak pokazuje go QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="63"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="64"/>
         <source>Lines across the bars</source>
         <translation>Linie w poprzek pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="73"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
         <source>Width to average (pixels)</source>
         <translation>Szerokość uśredniania (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="77"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="78"/>
         <source>Band</source>
         <translation>Kanał</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="78"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="79"/>
         <source>Number of the band to measure; 0 for every band.</source>
         <translation>Numer mierzonego kanału; 0 oznacza wszystkie kanały.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="82"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="83"/>
         <source>Bars in a group</source>
         <translation>Liczba pasków w grupie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="88"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="89"/>
         <source>Reference group</source>
         <translation>Grupa odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="93"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
         <source>Distance of the reference group (cm)</source>
         <translation>GRD grupy odniesienia (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="104"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="106"/>
         <source>Step from group to group</source>
         <translation>Krok między grupami</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="105"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="107"/>
         <source>How many times as wide the next coarser group is; the sixth root of 2 on most targets.</source>
         <translation>Ile razy szersza jest następna, grubsza grupa; w większości testów pierwiastek szóstego stopnia z 2.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="109"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="111"/>
         <source>Criterion</source>
         <translation>Kryterium</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="110"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="112"/>
         <source>Share of the full amplitude that the bars of a resolved group keep.</source>
         <translation>Część pełnej amplitudy, którą zachowują paski rozróżnionej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="122"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="124"/>
         <source>Higher numbers are coarser</source>
         <translation>Wyższe numery oznaczają grubsze grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="123"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="125"/>
         <source>For targets numbered the other way.</source>
         <translation>Dla testów numerowanych odwrotnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="127"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="129"/>
         <source>Measured groups</source>
         <translation>Zmierzone grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="128"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="130"/>
         <source>The lines as they were measured, one row per band: bars, amplitudes, modulation, verdict, shift.</source>
         <translation>Linie w zmierzonym położeniu, jeden wiersz na kanał: paski, amplitudy, modulacja, ocena, przesunięcie.</translation>
     </message>
@@ -1864,27 +1839,27 @@
         <translation>Wykres</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="130"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="132"/>
         <source>The profiles with their bars, threshold and verdict, group by group.</source>
         <translation>Profile z paskami, progiem i oceną, grupa po grupie.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="132"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="134"/>
         <source>A page with the distances, the target, the profiles and all measurements.</source>
         <translation>Strona z wartościami GRD, obrazem testu, profilami i wszystkimi pomiarami.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="135"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="137"/>
         <source>Distance along the flight (cm)</source>
         <translation>GRD wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="136"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="138"/>
         <source>Distance across the flight (cm)</source>
         <translation>GRD w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="137"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="139"/>
         <source>Geometric mean of both distances (cm)</source>
         <translation>Średnia geometryczna obu wartości GRD (cm)</translation>
     </message>
@@ -1894,7 +1869,7 @@
         <translation>Sprawdź szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="33"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="34"/>
         <source>Image quality</source>
         <translation>Jakość obrazu</translation>
     </message>
@@ -1990,7 +1965,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/enhancephoto.py" line="50"/>
-        <source>Side of the mean&apos;s square (odd), or standard deviation of the Gaussian; of no meaning to the others.</source>
+        <source>Side of the mean&apos;s square (odd), or standard deviation of the Gaussian; the others ignore it.</source>
         <translation>Bok kwadratu średniej (nieparzysty) albo odchylenie standardowe filtra Gaussa; bez znaczenia dla pozostałych.</translation>
     </message>
     <message>
@@ -2010,21 +1985,21 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="41"/>
-        <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
+        <source>Finds the limit of a significant loss that an observer&apos;s verdicts support. For every threshold it counts how many visible losses would be flagged and how many windows without one would be flagged by mistake: the ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed verdicts, with the 95 % interval of the true one; the area under the curve (AUC) says how well the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number.</source>
         <translation>Znajduje granicę istotnej straty, którą potwierdzają opinie obserwatora. Dla każdego progu liczy, ile widocznych strat zostałoby oznaczonych i ile okien bez nich oznaczono by niepotrzebnie: krzywa ROC. Próg do ustawienia to ten z największym wskaźnikiem Youdena (czułość + swoistość - 1) opinii wygładzonych, z zakresem, w którym z ufnością 95 % leży próg prawdziwy; pole pod krzywą (AUC) mówi, jak dobrze miara rozdziela oba rodzaje, 0,5 to zgadywanie, z 95-procentowym przedziałem bootstrapowym. Okna leżące blisko siebie są losowane razem. Przy mniej niż 5 opiniach „widoczna” lub 5 „niewidoczna” nie ma liczby.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="62"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="63"/>
         <source>The table of pairs of the same windows. With it the absolute contrast &apos;contrast_1&apos; is judged too: against the composite where there is one, else the largest over the sources.</source>
         <translation>Tabela par tych samych okien. Z nią oceniany jest też kontrast bezwzględny „contrast_1”: względem kompozycji, jeśli jest, w przeciwnym razie największy ze źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="69"/>
-        <source>The measure that the numbers are of: the one the windows are judged by. Not set: &apos;kept_1&apos; where the judged windows have it, else &apos;ratio_1&apos;. The table and the chart hold all of them.</source>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="70"/>
+        <source>The measure whose figures are given as outputs: the one the windows are judged by. Not set: &apos;kept_1&apos; where the judged windows have it, else &apos;ratio_1&apos;. The table and the chart hold all measures.</source>
         <translation>Miara, której dotyczą liczby: ta, według której okna są oceniane. Nieustawiona: „kept_1”, jeśli ocenione okna ją mają, w przeciwnym razie „ratio_1”. Tabela i wykres zawierają wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="67"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="68"/>
         <source>Measure</source>
         <translation>Miara</translation>
     </message>
@@ -2034,117 +2009,112 @@
         <translation>Kalibracja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="78"/>
         <source>For each measure a summary with the threshold to set, its range, the area and the verdicts wanted, what the standard limit does, and what every other threshold would do.</source>
         <translation>Dla każdej miary podsumowanie z progiem do ustawienia, jego zakresem, polem i liczbą potrzebnych opinii, działanie progu standardowego oraz każdego innego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="83"/>
         <source>ROC curves with their areas, and the judged windows of each measure.</source>
         <translation>Krzywe ROC z ich polami i ocenione okna każdej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="84"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="86"/>
         <source>Threshold of the measure</source>
         <translation>Próg miary</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="85"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="87"/>
         <source>Area under the ROC curve</source>
         <translation>Pole pod krzywą ROC</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="86"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="88"/>
         <source>Area, lower end of its interval</source>
         <translation>Pole, dolny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="89"/>
         <source>Area, upper end of its interval</source>
         <translation>Pole, górny koniec przedziału</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="90"/>
         <source>Visible verdicts</source>
         <translation>Opinie „widoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="89"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="91"/>
         <source>Invisible verdicts</source>
         <translation>Opinie „niewidoczna”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="90"/>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="92"/>
         <source>Verdicts wanted</source>
         <translation>Potrzebne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="117"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="118"/>
         <source>Minimum flying height</source>
         <translation>Minimalna wysokość lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="120"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="121"/>
         <source>Computes from passes over a bar target how low a sensor may fly without resolving more than agreed: for each pass its height times the required distance over the one that was read, then the mean of each group of passes, its spread, and how far it lies from a reference (Walczykowski and others 2009, equations 1 and 2).</source>
         <translation>Oblicza z przelotów nad testem paskowym, jak nisko może lecieć sensor, aby nie rozróżniał więcej, niż uzgodniono: dla każdego przelotu jego wysokość razy wymagana terenowa zdolność rozdzielcza przez odczytaną, a następnie średnią każdej grupy przelotów, jej rozrzut i odległość od wartości odniesienia (Walczykowski i in. 2009, wzory 1 i 2).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="128"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="129"/>
         <source>Observations</source>
         <translation>Obserwacje</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="136"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="137"/>
         <source>Required distance (cm)</source>
         <translation>Wymagana GRD (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="137"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="138"/>
         <source>The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies.</source>
         <translation>Terenowa zdolność rozdzielcza, poniżej której nie wolno zejść: 30 cm dla kamer optycznych w Open Skies.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="140"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="141"/>
         <source>Reference height (metres)</source>
         <translation>Wysokość odniesienia (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="141"/>
-        <source>The minimum height that the results are compared with, if there is one.</source>
-        <translation>Minimalna wysokość, z którą porównywane są wyniki, jeśli taka istnieje.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="144"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="148"/>
         <source>Keep flying heights apart</source>
         <translation>Rozdziel wysokości lotu</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="145"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="149"/>
         <source>Rows of different &apos;height&apos; make groups of their own, as in tables 4A and 4B of the paper.</source>
         <translation>Wiersze o różnym polu „height” tworzą osobne grupy, jak w tabelach 4A i 4B artykułu.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="149"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="153"/>
         <source>Minimum heights</source>
         <translation>Minimalne wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="154"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="158"/>
         <source>Heights by pass</source>
         <translation>Wysokości z przelotów</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="156"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="160"/>
         <source>The observations that were used, each with its minimum height &apos;h_min&apos;.</source>
         <translation>Użyte obserwacje, każda ze swoją minimalną wysokością „h_min”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="158"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="162"/>
         <source>Groups</source>
         <translation>Grupy</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="195"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="199"/>
         <source>all passes</source>
         <translation>wszystkie przeloty</translation>
     </message>
@@ -2154,7 +2124,7 @@
         <translation>Orientacja wewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="35"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
         <source>Interior orientation of photos</source>
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
@@ -2205,7 +2175,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/interiororientation.py" line="110"/>
-        <source>What is drawn to look for, in the size that the photo has it; automatic tries all.</source>
+        <source>The shape to look for, in the size it has on the photo; automatic tries all.</source>
         <translation>Jaki wzorzec jest rysowany do wyszukiwania, w wielkości takiej jak na zdjęciu; automatic próbuje wszystkich.</translation>
     </message>
     <message>
@@ -2319,7 +2289,7 @@
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="37"/>
         <source>Satellite images</source>
         <translation>Obrazy satelitarne</translation>
     </message>
@@ -2394,142 +2364,142 @@
         <translation>Nominalna, dla modelu pushbroom. Puste pole: według satelity podanego w metadanych obrazu, a w innym razie 694 km. IKONOS 681, QuickBird 450, EROS-A1 480, Pleiades 694, WorldView-3 617.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="60"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="61"/>
         <source>Fit sensor model</source>
         <translation>Dopasuj model sensora</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="62"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="63"/>
         <source>Fits the geometry of a satellite image to ground control points and judges it on check points that took no part (Kurczynski and Wolniewicz). The result is a model file and an RPC for orthorectification.</source>
         <translation>Dopasowuje geometrię obrazu satelitarnego do fotopunktów i ocenia ją na punktach kontrolnych, które nie brały udziału (Kurczyński i Wolniewicz). Wynikiem jest plik modelu i RPC do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="71"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="72"/>
         <source>Model</source>
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="238"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="237"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="76"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="77"/>
         <source>Order</source>
         <translation>Stopień</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="78"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="79"/>
         <source>Of polynomials and quotients. Higher orders need many points and swing between them.</source>
         <translation>Stopień modeli wielomianowych i ilorazowych. Wyższe stopnie wymagają wielu punktów i falują między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="81"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
         <source>Term a12 xy of the direct linear transformation</source>
         <translation>Wyraz a12 xy przekształcenia rzutowego (DLT)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="82"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="83"/>
         <source>Adds one unknown to dlt, the product of column and row in the equation of the row (Fraser 2000).</source>
         <translation>Dodaje do dlt jedną niewiadomą: iloczyn kolumny i wiersza w równaniu wiersza (Fraser 2000).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="85"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
         <source>Correction of the RPC</source>
         <translation>Poprawka RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="86"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="87"/>
         <source>For rpc_bias: a shift in the image, with a drift along the lines, or an affine change of the image.</source>
         <translation>Dla rpc_bias: przesunięcie na obrazie, z dryfem wzdłuż linii, albo afiniczna zmiana obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="91"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
         <source>Residuals</source>
         <translation>Odchyłki</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="92"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="93"/>
         <source>The points with residuals, model minus measured: in pixels, and in metres at the point&apos;s height.</source>
         <translation>Punkty z odchyłkami, model minus pomiar: w pikselach i w metrach na wysokości punktu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
         <source>Model file</source>
         <translation>Plik modelu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
         <source>Model files (*.json)</source>
         <translation>Pliki modelu (*.json)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="95"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="96"/>
         <source>The whole model, for orthorectification.</source>
         <translation>Cały model, do ortorektyfikacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="98"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
         <source>RPC</source>
         <translation>RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="119"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="120"/>
         <source>Accuracy, warnings and a plot of the residuals.</source>
         <translation>Dokładność, ostrzeżenia i wykres odchyłek.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="121"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
         <source>check points</source>
         <translation>punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="121"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="122"/>
         <source>control points</source>
         <translation>fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="123"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="124"/>
         <source>Root mean square</source>
         <translation>Błąd średniokwadratowy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="123"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="124"/>
         <source>Largest error</source>
         <translation>Największy błąd</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="124"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="125"/>
         <source>{kind} in {axis}, {group} (m)</source>
         <translation>{kind} na osi {axis}, {group} (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="128"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="129"/>
         <source>Control points used</source>
         <translation>Użyte fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="129"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="130"/>
         <source>Check points used</source>
         <translation>Użyte punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="130"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="131"/>
         <source>Condition number</source>
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="244"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="244"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="246"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="245"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
@@ -2549,7 +2519,7 @@
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="83"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
@@ -2559,7 +2529,7 @@
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="102"/>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="55"/>
         <source>Radiometry</source>
         <translation>Radiometria</translation>
     </message>
@@ -2584,117 +2554,112 @@
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="40"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="41"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="51"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="52"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="54"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="55"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="56"/>
-        <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image&apos;s own RPC.</source>
-        <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP) lub .geom. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="86"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="96"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="102"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="94"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="104"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="97"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="74"/>
         <source>Reference system</source>
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="98"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="108"/>
         <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="102"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="112"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="104"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="114"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="107"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="117"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="108"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="118"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="111"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="121"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="111"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="121"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="114"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="124"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="115"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="125"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="118"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="128"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="119"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="129"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="123"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="133"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="124"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="134"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="125"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="135"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="176"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="186"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
@@ -2749,12 +2714,7 @@
         <translation>Warstwa komórek ortofotomapy nie ma pola „source”; dodaj je i wpisz nazwy plików ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="53"/>
-        <source>Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages.</source>
-        <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania; miejsca bez okna: {notes}, opisane w dzienniku komunikatów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="61"/>
+        <location filename="../plugin/seams/measure/messages.py" line="57"/>
         <source>No window could be placed along the seams; the log messages say why.</source>
         <translation>Wzdłuż linii mozaikowania nie udało się umieścić żadnego okna; przyczyny podaje dziennik komunikatów.</translation>
     </message>
@@ -2769,132 +2729,132 @@
         <translation>Ortofotomapa nie została otwarta, ponieważ zadanie anulowano; wybierz w danych wejściowych inną ortofotomapę, a potem ponownie tę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/messages.py" line="127"/>
         <source>Only one source covers the window, so nothing will be feathered there.</source>
         <translation>Okno pokrywa tylko jeden ortoobraz źródłowy, więc nic nie będzie tam wtapiane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="134"/>
+        <location filename="../plugin/seams/measure/messages.py" line="130"/>
         <source>The feather is {width} m wide; give a width in metres, or 0 for its middle alone.</source>
         <translation>Pas wtapiania ma szerokość {width} m; podaj szerokość w metrach albo 0, gdy chodzi tylko o jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/messages.py" line="131"/>
         <source>A feather can&apos;t have the ramp &apos;{ramp}&apos;; choose one of {known}.</source>
         <translation>Wtapianie nie może mieć przebiegu wag „{ramp}”; wybierz jeden z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="137"/>
+        <location filename="../plugin/seams/measure/messages.py" line="133"/>
         <source>Where no seamline divides a window in two, the seam is assumed to run through its middle.</source>
         <translation>Gdzie żadna linia mozaikowania nie dzieli okna na dwie części, zakłada się, że biegnie ona przez jego środek.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="132"/>
+        <location filename="../plugin/seams/measure/messages.py" line="128"/>
         <source>Only one source can be compared here: {why}</source>
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="64"/>
+        <location filename="../plugin/toolkit/messages.py" line="85"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="106"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/messages.py" line="137"/>
         <source>The window layer has no field &apos;{field}&apos;; choose a layer of inspected windows, as &apos;Inspect windows&apos; leaves it.</source>
         <translation>Warstwa okien nie ma pola „{field}”; wybierz warstwę skontrolowanych okien, taką, jaką zostawia „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="144"/>
+        <location filename="../plugin/seams/measure/messages.py" line="140"/>
         <source>The table of pairs has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela par nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="151"/>
+        <location filename="../plugin/seams/measure/messages.py" line="147"/>
         <source>The table of curves has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela krzywych nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="154"/>
+        <location filename="../plugin/seams/measure/messages.py" line="150"/>
         <source>The table of pairs has no field &apos;contrast_1&apos;, so the absolute contrast is not judged; inspect the windows anew to have it.</source>
         <translation>Tabela par nie ma pola „contrast_1”, więc kontrast bezwzględny nie jest oceniany; aby go mieć, skontroluj okna ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="177"/>
+        <location filename="../plugin/seams/measure/messages.py" line="173"/>
         <source>{measure}: {visible} visible and {invisible} invisible verdicts; a threshold needs at least {fewest} of either, so judge more windows.</source>
         <translation>{measure}: opinii „widoczna” jest {visible}, „niewidoczna” {invisible}; próg wymaga co najmniej {fewest} każdego rodzaju, oceń więc więcej okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="193"/>
+        <location filename="../plugin/seams/measure/messages.py" line="189"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="189"/>
+        <location filename="../plugin/seams/measure/messages.py" line="185"/>
         <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
         <translation>{measure}: opinie jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="181"/>
+        <location filename="../plugin/seams/measure/messages.py" line="177"/>
         <source>{measure} does not tell visible losses from others for sure: the area under its curve lies between {low:.2f} and {high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.</source>
         <translation>{measure} nie odróżnia na pewno strat widocznych od innych: pole pod krzywą leży między {low:.2f} a {high:.2f}, a 0,5 to zgadywanie. Oceń więcej okien, zanim zaufasz progowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="197"/>
+        <location filename="../plugin/seams/measure/messages.py" line="193"/>
         <source>{measure}: no threshold that can be set is better than a guess; look at the verdicts again, or use another measure.</source>
         <translation>{measure}: żaden próg, który można ustawić, nie jest lepszy od zgadywania; przejrzyj opinie jeszcze raz albo użyj innej miary.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="201"/>
+        <location filename="../plugin/seams/measure/messages.py" line="197"/>
         <source>{measure}: the verdicts support a threshold of {threshold:.3f}, and one that can be set lies below {most:g}; the best below it is given.</source>
         <translation>{measure}: opinie wskazują próg {threshold:.3f}, a można ustawić tylko mniejszy niż {most:g}; podano najlepszy poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/messages.py" line="167"/>
         <source>Left out because the observer&apos;s word is neither &apos;visible&apos; nor &apos;invisible&apos;: {count} windows.</source>
         <translation>Pominięto {count} {count:okno|okna|okien}, bo opinia obserwatora to ani „visible”, ani „invisible”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="174"/>
+        <location filename="../plugin/seams/measure/messages.py" line="170"/>
         <source>{measure}: left out because nothing was measured there: {count} judged windows.</source>
         <translation>{measure}: pominięto {count} {count:ocenione okno|ocenione okna|ocenionych okien}, bo nic tam nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="206"/>
+        <location filename="../plugin/seams/measure/messages.py" line="202"/>
         <source>Window {window}: {why}</source>
         <translation>Okno {window}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="205"/>
+        <location filename="../plugin/seams/measure/messages.py" line="201"/>
         <source>No file is given for the report; choose where it is to be written.</source>
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="72"/>
+        <location filename="../plugin/imagery/messages.py" line="80"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="23"/>
+        <location filename="../plugin/toolkit/messages.py" line="28"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="43"/>
+        <location filename="../plugin/toolkit/messages.py" line="61"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="45"/>
+        <location filename="../plugin/toolkit/messages.py" line="63"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="24"/>
+        <location filename="../plugin/toolkit/messages.py" line="29"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -2914,18 +2874,18 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="65"/>
+        <location filename="../plugin/imagery/messages.py" line="73"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="66"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="64"/>
-        <source>{name} is rotated, mirrored or south-up, so no windows can be laid on it by the map.</source>
+        <location filename="../plugin/imagery/messages.py" line="72"/>
+        <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
     <message>
@@ -2954,22 +2914,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="124"/>
+        <location filename="../plugin/imagery/messages.py" line="135"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="127"/>
+        <location filename="../plugin/imagery/messages.py" line="138"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="129"/>
+        <location filename="../plugin/imagery/messages.py" line="140"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="132"/>
+        <location filename="../plugin/imagery/messages.py" line="143"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2979,17 +2939,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="135"/>
+        <location filename="../plugin/imagery/messages.py" line="146"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="136"/>
+        <location filename="../plugin/imagery/messages.py" line="147"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="148"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -3054,7 +3014,7 @@
         <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="27"/>
+        <location filename="../plugin/imagery/messages.py" line="35"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
@@ -3184,37 +3144,37 @@
         <translation>W kanale {band} żadna grupa w kierunku „{direction}” względem lotu nie jest rozróżniona, więc nie ma terenowej zdolności rozdzielczej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="115"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="125"/>
         <source>{count} passes over the target; the Open Skies treaty asks for {least} at least.</source>
         <translation>Liczba przelotów nad testem: {count}; traktat o otwartych przestworzach (Open Skies) wymaga co najmniej {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="99"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="109"/>
         <source>No row has a height and a distance to compute with; fill in &apos;height&apos; and &apos;grd&apos;.</source>
         <translation>Żaden wiersz nie ma wysokości i GRD do obliczeń; wypełnij „height” i „grd”.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="100"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="110"/>
         <source>Row {row} is left out: {why}</source>
         <translation>Wiersz {row} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="101"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="111"/>
         <source>&apos;height&apos; or &apos;grd&apos; holds no number; fill in both.</source>
         <translation>„height” lub „grd” nie zawiera liczby; wypełnij oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="117"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="127"/>
         <source>There is no Bayer pattern &apos;{pattern}&apos;; choose one of {known}.</source>
         <translation>Nie ma wzoru Bayera „{pattern}”; wybierz jeden z {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="118"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="128"/>
         <source>There is no interpolation &apos;{demosaic}&apos;; choose one of {known}.</source>
         <translation>Nie ma interpolacji „{demosaic}”; wybierz jedną z {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="127"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="137"/>
         <source>{name} has {count} bands and no red, green and blue; choose a colour image, or one of a single band.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, ale nie ma kanałów czerwonego, zielonego i niebieskiego; wybierz obraz barwny albo jednokanałowy.</translation>
     </message>
@@ -3270,7 +3230,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="90"/>
-        <source>the mark lies at the edge of the photo and is not all there</source>
+        <source>the mark lies at the edge of the photo and is cut off</source>
         <translation>znaczek leży na brzegu zdjęcia i nie jest cały widoczny</translation>
     </message>
     <message>
@@ -3355,7 +3315,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="51"/>
-        <source>The positions lie up to {worst:.0f} mm from where the calibration wants them; check their names and the calibration.</source>
+        <source>The positions lie up to {worst:.0f} mm from where the calibration places them; check their names and the calibration.</source>
         <translation>Położenia leżą do {worst:.0f} mm od miejsc wynikających z kalibracji; sprawdź ich nazwy i kalibrację.</translation>
     </message>
     <message>
@@ -3375,7 +3335,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="71"/>
-        <source>Nothing tells how the photo lies in the scanner, so it is taken to lie upright and not mirrored; give the positions of three marks if that is wrong.</source>
+        <source>How the photo lay in the scanner is not known, so it is taken as upright and not mirrored; give the positions of three marks if that is wrong.</source>
         <translation>Nic nie mówi, jak zdjęcie leży w skanerze, więc przyjęto, że leży prosto i nie jest odbite lustrzanie; jeśli to błąd, podaj położenia trzech znaczków.</translation>
     </message>
     <message>
@@ -3400,12 +3360,12 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="102"/>
-        <source>it lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most</source>
+        <source>it lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is the most</source>
         <translation>leży {worst:.2f} mm od miejsca wynikającego z pozostałych znaczków, a dopuszcza się najwyżej {limit:.2f} mm</translation>
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="108"/>
-        <source>the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it can&apos;t be told which is wrong</source>
+        <source>the marks lie up to {worst:.2f} mm from where the calibration places them, {limit:.2f} mm is the most, and it can&apos;t be told which is wrong</source>
         <translation>znaczki leżą do {worst:.2f} mm od miejsc wynikających z kalibracji, dopuszcza się najwyżej {limit:.2f} mm i nie można ustalić, który jest błędny</translation>
     </message>
     <message>
@@ -3474,32 +3434,32 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="105"/>
+        <location filename="../plugin/imagery/messages.py" line="113"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="53"/>
         <source>Some points have no place in another reference system; check the reference system of the points.</source>
         <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="10"/>
-        <source>{name} is no points file of QGIS&apos;s georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose one, or a point layer with the fields column and row.</source>
+        <source>{name} is not a points file of QGIS&apos;s georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose one, or a point layer with the fields column and row.</source>
         <translation>{name} nie jest plikiem punktów georeferencera QGIS (jego nagłówek nie zawiera mapX, mapY oraz sourceX lub pixelX); wybierz taki plik albo warstwę punktową z polami column i row.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="18"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="20"/>
         <source>Line {line} of {name} can&apos;t be read; correct or remove it.</source>
         <translation>Nie można odczytać wiersza {line} pliku {name}; popraw go lub usuń.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="20"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="22"/>
         <source>{name} names no coordinate reference system, as files from before QGIS 3.26 do; set the points&apos; reference system.</source>
         <translation>Plik {name} nie podaje układu współrzędnych, jak pliki sprzed QGIS 3.26; ustaw układ współrzędnych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="23"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="25"/>
         <source>The point layer has no field &apos;{field}&apos;; it needs column and row, the place of each point in the image in pixels.</source>
         <translation>Warstwa punktów nie ma pola „{field}”; wymagane są column i row, miejsce każdego punktu na obrazie w pikselach.</translation>
     </message>
@@ -3509,262 +3469,262 @@
         <translation>Nie ma punktów do dopasowania modelu; zmierz je albo wybierz inną warstwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="26"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="28"/>
         <source>Point {name} is left out: {why}</source>
         <translation>Punkt {name} pominięto: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="28"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="30"/>
         <source>its place in the image or on the ground is missing.</source>
         <translation>brakuje jego miejsca na obrazie lub w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="29"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="31"/>
         <source>its role &apos;{role}&apos; is neither control nor check.</source>
         <translation>jego rola „{role}” nie jest ani control, ani check.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="31"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="33"/>
         <source>it has no height and the terrain model has none there.</source>
         <translation>nie ma wysokości, a NMT też jej tam nie podaje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="25"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="27"/>
         <source>Points that are switched off in the georeferencer and left out: {count}.</source>
         <translation>Punkty wyłączone w georeferencerze i pominięte: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="74"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="84"/>
         <source>Some points have no height, which the model {model} needs; add a field z or choose a terrain model, or take polynomial_2d.</source>
         <translation>Niektóre punkty nie mają wysokości, której wymaga model {model}; dodaj pole z, wybierz NMT albo użyj polynomial_2d.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="78"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="88"/>
         <source>There are {count} control points and the model {model} needs at least {fewest}; measure more or choose a model with fewer unknowns.</source>
         <translation>{count:Jest|Są|Jest} {count} {count:fotopunkt|fotopunkty|fotopunktów}, a model {model} wymaga co najmniej {fewest}; zmierz więcej punktów albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="82"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="92"/>
         <source>Of {total} points {count} are left as control points and the model {model} needs at least {fewest}; lower the share of check points or measure more.</source>
         <translation>Z {total} {total:punktu|punktów|punktów} jako fotopunkty zostaje {count}, a model {model} wymaga co najmniej {fewest}; zmniejsz udział punktów kontrolnych albo zmierz więcej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="86"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="96"/>
         <source>The control points lie on one line, so the model {model} can&apos;t be fitted; add points to both sides of it.</source>
         <translation>Fotopunkty leżą na jednej prostej, więc nie można dopasować modelu {model}; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="89"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="99"/>
         <source>The control points lie on one plane, so the terms in Z of the model {model} can&apos;t be determined; add points of other heights, or take polynomial_2d or rpc_bias.</source>
         <translation>Fotopunkty leżą na jednej płaszczyźnie, więc nie można wyznaczyć wyrazów z Z modelu {model}; dodaj punkty na innych wysokościach albo użyj polynomial_2d lub rpc_bias.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="93"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="103"/>
         <source>{count} control points contradict the others, and too few are left to fit the model {model}; check the points, above all that columns and rows are not interchanged.</source>
         <translation>{count} {count:fotopunkt jest sprzeczny|fotopunkty są sprzeczne|fotopunktów jest sprzecznych} z innymi, a pozostałych jest za mało, aby dopasować model {model}; sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="98"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="108"/>
         <source>Blunders found and left out of the errors: {count} ({names}); check those points and measure them again.</source>
         <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="101"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="111"/>
         <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
         <translation>Fotopunkty leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="105"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="115"/>
         <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
         <translation>Fotopunkty pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="113"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="123"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="118"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="128"/>
         <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="122"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="132"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="131"/>
-        <source>No line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="141"/>
+        <source>No scan line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
         <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="134"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
         <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or let blunders be looked for.</source>
         <translation>Nie można dopasować modelu parametrycznego do tych punktów; sprawdź, czy współrzędne nie są zamienione lub wysokości błędne, albo włącz szukanie błędów grubych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="138"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="148"/>
         <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
         <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="149"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="159"/>
         <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="142"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
         <source>The image has no RPC of its own; give the file that came with it, or choose a model that needs none.</source>
         <translation>Obraz nie ma własnego RPC; podaj plik dostarczony z obrazem albo wybierz model, który go nie wymaga.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="143"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="153"/>
         <source>{name} holds no complete RPC; get the file anew from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="162"/>
         <source>No RPC is written: {why}</source>
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="157"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="167"/>
         <source>The RPC is the model itself.</source>
         <translation>RPC jest samym modelem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="172"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
-        <source>{name} is no sensor model file; choose one that fitsensormodel has written.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="176"/>
+        <source>{name} is not a sensor model file; choose one that Fit sensor model has written.</source>
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="166"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="178"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="48"/>
+        <location filename="../plugin/imagery/messages.py" line="56"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="233"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="237"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="282"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="268"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="286"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="269"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="253"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="168"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="180"/>
         <source>Both a model file and an RPC file are given; choose one of them.</source>
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="284"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="302"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="285"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="303"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="286"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="304"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="287"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="305"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="288"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="306"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="104"/>
+        <location filename="../plugin/imagery/messages.py" line="112"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="305"/>
-        <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="323"/>
+        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="309"/>
-        <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="327"/>
+        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="313"/>
-        <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="331"/>
+        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="317"/>
-        <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="335"/>
+        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="321"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="339"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m), ale wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="325"/>
-        <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="343"/>
+        <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="329"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="347"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="137"/>
+        <location filename="../plugin/noise/report.py" line="139"/>
         <source>window</source>
         <translation>okno</translation>
     </message>
@@ -3773,12 +3733,12 @@
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="77"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="78"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="137"/>
+        <location filename="../plugin/noise/report.py" line="139"/>
         <source>raster</source>
         <translation>raster</translation>
     </message>
@@ -3826,22 +3786,22 @@
         <translation>Błąd średni na punktach nieużytych w dopasowaniu (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="22"/>
+        <location filename="../plugin/noise/noise_summary.py" line="23"/>
         <source>low</source>
         <translation>mały</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="24"/>
+        <location filename="../plugin/noise/noise_summary.py" line="25"/>
         <source>moderate</source>
         <translation>umiarkowany</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="25"/>
+        <location filename="../plugin/noise/noise_summary.py" line="26"/>
         <source>strong</source>
         <translation>silny</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="26"/>
+        <location filename="../plugin/noise/noise_summary.py" line="27"/>
         <source>not measurable</source>
         <translation>niemierzalne</translation>
     </message>
@@ -3858,7 +3818,7 @@
         <translation>Wariancja względna detali według poziomów, poziom 1 jest najdokładniejszy. W obrazie o małym szumie losowym rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2, a gdy jest silny, także poziom 2 ponad poziom 3.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="60"/>
+        <location filename="../plugin/noise/report.py" line="61"/>
         <source>group</source>
         <translation>grupa</translation>
     </message>
@@ -3879,32 +3839,32 @@
         <translation>największa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="137"/>
+        <location filename="../plugin/noise/report.py" line="139"/>
         <source>noise</source>
         <translation>szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="137"/>
+        <location filename="../plugin/noise/report.py" line="140"/>
         <source>sigma (DN)</source>
         <translation>sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="139"/>
+        <location filename="../plugin/noise/report.py" line="141"/>
         <source>detail {level}</source>
         <translation>detale {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="140"/>
+        <location filename="../plugin/noise/report.py" line="142"/>
         <source>kurtosis by level</source>
         <translation>kurtoza według poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="140"/>
+        <location filename="../plugin/noise/report.py" line="142"/>
         <source>column, row</source>
         <translation>kolumna, wiersz</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="140"/>
+        <location filename="../plugin/noise/report.py" line="142"/>
         <source>note</source>
         <translation>uwaga</translation>
     </message>
@@ -3918,77 +3878,77 @@
         <translation>Dodaj grupę pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="105"/>
+        <location filename="../plugin/seams/words.py" line="107"/>
         <source>blur</source>
         <translation>rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="117"/>
+        <location filename="../plugin/seams/words.py" line="120"/>
         <source>feathering</source>
         <translation>wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="133"/>
+        <location filename="../plugin/seams/words.py" line="138"/>
         <source>narrowed histogram</source>
         <translation>zawężony histogram</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="140"/>
+        <location filename="../plugin/seams/words.py" line="145"/>
         <source>gamma</source>
         <translation>gamma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="149"/>
+        <location filename="../plugin/seams/words.py" line="154"/>
         <source>clipping</source>
         <translation>obcięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="158"/>
+        <location filename="../plugin/seams/words.py" line="164"/>
         <source>colour shift</source>
         <translation>przesunięcie barw</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="165"/>
+        <location filename="../plugin/seams/words.py" line="171"/>
         <source>misregistration</source>
         <translation>wzajemne przesunięcie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="237"/>
+        <location filename="../plugin/seams/words.py" line="246"/>
         <source>unclear</source>
         <translation>niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="106"/>
+        <location filename="../plugin/seams/words.py" line="108"/>
         <source>The mosaic is less sharp than its sources, beyond what tone and feathering explain.</source>
         <translation>Ortofotomapa jest mniej ostra niż jej ortoobrazy źródłowe, bardziej niż wyjaśniają to tonacja i wtapianie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="134"/>
+        <location filename="../plugin/seams/words.py" line="139"/>
         <source>Grey values were pressed together by a linear function.</source>
         <translation>Funkcja liniowa ścisnęła jasności pikseli (zawężenie histogramu).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="141"/>
+        <location filename="../plugin/seams/words.py" line="146"/>
         <source>Grey values were changed by a power function.</source>
         <translation>Funkcja potęgowa zmieniła jasności pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="150"/>
+        <location filename="../plugin/seams/words.py" line="155"/>
         <source>Highlights or shadows were driven into the limits.</source>
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="159"/>
+        <location filename="../plugin/seams/words.py" line="165"/>
         <source>The channels were corrected one by one, so that colours turned.</source>
         <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="233"/>
-        <source>No step of production is found that took contrast away.</source>
+        <location filename="../plugin/seams/words.py" line="242"/>
+        <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="238"/>
+        <location filename="../plugin/seams/words.py" line="247"/>
         <source>What was measured does not point to one cause.</source>
         <translation>Wyniki pomiaru nie wskazują jednej przyczyny.</translation>
     </message>
@@ -4063,7 +4023,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/charts/calibration_chart.py" line="39"/>
-        <source>windows flagged in vain (1 - specificity)</source>
+        <source>windows flagged by mistake (1 - specificity)</source>
         <translation>okna oznaczone niepotrzebnie (1 - swoistość)</translation>
     </message>
     <message>
@@ -4083,7 +4043,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/charts/calibration_chart.py" line="67"/>
-        <source>threshold {value:g}: {hits} of {seen}, in vain {vain} of {unseen}</source>
+        <source>threshold {value:g}: {hits} of {seen}, by mistake {vain} of {unseen}</source>
         <translation>próg {value:g}: {hits} z {seen}, niepotrzebnie {vain} z {unseen}</translation>
     </message>
     <message>
@@ -4107,17 +4067,17 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="52"/>
+        <location filename="../plugin/noise/charts.py" line="53"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="149"/>
+        <location filename="../plugin/noise/charts.py" line="150"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="166"/>
+        <location filename="../plugin/noise/charts.py" line="167"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
@@ -4142,7 +4102,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -4207,7 +4167,7 @@
         <translation>kontrast</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="21"/>
+        <location filename="../plugin/noise/report.py" line="140"/>
         <source>signal to noise</source>
         <translation>stosunek sygnału do szumu</translation>
     </message>
@@ -4227,12 +4187,12 @@
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="91"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="128"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="91"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="128"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
@@ -4241,12 +4201,12 @@
         <translation>Odbiór radiometryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="48"/>
+        <location filename="../plugin/acceptance/paper/rated_images.py" line="38"/>
         <source>{name}, window {window}</source>
         <translation>{name}, okno {window}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="40"/>
+        <location filename="../plugin/noise/report.py" line="41"/>
         <source>image</source>
         <translation>obraz</translation>
     </message>
@@ -4286,12 +4246,12 @@
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="86"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="104"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="86"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="104"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -4321,32 +4281,32 @@
         <translation>{count}, ograniczone wartościami a priori</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="43"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
         <source>polynomials of the plane, as in a georeferencer, without heights</source>
         <translation>zwykły model wielomianowy 2D, jak w georeferencerze, bez wysokości</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="44"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="45"/>
         <source>polynomials of space, without physics</source>
         <translation>zwykły model wielomianowy 3D, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="45"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="46"/>
         <source>quotients of polynomials as in an RPC, without physics</source>
         <translation>ilorazowy model wielomianowy, jak RPC, nieparametryczny</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="49"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="50"/>
         <source>the direct linear transformation, without physics</source>
         <translation>przekształcenie rzutowe (DLT), nieparametryczne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="50"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="51"/>
         <source>the parametric model of a line scanner</source>
         <translation>model parametryczny skanera liniowego</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="51"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="52"/>
         <source>the RPC that came with the image, corrected</source>
         <translation>RPC dostarczone z obrazem, z poprawką</translation>
     </message>
@@ -4371,7 +4331,7 @@
         <translation>Punkty</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="68"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="69"/>
         <source>Count</source>
         <translation>Liczba</translation>
     </message>
@@ -4475,152 +4435,152 @@
         <translation>nieznane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="230"/>
+        <location filename="../plugin/seams/window_summary.py" line="236"/>
         <source>Against the composite of the sources:</source>
         <translation>Względem kompozycji ortoobrazów:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="232"/>
+        <location filename="../plugin/seams/window_summary.py" line="238"/>
         <source>gain {gain}, bias {bias}, gamma {gamma}</source>
         <translation>wzmocnienie {gain}, przesunięcie {bias}, gamma {gamma}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="236"/>
+        <location filename="../plugin/seams/window_summary.py" line="242"/>
         <source>contrast at level 1: {percent} %</source>
         <translation>kontrast na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="238"/>
+        <location filename="../plugin/seams/window_summary.py" line="244"/>
         <source>sharpness at level 1: {percent} %</source>
         <translation>ostrość na poziomie 1: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="239"/>
+        <location filename="../plugin/seams/window_summary.py" line="245"/>
         <source>clipped: {percent} %</source>
         <translation>obcięte: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="242"/>
+        <location filename="../plugin/seams/window_summary.py" line="248"/>
         <source>gains of the colours differ by a factor of {factor}</source>
         <translation>wzmocnienia barw różnią się {factor} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="244"/>
+        <location filename="../plugin/seams/window_summary.py" line="250"/>
         <source>shift: {length} px</source>
         <translation>przesunięcie: {length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="249"/>
+        <location filename="../plugin/seams/window_summary.py" line="255"/>
         <source>half of each source would leave {percent} % at level 1</source>
         <translation>po połowie z każdego ortoobrazu zostałoby {percent} % na poziomie 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="251"/>
+        <location filename="../plugin/seams/window_summary.py" line="257"/>
         <source>mixed or unclear: {percent} % of the pixels</source>
         <translation>zmieszane lub niejasne: {percent} % pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="36"/>
+        <location filename="../plugin/seams/words.py" line="37"/>
         <source>Significant loss.</source>
         <translation>Istotna strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="266"/>
+        <location filename="../plugin/seams/window_summary.py" line="269"/>
         <source>Detail at level 1 is {percent} % of the sources&apos; and {composite} % of their composite&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów i {composite} % detali ich kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="268"/>
+        <location filename="../plugin/seams/window_summary.py" line="271"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s and {composite} % of the levelled source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu i {composite} % detali ortoobrazu wyrównanego</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="270"/>
+        <location filename="../plugin/seams/window_summary.py" line="273"/>
         <source>Detail at level 1 is {percent} % of the source&apos;s</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="272"/>
+        <location filename="../plugin/seams/window_summary.py" line="275"/>
         <source>Detail at level 1 is {percent} % of the sources&apos;</source>
         <translation>Detale na poziomie 1 to {percent} % detali ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="109"/>
+        <location filename="../plugin/seams/words.py" line="111"/>
         <source>blur to {value} % of their sharpness explains it</source>
         <translation>wyjaśnia to rozmycie do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="110"/>
-        <source>it is blurred to {value} % of their sharpness</source>
-        <translation>jest rozmyta do {value} % ich ostrości</translation>
+        <location filename="../plugin/seams/words.py" line="112"/>
+        <source>the mosaic is blurred to {value} % of their sharpness</source>
+        <translation>ortofotomapa jest rozmyta do {value} % ich ostrości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="121"/>
+        <location filename="../plugin/seams/words.py" line="124"/>
         <source>feathering of images {value} px apart explains it</source>
         <translation>wyjaśnia to wtapianie obrazów odsuniętych o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="122"/>
+        <location filename="../plugin/seams/words.py" line="125"/>
         <source>images {value} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {value} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="136"/>
+        <location filename="../plugin/seams/words.py" line="141"/>
         <source>the histogram is narrowed, gain {value}</source>
         <translation>histogram jest zawężony, wzmocnienie {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="143"/>
+        <location filename="../plugin/seams/words.py" line="148"/>
         <source>grey values are bent, gamma {value}</source>
         <translation>jasności są zmienione potęgowo, gamma {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="152"/>
+        <location filename="../plugin/seams/words.py" line="157"/>
         <source>{value} % of the pixels are clipped</source>
         <translation>{value} % pikseli jest obciętych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="161"/>
+        <location filename="../plugin/seams/words.py" line="167"/>
         <source>the colours are shifted, gains differ by a factor of {value}</source>
         <translation>barwy są przesunięte, wzmocnienia różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="107"/>
+        <location filename="../plugin/seams/words.py" line="109"/>
         <source>blur explains it</source>
         <translation>wyjaśnia to rozmycie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="107"/>
-        <source>it is blurred</source>
-        <translation>jest rozmyta</translation>
+        <location filename="../plugin/seams/words.py" line="109"/>
+        <source>the mosaic is blurred</source>
+        <translation>ortofotomapa jest rozmyta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="119"/>
+        <location filename="../plugin/seams/words.py" line="122"/>
         <source>feathering explains it</source>
         <translation>wyjaśnia to wtapianie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="162"/>
+        <location filename="../plugin/seams/window_summary.py" line="148"/>
         <source>images are feathered</source>
         <translation>obrazy są wtopione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="135"/>
+        <location filename="../plugin/seams/words.py" line="140"/>
         <source>the histogram is narrowed</source>
         <translation>histogram jest zawężony</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="142"/>
+        <location filename="../plugin/seams/words.py" line="147"/>
         <source>grey values are bent by a gamma</source>
         <translation>jasności są zmienione potęgowo (gamma)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="151"/>
+        <location filename="../plugin/seams/words.py" line="156"/>
         <source>highlights or shadows are clipped</source>
         <translation>światła lub cienie są obcięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="160"/>
+        <location filename="../plugin/seams/words.py" line="166"/>
         <source>the colours are shifted</source>
         <translation>barwy są przesunięte</translation>
     </message>
@@ -4643,7 +4603,7 @@
         <translation>kierunek</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="137"/>
+        <location filename="../plugin/noise/report.py" line="139"/>
         <source>band</source>
         <translation>kanał</translation>
     </message>
@@ -4701,12 +4661,12 @@
         <translation>Brak: w żadnym oknie nie ma istotnej straty i w żadnym obserwator jej nie zauważył.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="155"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="149"/>
         <source>Seam inspection: {names}</source>
         <translation>Kontrola linii mozaikowania: {names}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="60"/>
+        <location filename="../plugin/noise/report.py" line="61"/>
         <source>windows</source>
         <translation>okna</translation>
     </message>
@@ -4719,12 +4679,12 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="199"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="263"/>
         <source>N</source>
         <translation>N</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="221"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="215"/>
         <source>window {number}: {verdict}</source>
         <translation>okno {number}: {verdict}</translation>
     </message>
@@ -4759,32 +4719,27 @@
         <translation> ({percent:.0f} % kompozycji)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="50"/>
-        <source>where the peak should lie</source>
-        <translation>gdzie powinno leżeć maksimum</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/charts.py" line="53"/>
+        <location filename="../plugin/radiometry/charts.py" line="52"/>
         <source>value (DN)</source>
         <translation>wartość (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="54"/>
+        <location filename="../plugin/radiometry/charts.py" line="53"/>
         <source>pixels (%)</source>
         <translation>piksele (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="85"/>
+        <location filename="../plugin/radiometry/charts.py" line="86"/>
         <source>largest step at a seam (% of the largest value)</source>
         <translation>największy skok na linii mozaikowania (% największej wartości)</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/charts.py" line="86"/>
+        <location filename="../plugin/radiometry/charts.py" line="87"/>
         <source>contrast beside the seams (% of the range)</source>
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="170"/>
+        <location filename="../plugin/seams/desk/dock.py" line="167"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4814,27 +4769,27 @@
         <translation>Pomiar przerwano. Zaznacz okno ponownie, aby je zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="119"/>
+        <location filename="../plugin/noise/noise_summary.py" line="128"/>
         <source>{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
         <translation>{finding}; sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="158"/>
+        <location filename="../plugin/noise/noise_summary.py" line="176"/>
         <source>Low noise: the curve rises at every level</source>
         <translation>Mały szum: krzywa rośnie na każdym poziomie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="164"/>
+        <location filename="../plugin/noise/noise_summary.py" line="182"/>
         <source>Strong noise: the curve falls from level 1 to 2 and from 2 to 3</source>
         <translation>Silny szum: krzywa opada z poziomu 1 na 2 i z 2 na 3</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="166"/>
+        <location filename="../plugin/noise/noise_summary.py" line="184"/>
         <source>Moderate noise: the curve falls from level 1 to 2, then rises</source>
         <translation>Umiarkowany szum: krzywa opada z poziomu 1 na 2, potem rośnie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="167"/>
+        <location filename="../plugin/noise/noise_summary.py" line="185"/>
         <source>Moderate noise</source>
         <translation>Umiarkowany szum</translation>
     </message>
@@ -4844,12 +4799,12 @@
         <translation>Nie można oceniać względem „{reference}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="77"/>
-        <source>No source explains the mosaic&apos;s fine detail here, so their composite is no reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="72"/>
+        <source>No source explains the mosaic&apos;s fine detail here, so their composite can&apos;t be a reference; add the orthoimages it was made from, or take the verdict against the sources.</source>
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="73"/>
+        <location filename="../plugin/imagery/messages.py" line="81"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -4914,27 +4869,7 @@
         <translation>założenia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="282"/>
-        <source>There is no seam in the window to be judged.</source>
-        <translation>W oknie nie ma linii mozaikowania, którą można by ocenić.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="305"/>
-        <source>In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
-        <translation>W pasie {width} m wzdłuż linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="301"/>
-        <source>Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)</source>
-        <translation>Przy linii mozaikowania utracono {lost} % najdrobniejszych detali (od {least} do {most} %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="309"/>
-        <source>Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)</source>
-        <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej ({kept} %, od {low} do {high} %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="186"/>
+        <location filename="../plugin/seams/window_summary.py" line="172"/>
         <source>{cause}; besides: {others}.</source>
         <translation>{cause}; poza tym: {others}.</translation>
     </message>
@@ -4964,12 +4899,12 @@
         <translation>poniżej istotna strata według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="159"/>
-        <source>What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first.</source>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="158"/>
+        <source>What was found, by the seam or by the inputs. Sorted by this column, the worst comes first.</source>
         <translation>Co stwierdzono: według linii mozaikowania albo tego, co ustawiono w danych wejściowych. Po posortowaniu najgorsze są na początku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="163"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="162"/>
         <source>kept</source>
         <translation>zachow.</translation>
     </message>
@@ -5000,7 +4935,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/more_box.py" line="52"/>
-        <source>What the verdict is taken by: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
+        <source>What decides the verdict: what is kept along the seam; the whole window against the hard cut of the sources; or each source&apos;s whole clip, as in Pyka&apos;s papers</source>
         <translation>Według czego zapada ocena: tego, co zachowano wzdłuż linii mozaikowania; całego okna względem ostrego cięcia ortoobrazów; albo całego wycinka każdego ortoobrazu, jak w pracach Pyki</translation>
     </message>
     <message>
@@ -5019,162 +4954,162 @@
         <translation>Największy &amp;stosunek</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="53"/>
+        <location filename="../plugin/seams/window_summary.py" line="33"/>
         <source>sharpness 1: {value:.2f}</source>
         <translation>ostrość 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="54"/>
+        <location filename="../plugin/seams/window_summary.py" line="34"/>
         <source>composite: {value:.2f}</source>
         <translation>kompozycja: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="55"/>
+        <location filename="../plugin/seams/window_summary.py" line="35"/>
         <source>ratio 1: {value:.2f}</source>
         <translation>stosunek 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="62"/>
+        <location filename="../plugin/seams/window_summary.py" line="47"/>
         <source>kept 1: {value:.2f}</source>
         <translation>zachowane 1: {value:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="63"/>
+        <location filename="../plugin/seams/window_summary.py" line="48"/>
         <source>kept 1: {value:.2f} ({low:.2f} to {high:.2f})</source>
         <translation>zachowane 1: {value:.2f} (od {low:.2f} do {high:.2f})</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="173"/>
+        <location filename="../plugin/seams/words.py" line="180"/>
         <source>missing source</source>
         <translation>brak ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="183"/>
+        <location filename="../plugin/seams/words.py" line="190"/>
         <source>resampled</source>
         <translation>przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="184"/>
+        <location filename="../plugin/seams/words.py" line="191"/>
         <source>The mosaic&apos;s pixels lie between those of its sources, so they were interpolated from them.</source>
         <translation>Piksele ortofotomapy leżą między pikselami ortoobrazów źródłowych, więc powstały z nich przez interpolację.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="185"/>
+        <location filename="../plugin/seams/words.py" line="192"/>
         <source>resampling explains it</source>
         <translation>wyjaśnia to przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="185"/>
-        <source>it was resampled</source>
-        <translation>została przepróbkowana</translation>
+        <location filename="../plugin/seams/words.py" line="192"/>
+        <source>the mosaic was resampled</source>
+        <translation>ortofotomapa została przepróbkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="187"/>
+        <location filename="../plugin/seams/words.py" line="194"/>
         <source>resampling, {value} px off the sources&apos; pixels, explains it</source>
         <translation>wyjaśnia to przepróbkowanie z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="188"/>
-        <source>it was resampled, {value} px off the sources&apos; pixels</source>
-        <translation>została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
+        <location filename="../plugin/seams/words.py" line="195"/>
+        <source>the mosaic was resampled, {value} px off the sources&apos; pixels</source>
+        <translation>ortofotomapa została przepróbkowana z przesunięciem o {value} px względem pikseli ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="195"/>
+        <location filename="../plugin/seams/words.py" line="203"/>
         <source>sharpened</source>
         <translation>wyostrzenie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="196"/>
+        <location filename="../plugin/seams/words.py" line="204"/>
         <source>The whole mosaic was sharpened, beyond what its sources show.</source>
         <translation>Cała ortofotomapa została wyostrzona ponad to, co pokazują ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="197"/>
-        <source>it was sharpened</source>
-        <translation>została wyostrzona</translation>
+        <location filename="../plugin/seams/words.py" line="205"/>
+        <source>the mosaic was sharpened</source>
+        <translation>ortofotomapa została wyostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="198"/>
-        <source>it was sharpened to {value} % of the sources&apos; contrast</source>
-        <translation>została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
+        <location filename="../plugin/seams/words.py" line="206"/>
+        <source>the mosaic was sharpened to {value} % of the sources&apos; contrast</source>
+        <translation>ortofotomapa została wyostrzona do {value} % kontrastu ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="203"/>
+        <location filename="../plugin/seams/words.py" line="211"/>
         <source>compressed</source>
         <translation>kompresja</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="204"/>
+        <location filename="../plugin/seams/words.py" line="212"/>
         <source>Compression with loss, block by block, changed the fine detail.</source>
         <translation>Kompresja stratna, blok po bloku, zmieniła drobne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="205"/>
-        <source>it was compressed with loss</source>
-        <translation>została poddana kompresji stratnej</translation>
+        <location filename="../plugin/seams/words.py" line="213"/>
+        <source>the mosaic was compressed with loss</source>
+        <translation>ortofotomapa została poddana kompresji stratnej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="206"/>
-        <source>it was compressed with loss, which changed fine detail by {value} DN</source>
-        <translation>została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
+        <location filename="../plugin/seams/words.py" line="214"/>
+        <source>the mosaic was compressed with loss, which changed fine detail by {value} DN</source>
+        <translation>ortofotomapa została poddana kompresji stratnej, która zmieniła drobne detale o {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="212"/>
+        <location filename="../plugin/seams/words.py" line="221"/>
         <source>noise added</source>
         <translation>dodany szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="213"/>
+        <location filename="../plugin/seams/words.py" line="222"/>
         <source>The mosaic has noise that its sources do not have.</source>
         <translation>Ortofotomapa ma szum, którego nie mają ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="214"/>
+        <location filename="../plugin/seams/words.py" line="223"/>
         <source>noise was added</source>
         <translation>dodano szum</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="215"/>
+        <location filename="../plugin/seams/words.py" line="224"/>
         <source>noise of {value} DN was added</source>
         <translation>dodano szum {value} DN</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="220"/>
+        <location filename="../plugin/seams/words.py" line="229"/>
         <source>dodging</source>
         <translation>wyrównanie jasności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="221"/>
+        <location filename="../plugin/seams/words.py" line="230"/>
         <source>Brightness was evened out by a tone that changes from place to place.</source>
         <translation>Jasność wyrównano tonacją, która zmienia się z miejsca na miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="222"/>
+        <location filename="../plugin/seams/words.py" line="231"/>
         <source>brightness was evened out from place to place</source>
         <translation>jasność wyrównano zmiennie z miejsca na miejsce</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="225"/>
+        <location filename="../plugin/seams/words.py" line="234"/>
         <source>balanced</source>
         <translation>wyrównanie tonalne</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="226"/>
+        <location filename="../plugin/seams/words.py" line="235"/>
         <source>The sources were brought to each other&apos;s tones, each by its gain and bias; nothing is lost.</source>
         <translation>Ortoobrazy sprowadzono do wspólnej tonacji, każdy własnym wzmocnieniem i przesunięciem; nic przy tym nie utracono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="227"/>
+        <location filename="../plugin/seams/words.py" line="236"/>
         <source>the sources&apos; tones were balanced</source>
         <translation>tonacje ortoobrazów wyrównano</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="228"/>
+        <location filename="../plugin/seams/words.py" line="237"/>
         <source>the sources&apos; tones were balanced, gains a factor of {value} apart</source>
         <translation>tonacje ortoobrazów wyrównano wzmocnieniami, które różnią się {value} razy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="234"/>
+        <location filename="../plugin/seams/words.py" line="243"/>
         <source>no step of production took detail away, so the sources differ in content</source>
         <translation>żaden etap produkcji nie odebrał detali, więc ortoobrazy różnią się treścią</translation>
     </message>
@@ -5184,77 +5119,67 @@
         <translation>Najmniejsza część detali, którą ma zachować linia mozaikowania, wynosi {kept}; podaj liczbę od 0 do 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="81"/>
-        <source>The mosaic follows one source all over the window, so there is no seam here; the verdict is that of the sharpness alone.</source>
-        <translation>W całym oknie ortofotomapa podąża za jednym ortoobrazem źródłowym, więc nie ma tu linii mozaikowania; ocena jest oceną samej ostrości.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="90"/>
+        <location filename="../plugin/seams/measure/messages.py" line="84"/>
         <source>There is too little ground beside the seam to compare it with; take a larger window, or move it so that more than the seam&apos;s surroundings are in it.</source>
         <translation>Obok linii mozaikowania jest za mało terenu do porównania; weź większe okno albo przesuń je tak, by obejmowało więcej niż otoczenie linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="102"/>
+        <location filename="../plugin/seams/measure/messages.py" line="99"/>
         <source>Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, more than any seam leaves; add the orthoimages that it was made from.</source>
         <translation>Wzdłuż linii mozaikowania ortofotomapa ma od {low:.0f} do {high:.0f} % detali ortoobrazów źródłowych, za którymi zdaje się podążać, czyli więcej, niż może zostawić jakakolwiek linia; dodaj ortoobrazy, z których powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="110"/>
+        <location filename="../plugin/seams/measure/messages.py" line="107"/>
         <source>What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.</source>
         <translation>O tym, co zachowano wzdłuż linii mozaikowania, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="113"/>
+        <location filename="../plugin/seams/measure/messages.py" line="110"/>
         <source>{name} covers {share:.0f} % of the window and takes part there.</source>
         <translation>{name} pokrywa {share:.0f} % okna i tam bierze udział.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="115"/>
+        <location filename="../plugin/seams/measure/messages.py" line="112"/>
         <source>{name} has another pixel size or system than the mosaic and was resampled; it is shown and doesn&apos;t count, as others are on the mosaic&apos;s pixels.</source>
         <translation>{name} ma inną wielkość piksela lub inny układ niż ortofotomapa i został przepróbkowany; jest pokazany, ale się nie liczy, bo inne leżą na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="126"/>
+        <location filename="../plugin/seams/measure/messages.py" line="122"/>
         <source>All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the verdict is uncertain by that.</source>
         <translation>Wszystkie ortoobrazy mają inną wielkość piksela lub inny układ niż ortofotomapa i zostały przepróbkowane, co zmienia detale; ocena jest przez to niepewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="208"/>
+        <location filename="../plugin/seams/measure/messages.py" line="204"/>
         <source>{count} windows are flagged and the report shows curves and clips of the {most} with the greatest losses; the others stand in the table. Report a part of the windows to see them.</source>
         <translation>Oznaczonych okien jest {count}, a raport pokazuje krzywe i wycinki {most} z największymi stratami; pozostałe są w tabeli. Aby je zobaczyć, zrób raport z części okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="48"/>
-        <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where 70 % or less is kept along the seam, reduced where surely less than all is. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
-        <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii mozaikowania zachowano 70 % lub mniej, a kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="73"/>
         <source>seam: what is kept along the seam, against the hard-cut composite of the sources and the ground around. composite: the whole window against that composite. sources: the whole clip of each source, as in the paper; that verdict is always in the field &apos;paper_verdict&apos;, too.</source>
         <translation>seam: to, co zachowano wzdłuż linii mozaikowania, względem kompozycji ortoobrazów źródłowych z ostrym cięciem i terenu wokół. composite: całe okno względem tej kompozycji. sources: cały wycinek każdego ortoobrazu źródłowego, jak w artykule; ta ocena jest zawsze także w polu „paper_verdict”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="90"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="89"/>
         <source>Least share kept along the seam</source>
         <translation>Najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="91"/>
         <source>A window is significant when this share of the finest detail, or less, is kept along its seam. 0.5 is what a 50:50 blend of two images leaves that have nothing in common.</source>
         <translation>Okno otrzymuje ocenę „istotna strata” (significant), gdy wzdłuż jego linii mozaikowania zachowana jest taka część najdrobniejszych detali lub mniejsza. 0,5 zostaje po zmieszaniu 50:50 dwóch obrazów, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="98"/>
         <source>By the paper&apos;s rule a window is significant when its ratio at level 1 is this or less.</source>
         <translation>Według reguły z artykułu okno otrzymuje ocenę „istotna strata” (significant), gdy jego stosunek wariancji na poziomie 1 nie przekracza tej wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="130"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="129"/>
         <source>Seam profiles</source>
         <translation>Profile linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="132"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="131"/>
         <source>What is kept of each level&apos;s detail by distance from the seam, with its 95 % interval.</source>
         <translation>Co zachowano z detali każdego poziomu w zależności od odległości od linii mozaikowania, z przedziałem ufności 95 %.</translation>
     </message>
@@ -5275,7 +5200,7 @@
         <translation>mediana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="102"/>
+        <location filename="../plugin/seams/report/window_words.py" line="103"/>
         <source>kept 1</source>
         <translation>zachow. 1</translation>
     </message>
@@ -5290,72 +5215,72 @@
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="34"/>
+        <location filename="../plugin/toolkit/messages.py" line="44"/>
         <source>The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="36"/>
+        <location filename="../plugin/toolkit/messages.py" line="46"/>
         <source>The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} od {seconds:.0f} s nie ma procesów roboczych; uruchom je, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="39"/>
+        <location filename="../plugin/toolkit/messages.py" line="53"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="108"/>
+        <location filename="../plugin/imagery/messages.py" line="116"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="109"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="110"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="111"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>The server of {name} does not answer ({why}); check the network, and try again.</source>
         <translation>Serwer pliku {name} nie odpowiada ({why}); sprawdź połączenie z siecią i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="124"/>
         <source>The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests.</source>
         <translation>Serwer pliku {name} wysyła tylko całe pliki; skopiuj go na dysk lokalny albo na serwer, który obsługuje żądania zakresu (Range).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <location filename="../plugin/imagery/messages.py" line="127"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="129"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address and GDAL&apos;s settings.</source>
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="148"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="148"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="161"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="161"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5370,22 +5295,22 @@
         <translation>Obraz strat (częściowy)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="185"/>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="44"/>
         <source>Picture of losses</source>
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="134"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="59"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="61"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="138"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
@@ -5410,18 +5335,18 @@
         <translation>Badanie: {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="124"/>
+        <location filename="../plugin/seams/jobs.py" line="125"/>
         <source>less than a minute left</source>
         <translation>została niecała minuta</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="126"/>
-        <source>some {count} min left</source>
+        <location filename="../plugin/seams/jobs.py" line="127"/>
+        <source>about {count} min left</source>
         <translation>zostało ok. {count} min</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/jobs.py" line="127"/>
-        <source>some {count} h left</source>
+        <location filename="../plugin/seams/jobs.py" line="128"/>
+        <source>about {count} h left</source>
         <translation>zostało ok. {count} godz.</translation>
     </message>
     <message>
@@ -5445,17 +5370,17 @@
         <translation>Uwagi w dzienniku: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="417"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="427"/>
         <source>Judge the {count} worst</source>
         <translation>Oceń {count} {count:najgorsze|najgorsze|najgorszych}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="417"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="427"/>
         <source>Judge the worst</source>
         <translation>Oceń najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/mosaic_scans.py" line="420"/>
+        <location filename="../plugin/seams/desk/mosaic_scans.py" line="430"/>
         <source>Inspects the windows of the worst places; Next (N) leads through them, worst first.</source>
         <translation>Kontroluje okna najgorszych miejsc; Dalej (N) prowadzi przez nie, zaczynając od najgorszego.</translation>
     </message>
@@ -5511,7 +5436,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="8"/>
-        <source>{density} is no density of a scan; give one of: {known}.</source>
+        <source>A scan has no density &apos;{density}&apos;; give one of: {known}.</source>
         <translation>Badanie nie zna gęstości „{density}”; podaj jedną z: {known}.</translation>
     </message>
     <message>
@@ -5530,82 +5455,82 @@
         <translation>Z {given:.0f} m linii mozaikowania {outside:.0f} m leży poza ortofotomapą i zostało pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="91"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="100"/>
         <source>The scan goes on where it stopped; blocks that are done already: {done}.</source>
         <translation>Badanie jest kontynuowane od miejsca, w którym je przerwano; gotowe już bloki: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="92"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="101"/>
         <source>The scan starts anew, since {what} changed since it stopped.</source>
         <translation>Badanie zaczyna się od nowa, bo od jego przerwania zmieniło się to: {what}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="93"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="102"/>
         <source>The scan starts anew, since nothing in {path} can be read any more.</source>
         <translation>Badanie zaczyna się od nowa, bo z pliku {path} nie można już niczego odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="98"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="107"/>
         <source>{path} was not left by a scan; move it away, or choose another output.</source>
         <translation>Plik {path} nie pochodzi z badania; przenieś go albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="100"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="109"/>
         <source>Another scan is writing this output ({path}); wait until it has ended, or choose another output.</source>
         <translation>Ten wynik zapisuje inne badanie ({path}); poczekaj, aż się skończy, albo wybierz inny plik wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="102"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
         <source>{path} can&apos;t be written ({error}); choose another folder for the output.</source>
         <translation>Nie można zapisać pliku {path} ({error}); wybierz inny katalog wyniku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="104"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
         <source>{path} can&apos;t be written ({error}). What was measured is kept (blocks done: {done}); make room on the disk and start the scan again with the same output to go on.</source>
         <translation>Nie można zapisać pliku {path} ({error}). To, co zmierzono, jest zachowane (gotowe bloki: {done}); zwolnij miejsce na dysku i uruchom badanie ponownie z tym samym plikiem wyniku, aby je kontynuować.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="108"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="117"/>
         <source>{path} can&apos;t be read any more ({error}); start the scan again with the same output, and what is damaged is measured again.</source>
         <translation>Nie można już odczytać pliku {path} ({error}); uruchom badanie ponownie z tym samym plikiem wyniku, a to, co uszkodzone, zostanie zmierzone jeszcze raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="111"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
         <source>the plugin&apos;s version</source>
         <translation>wersja wtyczki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="112"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="121"/>
         <source>the mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="113"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="122"/>
         <source>the sources or one of their files</source>
         <translation>ortoobrazy źródłowe lub któryś z ich plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="115"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="124"/>
         <source>a setting</source>
         <translation>ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="116"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="125"/>
         <source>the seam lines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="117"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="126"/>
         <source>an input or a setting</source>
         <translation>dane wejściowe lub ustawienia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="128"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="137"/>
         <source>There is too little textured ground along this piece, or no source explains it; judge it by eye.</source>
         <translation>Wzdłuż tego odcinka jest za mało terenu z teksturą albo nie wyjaśnia go żaden ortoobraz źródłowy; oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="118"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="127"/>
         <source>The scan was stopped; started again with the same output it goes on from here.</source>
         <translation>Badanie przerwano; ponowione z tym samym plikiem wyniku ruszy dalej.</translation>
     </message>
@@ -5656,7 +5581,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="76"/>
-        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all ({names} first of all); which one lies on top can&apos;t be told, so no seam is measured there.</source>
+        <source>Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one lies on top can&apos;t be told, so no seam is measured there.</source>
         <translation>Poligony warstwy linii mozaikowania nakładają się na siebie (miejsca: {count}, łącznie {area:.1f} m², przede wszystkim {names}); nie wiadomo, który leży na wierzchu, więc linie mozaikowania nie są tam mierzone.</translation>
     </message>
     <message>
@@ -5666,36 +5591,31 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="84"/>
-        <source>Orthoimages that the seamline layer names and that are not given: {count} ({names} first of all).</source>
+        <source>Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).</source>
         <translation>Ortoobrazy wymienione w warstwie linii mozaikowania, których nie podano: {count} (przede wszystkim {names}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="87"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="96"/>
         <source>Features of the seamline layer that can&apos;t be brought into the mosaic&apos;s reference system, left out: {count}.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których nie można przeliczyć do układu współrzędnych ortofotomapy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="149"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="163"/>
         <source>Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.</source>
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="152"/>
-        <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="166"/>
+        <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic about {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="156"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="170"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="160"/>
-        <source>Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep {low:.0f} to {high:.0f} %.</source>
-        <translation>Odcinek za krótki, aby ocenić go bez ortoobrazów źródłowych; oceniony razem z otaczającymi go {length:.0f} m linii mozaikowania, wzdłuż których zachowane jest od {low:.0f} do {high:.0f} %.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="56"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="57"/>
         <source>{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.</source>
         <translation>Raster {name} to ortofotomapa o większych pikselach, czyli jej podgląd, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
@@ -5705,17 +5625,17 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="164"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="174"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="168"/>
-        <source>Without orthoimages a piece of seam can be judged on this mosaic from some {length:.0f} m on.</source>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="178"/>
+        <source>Without orthoimages a piece of seam can be judged on this mosaic from about {length:.0f} m on.</source>
         <translation>Bez ortoobrazów źródłowych odcinek linii mozaikowania można na tej ortofotomapie ocenić od długości około {length:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="181"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -5735,129 +5655,113 @@
         <translation>W częściach ortofotomapy (bloki: {count}) nakłada się na siebie więcej niż {most} ortoobrazów; brane są tam pod uwagę tylko te, które pokrywają największą część bloku, w liczbie {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="120"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="129"/>
         <source>The layer {name} can&apos;t be written. What was measured is kept; make room on the disk, or choose another file for the layer, and start the scan again with the same picture of losses to go on.</source>
         <translation>Nie można zapisać warstwy {name}. To, co zmierzono, jest zachowane; zwolnij miejsce na dysku albo wybierz inny plik warstwy i uruchom badanie ponownie z tym samym obrazem strat, aby je kontynuować.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="29"/>
-        <source>None of the orthoimages can be used, for the reasons that are told; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
+        <source>None of the orthoimages can be used, for the reasons in the log; mend that, or leave them all out to scan the mosaic along its seamlines alone.</source>
         <translation>Żadnego z ortoobrazów nie można użyć, z podanych przyczyn; usuń te przyczyny albo nie podawaj żadnych ortoobrazów, aby zbadać samą ortofotomapę wzdłuż jej linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="131"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="140"/>
         <source>This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by eye.</source>
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="53"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="55"/>
-        <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
-        <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="70"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="71"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="76"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="77"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="81"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="86"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="90"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="91"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="101"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="102"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="102"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="103"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="107"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="108"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="109"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="110"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="120"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="121"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
         <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="107"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="111"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="143"/>
-        <source>Length with a significant loss (metres)</source>
-        <translation>Długość z istotną stratą (metry)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="144"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="145"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="144"/>
-        <source>{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
-        <translation>{share:.0f} % ortofotomapy nie pochodzi z żadnego z podanych ortoobrazów, więc nic tam nie zmierzono. Podaj te, z których tam powstała; wliczony jest też teren bez żadnej tekstury, na przykład woda.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="7"/>
@@ -5866,26 +5770,26 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="10"/>
-        <source>{name} is {value:g}; give a number of {least} or more.</source>
+        <source>{name} is {value:g}; give {least} or more.</source>
         <translation>{name} wynosi {value:g}; podaj liczbę nie mniejszą niż {least}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="48"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="49"/>
         <source>{name} is like the mosaic everywhere, so it is a copy of it, or the mosaic that this one was cut from. It would hide every loss and is left out of the sources.</source>
         <translation>{name} wszędzie jest taki jak ortofotomapa, jest więc jej kopią albo ortofotomapą, z której tę wycięto. Ukryłby każdą stratę i nie bierze udziału jako ortoobraz źródłowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="59"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="60"/>
         <source>{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, the scan tells nothing, so give the orthoimages that the mosaic was made from.</source>
         <translation>{name} wszędzie jest taki jak ortofotomapa i nie ma innego ortoobrazu źródłowego; jeśli to jej kopia, badanie nic nie mówi, podaj więc ortoobrazy źródłowe, z których ortofotomapa powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="135"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="148"/>
         <source>None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there.</source>
         <translation>Żaden z podanych ortoobrazów źródłowych nie wyjaśnia ortofotomapy wzdłuż tego odcinka; dodaj ten, z którego tam powstała.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="138"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="151"/>
         <source>What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces.</source>
         <translation>O tym, ile zachowano wzdłuż tego odcinka, można powiedzieć tylko, że leży między {low:.0f} a {high:.0f} %; zbadaj dłuższymi odcinkami.</translation>
     </message>
@@ -5895,13 +5799,13 @@
         <translation>Odcinki linii mozaikowania mają {needed:.1f} m: przy tej wielkości piksela krótszych nie można zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="141"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="154"/>
         <source>{metres:.0f} of {all:.0f} m of seam have no verdict; the field &apos;reason&apos; of the seams says why.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie ma oceny; pole „reason” mówi dlaczego.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="13"/>
-        <source>The corridor counts only with seamlines; without them all of the mosaic is read.</source>
+        <source>The corridor applies only with seamlines; without them all of the mosaic is read.</source>
         <translation>Korytarz liczy się tylko z liniami mozaikowania; bez nich czytana jest cała ortofotomapa.</translation>
     </message>
     <message>
@@ -5915,62 +5819,62 @@
         <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="120"/>
+        <location filename="../plugin/imagery/messages.py" line="131"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="132"/>
         <source>the file there is something else</source>
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="281"/>
+        <location filename="../plugin/seams/words.py" line="295"/>
         <source>50 % kept, or less</source>
         <translation>50 % lub mniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="282"/>
+        <location filename="../plugin/seams/words.py" line="296"/>
         <source>50 to 60 %</source>
         <translation>od 50 do 60 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="283"/>
+        <location filename="../plugin/seams/words.py" line="297"/>
         <source>60 to 70 %</source>
         <translation>od 60 do 70 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="284"/>
+        <location filename="../plugin/seams/words.py" line="298"/>
         <source>70 to 80 %</source>
         <translation>od 70 do 80 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="285"/>
+        <location filename="../plugin/seams/words.py" line="299"/>
         <source>80 to 90 %</source>
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="336"/>
+        <location filename="../plugin/seams/window_summary.py" line="365"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="339"/>
+        <location filename="../plugin/seams/window_summary.py" line="368"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="347"/>
+        <location filename="../plugin/seams/window_summary.py" line="376"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="351"/>
+        <location filename="../plugin/seams/window_summary.py" line="380"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="136"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -6001,7 +5905,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="260"/>
-        <source>Compare the mosaic with a source on the map: drag the handle, X exchanges the sides, Esc ends</source>
+        <source>Compare the mosaic with a source on the map: drag the handle, X swaps the sides, Esc ends</source>
         <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
     </message>
     <message>
@@ -6016,12 +5920,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="362"/>
-        <source>Exchange the sides (X)</source>
+        <source>Swap the sides (X)</source>
         <translation>Zamień strony (X)</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="364"/>
-        <source>Lying handle</source>
+        <source>Horizontal handle</source>
         <translation>Uchwyt poziomy</translation>
     </message>
     <message>
@@ -6046,7 +5950,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/swipe/swipe_item.py" line="207"/>
-        <source>Drag to compare the mosaic with the other image. X exchanges them, Esc ends.</source>
+        <source>Drag to compare the mosaic with the other image. X swaps them, Esc ends.</source>
         <translation>Przeciągnij, aby porównać ortofotomapę z drugim obrazem. X zamienia je stronami, Esc kończy.</translation>
     </message>
     <message>
@@ -6070,223 +5974,223 @@
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="55"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="57"/>
         <source>First operator</source>
         <translation>Pierwszy operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="55"/>
-        <source>What is said goes to the field &apos;observer&apos;.</source>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="57"/>
+        <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="56"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="58"/>
         <source>Second operator</source>
         <translation>Drugi operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="56"/>
-        <source>What is said goes to the field &apos;observer_2&apos;, beside the first one&apos;s.</source>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="58"/>
+        <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="63"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="65"/>
         <source>Blind</source>
         <translation>W ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="64"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="66"/>
         <source>Hides what the tool found, and what the other operator said: in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="68"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="70"/>
         <source>Agreement of both ...</source>
         <translation>Zgodność obu...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
-        <source>How often both operators say the same, and how much of that is not chance.</source>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="71"/>
+        <source>How often both operators agree, and how much of that is beyond chance.</source>
         <translation>Jak często obaj operatorzy są zgodni i ile z tego nie jest przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="81"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="81"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="82"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="84"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
-        <source>Who judges: the first or the second operator; blind or not; how well both agree.</source>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="85"/>
+        <source>Choose the operator, judge blind, and see how well both agree.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="132"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="142"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="132"/>
-        <source>It can&apos;t be said. The window counts as not judged in all results.</source>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="142"/>
+        <source>You can&apos;t tell. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="136"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="146"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="138"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="148"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="141"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="151"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="236"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="253"/>
         <source>Window {numbers}. What was found is hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="322"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="356"/>
         <source>Then the next window comes. Click again to take it back.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="209"/>
-        <source>No window was judged by both operators yet; who is not sure did not judge.</source>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="211"/>
+        <source>No window was judged by both operators yet; &apos;not sure&apos; does not count.</source>
         <translation>Żadne okno nie ma jeszcze opinii obu operatorów; niepewna się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="212"/>
-        <source>Both judged {count} windows and said the same of {agreed} ({percent} %).</source>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="214"/>
+        <source>Both judged {count} windows and agreed on {agreed} ({percent} %).</source>
         <translation>Obaj ocenili {count} {count:okno|okna|okien}, zgodnie {agreed} ({percent} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="215"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="217"/>
         <source>Only the first saw a loss: {first}. Only the second: {second}.</source>
         <translation>Stratę widział tylko pierwszy: {first}. Tylko drugi: {second}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="220"/>
-        <source>One of them said one word only, so agreement can&apos;t be told from chance.</source>
-        <translation>Jeden z nich użył tylko jednego słowa, więc zgodności nie da się odróżnić od przypadku.</translation>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="222"/>
+        <source>One of them gave one verdict only, so agreement can&apos;t be told from chance.</source>
+        <translation>Jeden z nich wyraził wszędzie tę samą opinię, więc zgodności nie da się odróżnić od przypadku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="221"/>
-        <source>Cohen&apos;s kappa: {value} ({low} to {high} by 95 %), {word}.</source>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="223"/>
+        <source>Cohen&apos;s kappa: {value} (95 % interval {low} to {high}), {word}.</source>
         <translation>Kappa Cohena: {value} (od {low} do {high} z ufnością 95 %), {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="229"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="231"/>
         <source>slight agreement</source>
         <translation>zgodność znikoma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="229"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="231"/>
         <source>fair agreement</source>
         <translation>zgodność słaba</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="229"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="231"/>
         <source>moderate agreement</source>
         <translation>zgodność umiarkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="230"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
         <source>substantial agreement</source>
         <translation>zgodność znaczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="235"/>
         <source>no more than chance</source>
         <translation>zgodność nie większa niż przypadkowa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="234"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="236"/>
         <source>almost perfect agreement</source>
         <translation>zgodność prawie pełna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="239"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="241"/>
         <source>Agreement of both operators</source>
         <translation>Zgodność obu operatorów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="243"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="245"/>
         <source>Show where they differ</source>
         <translation>Pokaż, gdzie się różnią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="303"/>
+        <location filename="../plugin/seams/desk/judging.py" line="316"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="311"/>
+        <location filename="../plugin/seams/desk/judging.py" line="324"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="313"/>
-        <source>Take back what was said of {count} windows?</source>
+        <location filename="../plugin/seams/desk/judging.py" line="326"/>
+        <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="66"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="62"/>
         <source>as sorted</source>
         <translation>jak w tabeli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="63"/>
         <source>As the table is sorted by one of its columns.</source>
         <translation>Według kolumny, po której posortowano tabelę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="71"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="67"/>
         <source>along the seam</source>
         <translation>wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="72"/>
-        <source>Seam by seam and along each, as the windows were placed.</source>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="68"/>
+        <source>Seam by seam, in the order in which the windows were placed.</source>
         <translation>Linia po linii i wzdłuż każdej z nich, tak jak rozmieszczono okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="75"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="71"/>
         <source>worst first</source>
         <translation>najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="80"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="76"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="81"/>
-        <source>First the windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="77"/>
+        <source>Starts with the windows where the tool and an observer disagree.</source>
         <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="85"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="81"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="86"/>
-        <source>First the windows where the two operators disagree.</source>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="82"/>
+        <source>Starts with the windows where the two operators disagree.</source>
         <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
@@ -6295,17 +6199,17 @@
         <translation>{judged} z {count}, zostało {left}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="84"/>
+        <location filename="../plugin/seams/desk/judging.py" line="91"/>
         <source>Judged: {judged}. Not sure: {unsure}. To look at yet: {left}. Not inspected or not comparable: {rest}.</source>
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="164"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="166"/>
         <source>judged</source>
         <translation>z opinią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="168"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="170"/>
         <source>to be judged</source>
         <translation>do oceny</translation>
     </message>
@@ -6520,37 +6424,37 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="361"/>
+        <location filename="../plugin/seams/desk/dock.py" line="389"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="362"/>
+        <location filename="../plugin/seams/desk/dock.py" line="390"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/unsaved_windows.py" line="231"/>
+        <location filename="../plugin/seams/desk/unsaved_windows.py" line="255"/>
         <source>Restore windows</source>
         <translation>Przywróć okna</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/dock.py" line="64"/>
-        <source>Click: selects the window that is there, with Shift it too; else makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
+        <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="250"/>
+        <location filename="../plugin/seams/desk/dock.py" line="247"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="256"/>
+        <location filename="../plugin/seams/desk/dock.py" line="253"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="260"/>
+        <location filename="../plugin/seams/desk/dock.py" line="257"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -6636,7 +6540,7 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/map/window_tool.py" line="221"/>
-        <source>{metres:.1f} m aside, where it can be judged; with Ctrl here</source>
+        <source>{metres:.1f} m aside, where it can be judged; Ctrl places it here</source>
         <translation>{metres:.1f} m obok, gdzie można je ocenić; z Ctrl tutaj</translation>
     </message>
     <message>
@@ -6661,221 +6565,216 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/undo_actions.py" line="63"/>
-        <source>Takes the last change of the windows back ({keys}).</source>
+        <source>Undoes the last change to the windows ({keys}).</source>
         <translation>Cofa ostatnią zmianę okien ({keys}).</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/windows/undo_actions.py" line="64"/>
-        <source>Does again what was taken back ({keys}).</source>
+        <source>Redoes what was undone ({keys}).</source>
         <translation>Wykonuje ponownie to, co cofnięto ({keys}).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="209"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="208"/>
         <source>{metres} m</source>
         <translation>{metres} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="224"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="231"/>
         <source>observer 2</source>
         <translation>obserwator 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="225"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="232"/>
         <source>What the second operator saw at 2x magnification.</source>
         <translation>Co drugi operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="229"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="236"/>
         <source>sure</source>
         <translation>pewność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="230"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="237"/>
         <source>How sure the observer is, 0 to 100 %.</source>
         <translation>Jak pewny jest obserwator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="234"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="241"/>
         <source>sure 2</source>
         <translation>pewność 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="235"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="242"/>
         <source>How sure the second operator is, 0 to 100 %.</source>
         <translation>Jak pewny jest drugi operator, od 0 do 100 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="239"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="246"/>
         <source>The observer&apos;s remark.</source>
         <translation>Uwaga obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="243"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="250"/>
         <source>remark 2</source>
         <translation>uwaga 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="244"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="251"/>
         <source>The second operator&apos;s remark.</source>
         <translation>Uwaga drugiego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="166"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="165"/>
         <source>kept from</source>
         <translation>zach. od</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="167"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="166"/>
         <source>Lower end of the 95 % interval of what is kept along the seam.</source>
         <translation>Dolny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="171"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="170"/>
         <source>kept to</source>
         <translation>zach. do</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="172"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="171"/>
         <source>Upper end of the 95 % interval of what is kept along the seam.</source>
         <translation>Górny koniec przedziału ufności 95 % tego, co zachowano wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="177"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="176"/>
         <source>Width of the band along the seam in which detail was lost.</source>
         <translation>Szerokość pasa wzdłuż linii mozaikowania, w którym utracono detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="204"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="203"/>
         <source>sharpness</source>
         <translation>ostrość</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="205"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="204"/>
         <source>Sharpness of the whole window against the composite of its sources.</source>
         <translation>Ostrość całego okna względem kompozycji jego ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="209"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="208"/>
         <source>added</source>
         <translation>dodane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="210"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="209"/>
         <source>Share of the mosaic&apos;s finest detail that its sources don&apos;t have.</source>
         <translation>Część najdrobniejszych detali ortofotomapy, której nie mają jej ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="214"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="213"/>
         <source>explained</source>
         <translation>wyjaśnione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="216"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="215"/>
         <source>Share of the pixels whose detail the given sources explain.</source>
         <translation>Część pikseli, których detale wyjaśniają podane ortoobrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="158"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="157"/>
         <source>all causes</source>
         <translation>wszystkie przyczyny</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="251"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="258"/>
         <source>seam</source>
         <translation>linia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="252"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="259"/>
         <source>Number of the seam that the window was placed on.</source>
         <translation>Numer linii mozaikowania, na której umieszczono okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="255"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="262"/>
         <source>station</source>
         <translation>pikietaż</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="256"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="263"/>
         <source>How far along its seam the window lies.</source>
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="84"/>
-        <source>Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
-        <translation>Dwukrotne kliknięcie powiększa do okna; Del usuwa zaznaczone okna, Ctrl+C je kopiuje. Prawy przycisk myszy na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="277"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="279"/>
         <source>Save the windows</source>
         <translation>Zapisz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="277"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="279"/>
         <source>CSV files (*.csv)</source>
         <translation>Pliki CSV (*.csv)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="140"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="136"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="143"/>
-        <source>Windows where the tool&apos;s verdict and an observer&apos;s word disagree.</source>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="139"/>
+        <source>Windows where the tool and an observer disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="145"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="141"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="187"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="183"/>
         <source>In which order windows are shown and judged.</source>
         <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="313"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="315"/>
         <source>Judge not sure</source>
         <translation>Strata niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="320"/>
         <source>Copy rows</source>
         <translation>Kopiuj wiersze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="319"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="321"/>
         <source>The selected rows with their headings, for a spreadsheet.</source>
         <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="320"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="322"/>
         <source>Save as CSV ...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="321"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="323"/>
         <source>All windows that are shown, with all of their numbers.</source>
         <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="170"/>
         <source>paper</source>
         <translation>artykuł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="172"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="171"/>
         <source>The paper&apos;s own flag, by ratio 1 against whole sources, whatever the verdict was taken by.</source>
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="70"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="71"/>
         <source>As there is room</source>
         <translation>Według miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="71"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="72"/>
         <source>The usual columns in their usual order, as many as there is room for.</source>
         <translation>Zwykłe kolumny w zwykłej kolejności, tyle, na ile jest miejsce.</translation>
     </message>
@@ -6885,22 +6784,22 @@
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="158"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="162"/>
         <source>looking for sources ...</source>
         <translation>szukanie ortoobrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="158"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="162"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="180"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="184"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="264"/>
         <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
@@ -6916,13 +6815,8 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/source_list.py" line="82"/>
-        <source>Check the rasters that may be sources of this mosaic, and no others</source>
+        <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="86"/>
-        <source>The orthoimages that the mosaic was made from. What is left out says why; check it to take it all the same. Uncheck a missing one to remove it from the inputs.</source>
-        <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="358"/>
@@ -6935,12 +6829,12 @@
         <translation>{bits}-bitowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="56"/>
+        <location filename="../plugin/seams/measure/messages.py" line="52"/>
         <source>Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are ready.</source>
         <translation>Rozmieszczono {count} {count:okno|okna|okien} wzdłuż linii mozaikowania; miejsca, które już miały swoje okno: {there}. Skontroluj okna, gdy zechcesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="60"/>
+        <location filename="../plugin/seams/measure/messages.py" line="56"/>
         <source>No window was placed: all {there} places along the seams have theirs already.</source>
         <translation>Nie umieszczono żadnego okna: wszystkie miejsca wzdłuż linii mozaikowania (liczba: {there}) mają już swoje okno.</translation>
     </message>
@@ -6971,36 +6865,36 @@
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="28"/>
-        <source>What is judged is safe only once you save the layer: it can&apos;t be kept in {path} meanwhile ({error}).</source>
+        <source>Your verdicts are safe only once you save the layer: it can&apos;t be kept in {path} meanwhile ({error}).</source>
         <translation>Opinie będą bezpieczne dopiero po zapisaniu warstwy: do tego czasu nie można ich przechować w {path} ({error}).</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/messages.py" line="31"/>
-        <source>Curves and pictures of the windows can&apos;t be kept in {path} ({error}); without them windows are measured again after the project was closed.</source>
+        <source>Curves and pictures of the windows can&apos;t be kept in {path} ({error}); without them windows have to be measured again once the project was closed.</source>
         <translation>Krzywych i obrazów okien nie można przechować w {path} ({error}); bez nich po zamknięciu projektu okna są mierzone od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/messages.py" line="36"/>
-        <source>The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a GeoPackage to keep them.</source>
+        <location filename="../plugin/seams/desk/messages.py" line="42"/>
+        <source>The windows in {name} are in no file: they and their verdicts are lost when QGIS ends. Export the layer to a GeoPackage to keep them.</source>
         <translation>Okien z {name} nie ma w żadnym pliku: one i wydane opinie przepadną po zamknięciu QGIS. Aby je zachować, wyeksportuj warstwę do GeoPackage.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="157"/>
+        <location filename="../plugin/seams/measure/messages.py" line="153"/>
         <source>The table can&apos;t be saved as {path}: {error}.</source>
         <translation>Nie można zapisać tabeli jako {path}: {error}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <location filename="../plugin/seams/measure/messages.py" line="154"/>
         <source>The filter is not understood: {error}. Example: kept &lt; 0.7 and cause = &apos;feathering&apos;.</source>
         <translation>Niezrozumiały filtr: {error}. Przykład: kept &lt; 0.7 and cause = &apos;feathering&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="164"/>
+        <location filename="../plugin/seams/measure/messages.py" line="160"/>
         <source>The filter asks for &apos;{name}&apos;, which windows don&apos;t have. They have: {known}.</source>
         <translation>Filtr pyta o „{name}”, a okna tego nie mają. Mają: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="167"/>
+        <location filename="../plugin/seams/measure/messages.py" line="163"/>
         <source>The file of the layer {name} can&apos;t hold a field &apos;{field}&apos;: save the windows as a GeoPackage and use that layer.</source>
         <translation>Plik warstwy {name} nie może mieć pola „{field}”: zapisz okna jako GeoPackage i użyj tamtej warstwy.</translation>
     </message>
@@ -7046,12 +6940,12 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="16"/>
-        <source>The mosaic again: alike wherever they were compared. It would hide every loss.</source>
+        <source>A copy of the mosaic: alike wherever they were compared. It would hide every loss.</source>
         <translation>To znów ortofotomapa: taka sama wszędzie, gdzie je porównano. Ukryłaby każdą stratę.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="22"/>
-        <source>A part of the mosaic again: alike wherever they were compared, though other sources lie there.</source>
+        <source>A copy of a part of the mosaic: alike wherever they were compared, though other sources lie there.</source>
         <translation>To znów część ortofotomapy: taka sama wszędzie, gdzie je porównano, choć leżą tam inne ortoobrazy.</translation>
     </message>
     <message>
@@ -7071,36 +6965,36 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="27"/>
-        <source>Covers the whole mosaic and is like it nowhere.</source>
+        <source>Covers the whole mosaic and resembles it nowhere.</source>
         <translation>Pokrywa całą ortofotomapę i nigdzie nie jest do niej podobny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="28"/>
-        <source>Shows something else than the mosaic: a map, or another time.</source>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="29"/>
+        <source>Shows something other than the mosaic: a map, or another time.</source>
         <translation>Pokazuje co innego niż ortofotomapa: mapę albo inny czas.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="30"/>
-        <source>Covers the whole mosaic, as another mosaic would; check it if it is one of the orthoimages.</source>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="31"/>
+        <source>Covers the whole mosaic, as another mosaic would; tick it if it is one of the orthoimages.</source>
         <translation>Pokrywa całą ortofotomapę, jak inna ortofotomapa; zaznacz go, jeśli jest jednym z ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="32"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="33"/>
         <source>Could not be compared with the mosaic: {why}</source>
         <translation>Nie można porównać z ortofotomapą: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="35"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="36"/>
         <source>The mosaic follows {name} in none of the {count} windows that it took part in: is it one of its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z {name} w żadnym z okien, w których brał on udział (liczba: {count}): czy to jeden z jej ortoobrazów?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="40"/>
         <source>The mosaic follows {count} of its {all} sources in no window that they took part in, such as {name}: are they its orthoimages?</source>
         <translation>Ortofotomapa nie pochodzi z części swoich źródeł ({count} z {all}, np. {name}) w żadnym z okien, w których brały one udział: czy to jej ortoobrazy?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="43"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="44"/>
         <source>In windows with sources on the mosaic&apos;s own pixels {count} others took no part, such as {name}: their pixels have another size or direction, or they are in another reference system, so they would have to be resampled.</source>
         <translation>W oknach z ortoobrazami o tych samych pikselach co ortofotomapa inne nie brały udziału (liczba: {count}, np. {name}): ich piksele mają inny rozmiar lub kierunek albo są w innym układzie współrzędnych, więc trzeba by je przepróbkować.</translation>
     </message>
@@ -7147,22 +7041,17 @@
         <translation>Nie ma takiej zmiany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="165"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="164"/>
         <source>Share of the finest detail that is kept along the seam, relative to the ground around it. Empty where the verdict was not taken by it.</source>
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="311"/>
-        <source>Along the seam no loss can be told from chance: {kept} % of the finest detail is left ({low} to {high} %)</source>
-        <translation>Wzdłuż linii mozaikowania straty nie da się odróżnić od przypadku: zostało {kept} % najdrobniejszych detali (od {low} do {high} %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="342"/>
+        <location filename="../plugin/seams/window_summary.py" line="371"/>
         <source>it takes detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="344"/>
+        <location filename="../plugin/seams/window_summary.py" line="373"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
@@ -7172,84 +7061,79 @@
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="214"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="385"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="248"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="265"/>
         <source>No window is left to judge. Select one to judge it again.</source>
         <translation>Nie ma już okien do oceny. Wybierz okno, aby ocenić je ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="292"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="215"/>
+        <location filename="../plugin/seams/desk/dock.py" line="212"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="159"/>
+        <location filename="../plugin/seams/measure/messages.py" line="155"/>
         <source>Write decimals in the filter with a point: kept &lt; 0.7.</source>
         <translation>Ułamki dziesiętne w filtrze pisz z kropką: kept &lt; 0.7.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="160"/>
+        <location filename="../plugin/seams/measure/messages.py" line="156"/>
         <source>{name} is a share: write {share:g} for {percent:g} %.</source>
         <translation>{name} jest udziałem: zamiast {percent:g} % napisz {share:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="162"/>
-        <source>The filter knows no geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
+        <location filename="../plugin/seams/measure/messages.py" line="158"/>
+        <source>The filter can&apos;t use geometry; use &apos;Select Features by Expression&apos; on the window layer instead.</source>
         <translation>Filtr nie zna geometrii; użyj polecenia „Wybierz obiekty za pomocą wyrażenia” na warstwie okien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="165"/>
+        <location filename="../plugin/seams/measure/messages.py" line="161"/>
         <source>&apos;{word}&apos; is hidden while judging blind, so it filters nothing; filter by {known}.</source>
         <translation>„{word}” jest ukryte podczas oceny w ciemno, więc niczego nie filtruje; filtruj według: {known}.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/inputs/messages.py" line="18"/>
-        <source>Like the mosaic wherever they were compared: the mosaic again, or the one orthoimage that it was made from; check it if it is that.</source>
+        <source>Like the mosaic wherever they were compared: a copy of it, or the one orthoimage that it was made from; tick it in that case.</source>
         <translation>Taki sam jak ortofotomapa wszędzie, gdzie je porównano: znów ortofotomapa albo jedyny ortoobraz, z którego powstała; zaznacz go, jeśli to ten ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="77"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="77"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="61"/>
+        <location filename="../plugin/noise/report.py" line="62"/>
         <source>mean detail {level}</source>
         <translation>średnie detale {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="62"/>
+        <location filename="../plugin/noise/report.py" line="63"/>
         <source>mean sigma (DN)</source>
         <translation>średnia sigma (DN)</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="138"/>
+        <location filename="../plugin/noise/report.py" line="140"/>
         <source>largest possible</source>
         <translation>największa możliwa</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/report.py" line="138"/>
+        <location filename="../plugin/noise/report.py" line="140"/>
         <source>grain (DN)</source>
         <translation>ziarno (DN)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/checknoise.py" line="43"/>
-        <source>Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as land use or scale.</source>
-        <translation>Mówi, ile szumu losowego ma obraz, niezależnie od tego, czy pochodzi on z filmu, skanowania czy sensora. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (moderate), a gdy jest silny, także poziom 2 ponad poziom 3 (Pyka 2009). Ziarno grubsze niż piksel jest wyszukiwane w widmie najspokojniejszego terenu; gdzie mogłaby je ukryć tekstura, ocena jest niepewna (uncertain). Zdjęcia i skany nie muszą mieć położenia na mapie. Można porównać dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno jest mierzone na obu, z pominięciem tych samych pikseli. Okna są grupowane według swojego pola, np. użytkowania terenu lub skali.</translation>
     </message>
     <message>
         <location filename="../plugin/noise/checknoise.py" line="63"/>
@@ -7282,17 +7166,12 @@
         <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="88"/>
-        <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, the most that grain can be, and the verdict low, uncertain, moderate or strong.</source>
-        <translation>Jeden wiersz na okno, raster i kanał: wariancje względne, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN, najwyższa możliwa wartość ziarna oraz ocena low, uncertain, moderate lub strong.</translation>
-    </message>
-    <message>
         <location filename="../plugin/noise/checknoise.py" line="101"/>
         <source>Windows whose texture could hide grain</source>
         <translation>Okna, których tekstura może skrywać ziarno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="191"/>
+        <location filename="../plugin/noise/checknoise.py" line="193"/>
         <source>group {group}</source>
         <translation>grupa {group}</translation>
     </message>
@@ -7312,42 +7191,42 @@
         <translation>{value}: {band}, {count} z {all} {all:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="23"/>
+        <location filename="../plugin/noise/noise_summary.py" line="24"/>
         <source>uncertain</source>
         <translation>niepewny</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="109"/>
+        <location filename="../plugin/noise/noise_summary.py" line="118"/>
         <source>no value</source>
         <translation>brak wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="121"/>
+        <location filename="../plugin/noise/noise_summary.py" line="130"/>
         <source>{finding}; in {band} sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
         <translation>{finding}; w kanale {band} sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="136"/>
+        <location filename="../plugin/noise/noise_summary.py" line="154"/>
         <source>sigma {sigma} DN, at most {largest} DN with grain, kurtosis by level {kurtosis}</source>
         <translation>sigma {sigma} DN, z ziarnem najwyżej {largest} DN, kurtoza na kolejnych poziomach {kurtosis}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="150"/>
+        <location filename="../plugin/noise/noise_summary.py" line="168"/>
         <source>Grain: {sigma} DN, {size} px.</source>
         <translation>Ziarno: {sigma} DN, {size} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="153"/>
+        <location filename="../plugin/noise/noise_summary.py" line="171"/>
         <source>At most {sigma} DN.</source>
         <translation>Najwyżej {sigma} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="160"/>
+        <location filename="../plugin/noise/noise_summary.py" line="178"/>
         <source>Uncertain</source>
         <translation>Szum niepewny</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="162"/>
+        <location filename="../plugin/noise/noise_summary.py" line="180"/>
         <source>Strong noise</source>
         <translation>Silny szum</translation>
     </message>
@@ -7377,42 +7256,42 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="125"/>
+        <location filename="../plugin/noise/charts.py" line="126"/>
         <source>{field}: {value}</source>
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="126"/>
+        <location filename="../plugin/noise/charts.py" line="127"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="148"/>
+        <location filename="../plugin/noise/charts.py" line="149"/>
         <source>1 window</source>
         <translation>1 okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="149"/>
+        <location filename="../plugin/noise/charts.py" line="150"/>
         <source>{name}: mean and range of {count} windows</source>
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="63"/>
+        <location filename="../plugin/toolkit/messages.py" line="84"/>
         <source>What is written is {filters}, and {name} says something else; give it that ending.</source>
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layers.py" line="84"/>
+        <location filename="../plugin/toolkit/layers.py" line="86"/>
         <source>temporary layer</source>
         <translation>warstwa tymczasowa</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/pages/templates.py" line="121"/>
+        <location filename="../plugin/toolkit/pages/templates.py" line="124"/>
         <source>about {size:.3g} m</source>
         <translation>około {size:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="47"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
         <source>quotients of order 2 at most, with the terms left out that the points do not speak for</source>
         <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
     </message>
@@ -7432,247 +7311,227 @@
         <translation>{name} nie zawiera fotopunktów; wybierz warstwę albo plik z punktami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="14"/>
-        <source>A ground control point inside {name} is no number; choose a layer or a file of points.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="15"/>
+        <source>A ground control point inside {name} is not a number; choose a layer or a file of points.</source>
         <translation>Fotopunkt zapisany w pliku {name} nie jest liczbą; wybierz warstwę albo plik z punktami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="16"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="18"/>
         <source>The points are of the images {names}; choose one of them, since a file that names images is read for one.</source>
         <translation>Punkty należą do obrazów {names}; wybierz jeden z nich, ponieważ plik, który podaje nazwy obrazów, jest czytany dla jednego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="30"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="32"/>
         <source>it has no height, and others have one.</source>
         <translation>nie ma wysokości, a inne mają.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="34"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="36"/>
         <source>The points are said to be in degrees, and one is at {x:.10g}, {y:.10g}; set the reference system that their coordinates are in.</source>
         <translation>Punkty mają być w stopniach, a jeden leży w {x:.10g}, {y:.10g}; ustaw układ współrzędnych, w którym podano ich współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="38"/>
-        <source>Point {name} is {height:.6g} m high, as no place on earth is; give heights in metres.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="40"/>
+        <source>Point {name} is {height:.6g} m high, which no place on earth is; give heights in metres.</source>
         <translation>Punkt {name} ma wysokość {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj wysokości w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="41"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="43"/>
         <source>By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that their coordinates are in.</source>
         <translation>Według punktów piksel ma w terenie {size:.2g} m; sprawdź, czy ich układ współrzędnych jest tym, w którym podano współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="45"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="47"/>
         <source>The points&apos; rows are negative, as QGIS&apos;s georeferencer shows them; give them from the upper edge downwards, all positive, or the .points file itself.</source>
         <translation>Wiersze punktów są ujemne, jak pokazuje je georeferencer QGIS; podaj je od górnej krawędzi w dół, wszystkie dodatnie, albo podaj sam plik .points.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="49"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="51"/>
         <source>The points lie in the image only with columns and rows interchanged; interchange the two fields.</source>
         <translation>Punkty leżą na obrazie tylko przy zamienionych kolumnach i wierszach; zamień te dwa pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="52"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="54"/>
         <source>{count} points lie outside the image of {columns} x {rows} pixels ({names}); correct or remove them, or choose their image.</source>
         <translation>Poza obrazem {columns} × {rows} px {count:leży|leżą|leży} {count} {count:punkt|punkty|punktów} ({names}); popraw je lub usuń albo wybierz właściwy obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="56"/>
-        <source>{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image&apos;s RPC holds for {first:.0f} to {last:.0f} m, so errors and recommendation mean nothing if the heights are wrong; check them and their unit.</source>
-        <translation>Wysokości punktów ({count}: {names}) wynoszą od {low:.0f} do {high:.0f} m, a RPC obrazu obowiązuje od {first:.0f} do {last:.0f} m, więc błędy i zalecenie nic nie znaczą, jeśli wysokości są złe; sprawdź je i ich jednostkę.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="61"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="71"/>
         <source>The image&apos;s RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, their reference system and heights, and that it is the RPC of this image.</source>
         <translation>Według RPC punkty leżą {distance:.3g} px poza obrazem; sprawdź, czy x i y nie są zamienione, ich układ współrzędnych i wysokości oraz czy jest to RPC tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="65"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="75"/>
         <source>By the image&apos;s RPC the points&apos; columns and rows are interchanged; interchange the two fields.</source>
         <translation>Według RPC obrazu kolumny i wiersze punktów są zamienione; zamień oba pola.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="68"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="78"/>
         <source>By the image&apos;s RPC the points are measured in a mirrored or turned image; count columns and rows from the upper left corner of the image that the RPC belongs to.</source>
         <translation>Według RPC obrazu punkty zmierzono na obrazie odbitym lub obróconym; licz kolumny i wiersze od lewego górnego narożnika obrazu, do którego należy RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="71"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="81"/>
         <source>The share of check points is {share:g}; give a number from 0 to {most:g}.</source>
         <translation>Udział punktów kontrolnych wynosi {share:g}; podaj liczbę od 0 do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="109"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="119"/>
         <source>{count} points miss the model by far more than the others ({names}); check them, or let blunders be looked for (ROBUST).</source>
         <translation>Punkty odbiegające od modelu znacznie bardziej niż pozostałe: {count} ({names}); sprawdź je albo włącz szukanie błędów grubych (ROBUST).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="125"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="135"/>
         <source>Terms kept, numerator / denominator of scaled coordinates: {terms}.</source>
         <translation>Zachowane wyrazy, licznik / mianownik współrzędnych przeskalowanych: {terms}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="127"/>
-        <source>The fit to these points runs away from them all; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="137"/>
+        <source>The fit diverges from all of these points; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="145"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="155"/>
         <source>The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it is worst; the model corrects that.</source>
         <translation>RPC jest przesunięte w środku obrazu o {columns:.2f} kolumny i {rows:.2f} wiersza, a w najgorszym miejscu o {most:.2f} px; model to koryguje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="158"/>
-        <source>No image with the RPC is written: there is no image to copy; choose it.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
+        <source>No image with the RPC is written, as there is no image to copy; choose the image.</source>
         <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="171"/>
-        <source>{name} holds no interior orientation that can be read; choose a YAML file of orthority or an AutoCal XML of MicMac.</source>
-        <translation>Plik {name} nie zawiera orientacji wewnętrznej, którą można odczytać; wybierz plik YAML z orthority albo plik XML AutoCal z programu MicMac.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="175"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="187"/>
         <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
         <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="182"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="194"/>
         <source>By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
         <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="185"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="197"/>
         <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the orthoimage lies.</source>
         <translation>Wszystkie kąty w {name} są mniejsze od 3,15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="189"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
         <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
         <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="196"/>
-        <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa (degrees), a GeoJSON of orthority or an Orientation XML of MicMac.</source>
-        <translation>Plik {name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa (stopnie), GeoJSON z orthority albo plik XML Orientation z programu MicMac.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="200"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
         <source>{name} does not name the image {image} just once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
-        <source>An interior and an exterior orientation are needed together; give the one that is missing.</source>
-        <translation>Orientacja wewnętrzna i zewnętrzna są potrzebne razem; podaj tę, której brakuje.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="205"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
         <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
         <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
         <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="214"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="232"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="240"/>
         <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="229"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="230"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="240"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="258"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
-        <source>{name} is no grid of the geoid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="262"/>
+        <source>{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="265"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="266"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="249"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="254"/>
-        <source>The constant height is {height:.6g} m, as no place on earth has; give it in metres.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <source>The constant height is {height:.6g} m, which no place on earth has; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
-        <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, as no place on earth has; set its nodata value, or choose another one.</source>
+        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
+        <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
         <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="276"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="294"/>
         <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="280"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="298"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="291"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="309"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="294"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="312"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="297"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="315"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="300"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="318"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="302"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="320"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
@@ -7683,7 +7542,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/planpoints.py" line="42"/>
-        <source>Tells what accuracy to expect from number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. A planning figure: check points of your own say how accurate the image became.</source>
+        <source>Predicts the accuracy from the number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning figure; your own check points tell how accurate the image became.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
     </message>
     <message>
@@ -7758,7 +7617,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/planpoints.py" line="85"/>
-        <source>An RPC whose geometry is taken for true. Without it and without IMAGE: a nominal line scanner.</source>
+        <source>An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner.</source>
         <translation>RPC, którego geometrię przyjmuje się za prawdziwą. Bez niego i bez IMAGE: nominalny skaner liniowy.</translation>
     </message>
     <message>
@@ -7777,7 +7636,7 @@
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="93"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="70"/>
         <source>Pixel size (metres)</source>
         <translation>Wielkość piksela (metry)</translation>
     </message>
@@ -7797,7 +7656,7 @@
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="177"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="203"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
@@ -7828,7 +7687,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/sensor_parameters.py" line="158"/>
-        <source>What the error of terrain heights moves the middle of the image by (m)</source>
+        <source>Displacement of the image&apos;s middle by the error of terrain heights (m)</source>
         <translation>Przesunięcie środka obrazu wskutek błędu wysokości terenu (m)</translation>
     </message>
     <message>
@@ -7848,7 +7707,7 @@
     </message>
     <message>
         <location filename="../plugin/sensors/sensor_parameters.py" line="105"/>
-        <source>What an error of this size moves the orthoimage by is told, from the angle that the image was taken at.</source>
+        <source>The log says how far an error of this size moves the orthoimage, by the angle that the image was taken at.</source>
         <translation>Podaje się, o ile błąd tej wielkości przesuwa ortoobraz, z kąta, pod którym wykonano obraz.</translation>
     </message>
     <message>
@@ -7862,112 +7721,102 @@
         <translation>Dla wysokości odniesionych do geoidy: jak wysoko poziom morza leży nad elipsoidą, jako .gtx, .tif lub dowolny raster.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="99"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
         <source>RPC files (*.txt *.TXT *.rpb *.RPB)</source>
         <translation>Pliki RPC (*.txt *.TXT *.rpb *.RPB)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="100"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="101"/>
         <source>The model as RPC. GDAL reads it beside image.tif under the name image_RPC.TXT or image.RPB.</source>
         <translation>Model w postaci RPC. GDAL odczytuje go obok pliku image.tif pod nazwą image_RPC.TXT lub image.RPB.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="104"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
         <source>Image with the RPC</source>
         <translation>Obraz z RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="107"/>
         <source>A copy of the image that carries the model as RPC in its tags, and no other georeference.</source>
         <translation>Kopia obrazu, która zawiera model jako RPC w znacznikach pliku i nie ma innej georeferencji.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="110"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
         <source>Points for the georeferencer</source>
         <translation>Punkty dla georeferencera</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="111"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
         <source>GCP files (*.points)</source>
         <translation>Pliki fotopunktów (*.points)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="112"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="113"/>
         <source>The points with their residuals in pixels; check points and blunders are switched off.</source>
         <translation>Punkty z odchyłkami w pikselach; punkty kontrolne i błędy grube są wyłączone.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="131"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="132"/>
         <source>Correction of the RPC in the middle of the image, columns (px)</source>
         <translation>Poprawka RPC w środku obrazu, kolumny (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="132"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="133"/>
         <source>Correction of the RPC in the middle of the image, rows (px)</source>
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="42"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="43"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="63"/>
-        <source>The camera of an aerial photo: a YAML file of orthority, or MicMac&apos;s AutoCal XML.</source>
-        <translation>Kamera zdjęcia lotniczego: plik YAML programu orthority albo AutoCal XML programu MicMac.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="67"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="71"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
-        <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa (degrees), a GeoJSON of orthority, or MicMac&apos;s Orientation XML.</source>
-        <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa (stopnie), GeoJSON z orthority albo plik XML Orientation z programu MicMac.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="76"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="81"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="77"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="82"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="81"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="86"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="82"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="87"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="128"/>
-        <source>{name} says &apos;{key}&apos; twice in one object; leave one.</source>
+        <location filename="../plugin/imagery/messages.py" line="139"/>
+        <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="130"/>
+        <location filename="../plugin/imagery/messages.py" line="141"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="131"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="133"/>
+        <location filename="../plugin/imagery/messages.py" line="144"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="134"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -8087,17 +7936,17 @@
         <translation>Pełna amplituda</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="64"/>
+        <location filename="../plugin/resolution/distance_words.py" line="71"/>
         <source>Group {group}, {distance}</source>
         <translation>Grupa {group}, {distance}</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="69"/>
+        <location filename="../plugin/resolution/distance_words.py" line="76"/>
         <source>(amplitude {share:.0%} of the full one)</source>
         <translation>(amplituda {share:.0%} pełnej)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="73"/>
+        <location filename="../plugin/resolution/distance_words.py" line="80"/>
         <source>All lines: {distances}</source>
         <translation>Wszystkie linie: {distances}</translation>
     </message>
@@ -8108,7 +7957,7 @@
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="12"/>
-        <source>A distance can&apos;t be that of &apos;{word}&apos;; choose one of {known}.</source>
+        <source>A distance can&apos;t be the width of &apos;{word}&apos;; choose one of {known}.</source>
         <translation>Wartość GRD nie może dotyczyć „{word}”; wybierz jedno z: {known}.</translation>
     </message>
     <message>
@@ -8123,51 +7972,51 @@
     </message>
     <message>
         <location filename="../plugin/resolution/measure/messages.py" line="85"/>
-        <source>No plain place of the target tells the full amplitude, so the groups may seem better resolved than they are; draw lines across coarser groups too.</source>
+        <source>No plain area of the target shows the full amplitude, so the groups may seem better resolved than they are; draw lines across coarser groups too.</source>
         <translation>Żadne jednolite miejsce testu nie wyznacza pełnej amplitudy, więc grupy mogą wydawać się lepiej rozróżnione, niż są; narysuj też linie w poprzek grubszych grup.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="89"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="93"/>
         <source>None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each across the bars of one group, on the image.</source>
         <translation>Żadna z narysowanych linii (liczba: {count}) nie pokazuje pasków, które można zmierzyć, więc nie ma terenowej zdolności rozdzielczej; narysuj każdą na obrazie w poprzek pasków jednej grupy.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="94"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="98"/>
         <source>The required distance is {grd:g} cm; give a positive number of centimetres from {least:g} to {most:g}.</source>
         <translation>Wymagana GRD wynosi {grd:g} cm; podaj dodatnią liczbę centymetrów od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="97"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="107"/>
         <source>The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty.</source>
         <translation>Wysokość odniesienia wynosi {height:g} m; podaj dodatnią liczbę metrów do {highest:g} albo pozostaw pole puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="102"/>
-        <source>&apos;{word}&apos; is no number; give metres and centimetres.</source>
+        <location filename="../plugin/resolution/measure/messages.py" line="112"/>
+        <source>&apos;{word}&apos; is not a number; give metres and centimetres.</source>
         <translation>„{word}” nie jest liczbą; podaj metry i centymetry.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="104"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="114"/>
         <source>Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to {highest:g} and centimetres from {least:g} to {most:g}.</source>
         <translation>Z wysokości {height:g} m i GRD {grd:g} cm nie można obliczyć minimalnej wysokości; podaj liczby dodatnie: metry do {highest:g} i centymetry od {least:g} do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="108"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="118"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is coarser than that of any camera; &apos;height&apos; is in metres and &apos;grd&apos; in centimetres, so check whether both are interchanged.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest gorsza niż jakiejkolwiek kamery; „height” jest w metrach, a „grd” w centymetrach, sprawdź więc, czy nie są zamienione.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="112"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="122"/>
         <source>A distance of {grd:g} cm from a height of {height:g} m is finer than that of any camera on an aircraft; &apos;grd&apos; is in centimetres, so check whether it holds metres.</source>
         <translation>Zdolność {grd:g} cm z wysokości {height:g} m jest lepsza niż jakiejkolwiek kamery na samolocie; „grd” jest w centymetrach, sprawdź więc, czy nie zawiera metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="120"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="130"/>
         <source>The interpolation edge_aware needs OpenCV (python3-opencv on Debian and Ubuntu, &apos;python -m pip install opencv-python-headless&apos; elsewhere); install it, or choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware wymaga biblioteki OpenCV (python3-opencv w systemach Debian i Ubuntu, w innych „python -m pip install opencv-python-headless”); zainstaluj ją albo wybierz malvar lub bilinear.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measure/messages.py" line="124"/>
+        <location filename="../plugin/resolution/measure/messages.py" line="134"/>
         <source>The interpolation edge_aware works on images of 8 or 16 bit and this one holds {kind}; choose malvar or bilinear.</source>
         <translation>Interpolacja edge_aware działa na obrazach 8- lub 16-bitowych, a ten zawiera {kind}; wybierz malvar lub bilinear.</translation>
     </message>
@@ -8177,92 +8026,92 @@
         <translation>bilinear: średnia najbliższych pikseli danej barwy. malvar: ostrzej, bo barwa zarejestrowana w danym miejscu mówi, gdzie zmieniają się też pozostałe (Malvar, He i Cutler 2004). edge_aware: wzdłuż krawędzi, przez OpenCV, które musi być zainstalowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="49"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="50"/>
         <source>Reads the ground resolved distance from the image of a bar target, along and across the flight. Draw one line across the bars of each group. A group is resolved when all its bars stand out, and the amplitude of bars against gaps is at least half of the full one, that of bars against plain gaps, and exceeds three times the noise of the ground beside it. Bars finer than two pixels, and groups finer than one that is not resolved, are aliasing and are not counted (Walczykowski and others 2009).</source>
         <translation>Odczytuje terenową zdolność rozdzielczą (GRD) z obrazu testu paskowego, wzdłuż i w poprzek kierunku lotu. Narysuj jedną linię w poprzek pasków każdej grupy. Grupa jest rozróżniona, gdy widać wszystkie jej paski, a amplituda pasków względem przerw wynosi co najmniej połowę pełnej amplitudy, czyli amplitudy pasków względem jednolitych przerw, i przekracza trzykrotność szumu tła obok niej. Paski drobniejsze niż dwa piksele oraz grupy drobniejsze od nierozróżnionej to aliasing i nie są liczone (Walczykowski i in. 2009).</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="66"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="67"/>
         <source>One line across the bars of each group, from the ground on one side to that on the other, with the fields &apos;group&apos; (whole number) and &apos;direction&apos; (&apos;along&apos; or &apos;across&apos; the flight). A line is turned by up to 10 degrees to be perpendicular to the bars. What observers saw may stand beside them, &apos;visible&apos; or &apos;invisible&apos;, in the fields &apos;observer&apos;, &apos;observer_2&apos; and so on.</source>
         <translation>Jedna linia w poprzek pasków każdej grupy, od tła po jednej stronie do tła po drugiej, z polami „group” (liczba całkowita) i „direction” („along” – wzdłuż albo „across” – w poprzek kierunku lotu). Linia jest obracana o najwyżej 10 stopni, aby była prostopadła do pasków. Obok może być zapisane, co widzieli obserwatorzy, „visible” lub „invisible”, w polach „observer”, „observer_2” i tak dalej.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="74"/>
-        <source>How far either side of the line the profile is averaged; less where that is more than bars are long.</source>
+        <location filename="../plugin/resolution/measureresolution.py" line="75"/>
+        <source>How far on either side of the line the profile is averaged; less where the bars are shorter.</source>
         <translation>Jak daleko po obu stronach linii uśredniany jest profil; mniej, jeśli to więcej, niż wynosi długość pasków.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="94"/>
-        <source>Of the reference group, centimetres on the ground: the width of what the next line says.</source>
+        <location filename="../plugin/resolution/measureresolution.py" line="95"/>
+        <source>Of the reference group, in centimetres on the ground; the next parameter says of what it is the width.</source>
         <translation>Dla grupy odniesienia, w centymetrach terenowych: szerokość tego, co podaje następny wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="97"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="99"/>
         <source>Distances are widths of</source>
         <translation>GRD to szerokość</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="99"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="101"/>
         <source>cycle: a bar and a gap together, which is what resolution means. bar: one bar, as some targets and reports count. A bar and a gap finer than two pixels together are aliasing either way.</source>
         <translation>cycle: pasek i przerwa razem, co odpowiada definicji rozdzielczości. bar: jeden pasek, jak w niektórych testach i raportach. Pasek i przerwa razem drobniejsze niż dwa piksele to w każdym razie aliasing.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="116"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="118"/>
         <source>group: the group&apos;s own bars against plain gaps, as in the paper. coarsest: that of the coarsest group, a reference that doesn&apos;t change from group to group, and a stricter one.</source>
         <translation>group: własne paski grupy względem gładkich przerw, jak w artykule. coarsest: amplituda najgrubszej grupy – odniesienie, które nie zmienia się z grupy na grupę i jest surowsze.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="138"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="140"/>
         <source>Standard deviation along the flight (cm)</source>
         <translation>Odchylenie standardowe wzdłuż kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="139"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="141"/>
         <source>Standard deviation across the flight (cm)</source>
         <translation>Odchylenie standardowe w poprzek kierunku lotu (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="140"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="142"/>
         <source>Standard deviation of the mean (cm)</source>
         <translation>Odchylenie standardowe średniej (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="141"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="147"/>
         <source>Distance along the flight that all observers see (cm)</source>
         <translation>GRD wzdłuż kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="142"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="148"/>
         <source>Distance across the flight that all observers see (cm)</source>
         <translation>GRD w poprzek kierunku lotu, którą widzą wszyscy obserwatorzy (cm)</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/measureresolution.py" line="143"/>
+        <location filename="../plugin/resolution/measureresolution.py" line="149"/>
         <source>Contrast of the target, bars to gaps</source>
         <translation>Kontrast testu, paski do przerw</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="130"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="131"/>
         <source>One row per pass with the fields &apos;height&apos; (metres above the target) and &apos;grd&apos; (centimetres), several observers&apos; in &apos;grd&apos;, &apos;grd_2&apos;, &apos;grd_3&apos; and so on: their heights are averaged within the pass. Rows that agree in &apos;sensor&apos;, &apos;image_type&apos; and &apos;direction&apos;, as far as there are such fields, make a group.</source>
         <translation>Jeden wiersz na przelot z polami „height” (metry nad testem) i „grd” (centymetry), a dla kilku obserwatorów „grd”, „grd_2”, „grd_3” i tak dalej: ich wysokości są uśredniane w ramach przelotu. Wiersze zgodne w polach „sensor”, „image_type” i „direction”, o ile takie pola istnieją, tworzą grupę.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/minimumheight.py" line="150"/>
+        <location filename="../plugin/resolution/minimumheight.py" line="154"/>
         <source>One row per group: count, mean and spreads (metres), tolerance (%), and what to know about it.</source>
         <translation>Jeden wiersz na grupę: liczba, średnia i rozrzuty (metry), tolerancja (%) oraz uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="43"/>
+        <location filename="../plugin/resolution/distance_words.py" line="50"/>
         <source>seen by all observers {direction}: {grd:.2f} cm</source>
         <translation>widoczne dla wszystkich obserwatorów {direction}: {grd:.2f} cm</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="47"/>
+        <location filename="../plugin/resolution/distance_words.py" line="54"/>
         <source>contrast of the target {contrast:.1f}:1</source>
         <translation>kontrast testu {contrast:.1f}:1</translation>
     </message>
     <message>
-        <location filename="../plugin/resolution/distance_words.py" line="50"/>
+        <location filename="../plugin/resolution/distance_words.py" line="57"/>
         <source>contrast of the target, bars to gaps, {band}: {contrast:.1f}:1</source>
         <translation>kontrast testu, paski do przerw, {band}: {contrast:.1f}:1</translation>
     </message>
@@ -8277,22 +8126,17 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="81"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="115"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/report.py" line="154"/>
-        <source>not measurable, for the reason above</source>
-        <translation>niemierzalne, z powyższej przyczyny</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="96"/>
+        <location filename="../plugin/radiometry/words.py" line="27"/>
         <source>accepted</source>
         <translation>przyjęto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="96"/>
+        <location filename="../plugin/radiometry/words.py" line="28"/>
         <source>rejected</source>
         <translation>odrzucono</translation>
     </message>
@@ -8312,72 +8156,52 @@
         <translation>jasność</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="105"/>
+        <location filename="../plugin/radiometry/words.py" line="99"/>
         <source>The largest step of tone is {step} in {band}, at {seam}, near {x:.2f}, {y:.2f}.</source>
         <translation>Największy skok tonalny wynosi {step}; kanał: {band}, miejsce: {seam}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="114"/>
-        <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
+        <location filename="../plugin/radiometry/words.py" line="108"/>
+        <source>Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are {red:.1f}, {green:.1f}, {blue:.1f}. Area {area} has the most colour: {worst:.1%}, near {x:.2f}, {y:.2f}.</source>
         <translation>Szare obszary: {count}, piksele: {pixels}, {share:.2%} obrazu; czerwony, zielony i niebieski mają na nich {red:.1f}; {green:.1f}; {blue:.1f}. Najsilniejszą barwę ma obszar {area}: {worst:.1%}, w pobliżu {x:.2f}; {y:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="125"/>
-        <source>{check} is {value}; the limit is {limit}.</source>
-        <translation>{check}: {value}; granica: {limit}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/words.py" line="131"/>
-        <source>Not measurable and required: {checks}.</source>
-        <translation>Niemierzalne i wymagane: {checks}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/words.py" line="133"/>
-        <source>Not measurable and not required: {checks}.</source>
-        <translation>Niemierzalne i niewymagane: {checks}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/words.py" line="135"/>
-        <source>The rules set no limit that it could be held against.</source>
-        <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/words.py" line="149"/>
+        <location filename="../plugin/radiometry/words.py" line="132"/>
         <source>Beyond their limits: {images}; by {checks}.</source>
         <translation>Poza granicami: {images}; reguły: {checks}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="152"/>
+        <location filename="../plugin/radiometry/words.py" line="135"/>
         <source>Not measurable and required: {checks}; in {images}.</source>
         <translation>Niemierzalne i wymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="156"/>
+        <location filename="../plugin/radiometry/words.py" line="139"/>
         <source>Not looked at: {count}.</source>
         <translation>Nie sprawdzono: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="160"/>
+        <location filename="../plugin/radiometry/words.py" line="143"/>
         <source>Not measurable and not required: {checks}; in {images}.</source>
         <translation>Niemierzalne i niewymagane: {checks}; obrazy: {images}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="163"/>
+        <location filename="../plugin/radiometry/words.py" line="146"/>
         <source>All figures keep their limits.</source>
         <translation>Wszystkie wartości mieszczą się w granicach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/words.py" line="174"/>
+        <location filename="../plugin/radiometry/words.py" line="157"/>
         <source>{names} and {count} more</source>
         <translation>{names} i jeszcze {count}</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/checkradiometry.py" line="52"/>
-        <source>Holds images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
+        <source>Checks images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="76"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="79"/>
         <source>Ready rules</source>
         <translation>Gotowe reguły</translation>
     </message>
@@ -8443,7 +8267,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="7"/>
-        <source>{place} in {name}: &apos;{check}&apos; of {band} has a rule already; leave one.</source>
+        <source>{place} in {name}: &apos;{check}&apos; of {band} already has a rule; keep one.</source>
         <translation>{place} w pliku {name}: „{check}” dla {band} ma już regułę; zostaw jedną.</translation>
     </message>
     <message>
@@ -8508,7 +8332,7 @@
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="57"/>
-        <source>{name}, what depends on the range of values is not judged: {why}</source>
+        <source>{name}: what depends on the range of values is not judged: {why}</source>
         <translation>{name}: to, co zależy od zakresu wartości, nie jest oceniane: {why}</translation>
     </message>
     <message>
@@ -8532,22 +8356,22 @@
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="128"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="122"/>
         <source>least share kept along the seam</source>
         <translation>najmniejsza część zachowana wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="129"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="123"/>
         <source>limit of the paper&apos;s rule, ratio 1</source>
         <translation>granica według reguły z artykułu, stosunek 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/inspection_report.py" line="133"/>
+        <location filename="../plugin/seams/report/inspection_report.py" line="127"/>
         <source>orthoimage</source>
         <translation>ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="147"/>
+        <location filename="../plugin/seams/measure/messages.py" line="143"/>
         <source>The table of seam profiles has no field &apos;{field}&apos;; choose the table that &apos;Inspect windows&apos; left with these windows.</source>
         <translation>Tabela profili linii mozaikowania nie ma pola „{field}”; wybierz tabelę, którą „Skontroluj okna” zostawiło z tymi oknami.</translation>
     </message>
@@ -8563,572 +8387,517 @@
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="79"/>
-        <source>The limit drawn into the seam profiles: that which the windows were inspected with.</source>
+        <source>The limit drawn into the seam profiles: the one the windows were inspected with.</source>
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="35"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="44"/>
         <source>least: {least:g}</source>
         <translation>najmniej: {least:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="38"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="47"/>
         <source>failed: {share:.2f} %</source>
         <translation>niezgodne: {share:.2f} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="40"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="49"/>
         <source>share of detail kept (kept_1)</source>
         <translation>zachowana część detali (kept_1)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="41"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="50"/>
         <source>metres that kept less (%)</source>
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="115"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="126"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="122"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="133"/>
         <source>at least {kept:g} kept, sampled at level {level}, AQL {aql}</source>
         <translation>zachowane co najmniej {kept:g}, próba na poziomie {level}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="131"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="147"/>
         <source>at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break</source>
         <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="275"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="279"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
-        <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic. Seams there are in no figure unless seamlines were given; scan again with the orthoimages that are missing.</source>
-        <translation>{name}: badanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy. Tamtejszych linii mozaikowania nie ma w żadnej liczbie, chyba że podano linie; zbadaj ponownie z brakującymi ortoobrazami.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
-        <source>{name}: the scan found the seams in the pixels, not all of which show theirs where a feather is wide. With the producer&apos;s SEAMLINES metres and lengths are those of all seams.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="286"/>
+        <source>{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s SEAMLINES to measure all of them.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
-        <source>{name} is a scan&apos;s picture of losses, no mosaic; no picture is cut from it.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="292"/>
+        <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="182"/>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="30"/>
         <source>The mosaic or its sheets: pictures of the failures are cut from them, for the layer and the report.</source>
         <translation>Ortofotomapa lub jej arkusze: wycinane są z nich obrazy usterek do warstwy i raportu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="186"/>
-        <source>As the scan wrote it: the XML refers to it, and it says how the seams were measured.</source>
-        <translation>Taki, jaki zapisało badanie: XML się do niego odwołuje, a on sam mówi, jak zmierzono linie mozaikowania.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="191"/>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="72"/>
         <source>Failures</source>
         <translation>Usterki</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="194"/>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="75"/>
         <source>One feature for each failure without a break, for the producer: place, length, what is kept, the two orthoimages and their dates, remarks, and a picture in a folder beside the file. GeoPackage or CSV.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy: miejsce, długość, ile zachowano, oba ortoobrazy i ich daty, uwagi oraz obraz w katalogu obok pliku. GeoPackage lub CSV.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="199"/>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="87"/>
         <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest {most}, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
         <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki z obrazami najdłuższych (najwyżej {most}), ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="204"/>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="92"/>
         <source>Quality record (ISO 19157)</source>
         <translation>Zapis jakości (ISO 19157)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="207"/>
-        <source>The figures and the decision as a catalogue reads them: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="95"/>
+        <source>The figures and the decision for a metadata catalogue: ISO 19157:2013 in the XML of ISO/TS 19157-2:2016.</source>
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="14"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="15"/>
         <source>least detail kept</source>
         <translation>najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="15"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="16"/>
         <source>share of the seams that failed</source>
         <translation>niezgodna część linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="16"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="17"/>
         <source>longest failure without a break</source>
         <translation>najdłuższa nieprzerwana usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="17"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="18"/>
         <source>share of the seams that was measured</source>
         <translation>zmierzona część linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="18"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="19"/>
         <source>failed pieces in the sample</source>
         <translation>niezgodne odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="21"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="27"/>
         <source>normal inspection</source>
         <translation>kontrola normalna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="22"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="28"/>
         <source>tightened inspection</source>
         <translation>kontrola obostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="23"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="29"/>
         <source>reduced inspection</source>
         <translation>kontrola ulgowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="68"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="86"/>
         <source>A piece of seam fails where the operator saw a loss in its window, whatever it kept.</source>
         <translation>Odcinek jest niezgodny tam, gdzie operator widział stratę w jego oknie, niezależnie od tego, ile zachował.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="70"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="88"/>
         <source>A piece of seam fails where it keeps less than {least} of the detail.</source>
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="240"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="351"/>
         <source>can&apos;t be told</source>
         <translation>nie da się określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="265"/>
-        <source>Acceptance of an orthophoto mosaic: {names}</source>
-        <translation>Odbiór ortofotomapy: {names}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="296"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="294"/>
         <source>The seams were measured (scanmosaic): {settings}.</source>
         <translation>Linie mozaikowania zmierzono (scanmosaic): {settings}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="298"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="296"/>
         <source>The delivery was decided on (acceptmosaic) by the rules &apos;{rules}&apos;.</source>
         <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="77"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="78"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="111"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="78"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="111"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="82"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="116"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="83"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="117"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="85"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="119"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="86"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="120"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="89"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="123"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="106"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="107"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
-        <source>of what was measured failed (95 % interval)</source>
-        <translation>ze zmierzonych jest niezgodne (przedział ufności 95 %)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="111"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="147"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="118"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
         <source>what the operator saw</source>
         <translation>co widział operator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
         <source>no loss in the window of a piece</source>
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="124"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="137"/>
-        <source>{sheet} (no seams)</source>
-        <translation>{sheet} (bez linii)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="235"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="235"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="187"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="277"/>
         <source>{kept} kept</source>
         <translation>zachowano {kept}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="197"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="309"/>
         <source>{across} across.</source>
         <translation>Szerokość {across}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="198"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="310"/>
         <source>Left: {across} across</source>
         <translation>Po lewej: szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="199"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="311"/>
         <source>Left: a part of it, {across} across</source>
         <translation>Po lewej: jego część, szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="201"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="313"/>
         <source>{first}; right: where least is kept, {detail} across in full size.</source>
         <translation>{first}; z prawej: miejsce, gdzie zachowano najmniej, szerokość {detail}, w pełnej wielkości.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="321"/>
         <source>plan</source>
         <translation>plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
-        <source>ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql}</source>
-        <translation>ISO 2859-1, plan jednostopniowy, poziom {level}, {severity}, AQL {aql}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="322"/>
         <source>code letter</source>
         <translation>znak literowy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="323"/>
         <source>lot</source>
         <translation>partia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="323"/>
         <source>{count} pieces of seam</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="324"/>
         <source>sample</source>
         <translation>próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="213"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="324"/>
         <source>{count} pieces of seam, of which {measured} were measured</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
         <source>accepted up to</source>
         <translation>przyjęcie do</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
         <source>{count} failed pieces in the sample</source>
         <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="216"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
         <source>found</source>
         <translation>stwierdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="328"/>
         <source>producer&apos;s risk</source>
         <translation>ryzyko dostawcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="217"/>
-        <source>{risk}: a delivery as good as the AQL is rejected</source>
-        <translation>{risk}: odrzucenie dostawy o jakości równej AQL</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="219"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
         <source>consumer&apos;s risk</source>
         <translation>ryzyko odbiorcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="223"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
         <source>seed of the drawing</source>
         <translation>ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="230"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="341"/>
         <source>first and second observer</source>
         <translation>pierwszy i drugi obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="230"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="341"/>
         <source>first observer and tool</source>
         <translation>pierwszy obserwator i narzędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="108"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
         <source>Whether the delivery keeps to the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="110"/>
         <source>All rules together: the delivery is accepted where none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="119"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="120"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="123"/>
         <source>Each piece of seam: what the operator saw in its window.</source>
         <translation>Każdy odcinek linii mozaikowania: co operator widział w jego oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="131"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
         <source>Length of the pieces of seam that failed, by the length that was measured.</source>
         <translation>Długość niezgodnych odcinków względem długości zmierzonej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="140"/>
         <source>Length of the longest row of failed pieces that follow each other without a break, across sheets too.</source>
         <translation>Długość najdłuższego nieprzerwanego ciągu niezgodnych odcinków, także przez granice arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="149"/>
         <source>Share of the finest detail of the orthoimages that is left in the piece of seam that kept least.</source>
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="165"/>
-        <source>ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql}, code letter {letter}; accepted up to {most} failed pieces.</source>
-        <translation>ISO 2859-1, plan jednostopniowy: poziom kontroli {level}, {severity}, AQL {aql}, znak literowy {letter}; liczba kwalifikująca (niezgodne odcinki): {most}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="172"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="170"/>
         <source>Drawn at random with the seed {seed}.</source>
         <translation>Wylosowano z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="175"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="173"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="179"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="176"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="182"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="179"/>
         <source>Pieces of seam in the sample that failed.</source>
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="186"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="183"/>
         <source>risks of the plan of sampling</source>
         <translation>ryzyka planu kontroli wyrywkowej</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="188"/>
-        <source>Producer&apos;s risk: probability that a delivery as good as the AQL is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of 10 % (consumer&apos;s risk).</source>
-        <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy o jakości równej AQL. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem 10 % (ryzyko odbiorcy).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="193"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="190"/>
         <source>producer&apos;s risk; limiting quality</source>
         <translation>ryzyko dostawcy; jakość graniczna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="199"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="196"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="203"/>
-        <source>Length of seam that could be measured, by the length of all seams.</source>
-        <translation>Długość linii mozaikowania, którą można było zmierzyć, do długości wszystkich linii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="209"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="206"/>
         <source>95 % interval of the share that failed</source>
         <translation>przedział ufności 95 % udziału niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="210"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="207"/>
         <source>Where the share of failed metres lies with a confidence of 95 %.</source>
         <translation>Gdzie z ufnością 95 % leży udział niezgodnych metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="211"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="208"/>
         <source>lower end; upper end</source>
         <translation>dolny koniec; górny koniec</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="216"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="213"/>
         <source>agreement of two observers (kappa)</source>
         <translation>zgodność dwóch obserwatorów (kappa)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="217"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="214"/>
         <source>agreement of the observer with the measurement (kappa)</source>
         <translation>zgodność obserwatora z pomiarem (kappa)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="221"/>
         <source>Cohen&apos;s kappa of {count} windows that both judged: 1 where both always agree, 0 where they do as often as by chance.</source>
         <translation>Kappa Cohena dla {count} {count:okna ocenionego|okien ocenionych|okien ocenionych} przez obu: 1, gdy obaj zawsze są zgodni, 0, gdy są zgodni tak często jak przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="227"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="224"/>
         <source>Windows judged by eye at 2x magnification.</source>
         <translation>Okna oceniane okiem w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="228"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="225"/>
         <source>Windows as they were placed on the seams.</source>
         <translation>Okna tak, jak rozmieszczono je na liniach mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="228"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="225"/>
         <source>Windows on the seams of the delivery.</source>
         <translation>Okna na liniach mozaikowania dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="231"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="228"/>
         <source>kappa; lower end; upper end (95 %)</source>
         <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="139"/>
-        <source>AQL {aql} %: rejected in {risk} % (producer&apos;s risk)</source>
-        <translation>AQL {aql} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="150"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="216"/>
         <source>failed pieces in the delivery (%)</source>
         <translation>niezgodne odcinki w dostawie (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="217"/>
         <source>probability of acceptance (%)</source>
         <translation>prawdopodobieństwo przyjęcia (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/sheet_index.py" line="75"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="59"/>
         <source>Sheets</source>
         <translation>Arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/sheet_index.py" line="78"/>
+        <location filename="../plugin/acceptance/sheet_index.py" line="80"/>
         <source>Outlines of the sheets where all were scanned as one mosaic: an index as gdaltindex writes it, or polygons with a field sheet or name. Empty: every layer of seams is a sheet, or what its field sheet says.</source>
         <translation>Obrysy arkuszy, gdy wszystkie zbadano jako jedną ortofotomapę: skorowidz w postaci, którą zapisuje gdaltindex, albo poligony z polem sheet lub name. Puste pole: arkuszem jest każda warstwa linii mozaikowania albo to, co podaje jej pole sheet.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="8"/>
-        <source>The layer of sheets says nowhere what they are called; it needs one of the fields {fields}.</source>
+        <source>The layer of sheets does not name them; it needs one of the fields {fields}.</source>
         <translation>Warstwa arkuszy nie podaje ich nazw; potrzebuje jednego z pól {fields}.</translation>
     </message>
     <message>
@@ -9143,12 +8912,12 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
-        <source>{name} has two rules for &apos;{check}&apos; ({place} is the second); leave one.</source>
+        <source>{name} has two rules for &apos;{check}&apos; ({place} is the second); keep one.</source>
         <translation>Plik {name} zawiera dwie reguły dla „{check}” ({place} to druga); zostaw jedną.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="17"/>
-        <source>{name} says nowhere what a piece must keep; add a rule with the check &apos;kept&apos;.</source>
+        <source>{name} does not say what a piece must keep; add a rule with the check &apos;kept&apos;.</source>
         <translation>W pliku {name} nie ma nic o tym, ile odcinek musi zachować; dodaj regułę z kontrolą „kept”.</translation>
     </message>
     <message>
@@ -9167,94 +8936,84 @@
         <translation>{place} w pliku {name}: „{key}” wynosi {limit:g}, a część to najwyżej 1; zapisz 2 % jako 0.02.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="23"/>
-        <source>{place} in {name}: the AQL &apos;{aql}&apos; is none of the standard&apos;s; known are {known}.</source>
-        <translation>{place} w pliku {name}: AQL „{aql}” nie należy do wartości normy; znane są {known}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="25"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="27"/>
         <source>{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.</source>
         <translation>{parameter} wynosi {value}, a reguły w pliku {name} podają: {ruled}; wpisz tę wartość do pliku albo nie podawaj pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="27"/>
-        <source>The ready rules &apos;{ready}&apos; and the rules in {name} are given; leave one of the two.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="29"/>
+        <source>Both the ready rules &apos;{ready}&apos; and the rules in {name} are given; choose one of them.</source>
         <translation>Podano gotowe reguły „{ready}” i reguły z pliku {name}; zostaw jedne z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="28"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
         <source>nothing of it</source>
         <translation>nic o tym</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="32"/>
         <source>There are no pieces of seam to plan an inspection of; choose layers with lines.</source>
         <translation>Brak odcinków linii mozaikowania, dla których można by zaplanować kontrolę; wybierz warstwy z liniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="31"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
         <source>The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.</source>
         <translation>Liczność partii wynosi {size}, a plan kontroli wymaga co najmniej 2; skontroluj całą partię.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
         <source>The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is given.</source>
         <translation>Liczność partii wynosi {size}, a liczba odcinków w warstwach {given}; podaj liczność całej partii albo 0, aby wziąć to, co podano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="37"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="39"/>
         <source>Lots with {good:g} % failing pieces are to be accepted and with {bad:g} % rejected; the first has to be smaller, both between 0 and 100.</source>
         <translation>Partie z {good:g} % niezgodnych odcinków mają być przyjmowane, a z {bad:g} % odrzucane; pierwsza liczba musi być mniejsza, a obie między 0 a 100.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="41"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
         <source>The producer&apos;s risk is {producers:g} % and the consumer&apos;s {consumers:g} %; both have to lie between 0 and 100.</source>
         <translation>Ryzyko dostawcy wynosi {producers:g} %, a odbiorcy {consumers:g} %; oba muszą leżeć między 0 a 100.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="44"/>
-        <source>No plan tells {good:g} % from {bad:g} % with these risks; take them farther apart, or larger risks.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
+        <source>No plan tells {good:g} % from {bad:g} % with these risks; set them farther apart, or allow larger risks.</source>
         <translation>Żaden plan nie odróżni {good:g} % od {bad:g} % przy tych ryzykach; podaj wartości bardziej od siebie odległe albo większe ryzyka.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="48"/>
         <source>A sample of {count} pieces was asked for; give 1 or more.</source>
         <translation>Podano próbę o liczności {count}; podaj 1 lub więcej odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="47"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="49"/>
         <source>Windows are placed on the mosaic&apos;s pixels; give MOSAIC, or take pieces as the unit.</source>
         <translation>Okna są rozmieszczane na pikselach ortofotomapy; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="49"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
         <source>The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.</source>
         <translation>Ortofotomapa jest mniejsza niż okno o boku {pixels} px, potędze dwójki, która obejmuje {side:g} m; podaj krótszy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
         <source>A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.</source>
         <translation>Okno o boku {side:g} m ma {pixels} px, a potrzeba co najmniej {least}; podaj dłuższy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="56"/>
         <source>No layer of seams has the field {field}; choose one that says which sheet it is.</source>
         <translation>Żadna warstwa linii nie ma pola {field}; wybierz takie, które mówi, jaki to arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
         <source>{count} pieces do not lie on the mosaic and are no part of the lot.</source>
         <translation>Odcinki, które nie leżą na ortofotomapie i nie należą do partii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="56"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
         <source>None of the seams lies on the mosaic; check the reference systems of both.</source>
         <translation>Żadna z linii mozaikowania nie leży na ortofotomapie; sprawdź układy współrzędnych obu warstw.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
-        <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail (ISO 2859-1, level {level}, AQL {aql}, code letter {letter}): of lots with {allowed} failing pieces, the AQL, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted.</source>
-        <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} (ISO 2859-1, poziom {level}, AQL {aql}, znak literowy {letter}): z partii o liczbie niezgodnych odcinków {allowed}, czyli przy AQL, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
@@ -9263,7 +9022,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
-        <source>Pieces of one seam are alike by {correlation:.2f}, which makes the sample {effect:.2f} times as large; the risks are those of a production that such lots come from.</source>
+        <source>Pieces of one seam are correlated ({correlation:.2f}), which makes the sample {effect:.2f} times as large; the risks are those of a production that such lots come from.</source>
         <translation>Podobieństwo odcinków jednej linii wynosi {correlation:.2f}, co powiększa próbę {effect:.2f} razy; ryzyka dotyczą produkcji, z której pochodzą takie partie.</translation>
     </message>
     <message>
@@ -9278,7 +9037,7 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="77"/>
-        <source>{size} of {lot} pieces are drawn; the log of acceptmosaic tells what that is worth.</source>
+        <source>{size} of {lot} pieces are drawn; the log of acceptmosaic tells the risks.</source>
         <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
     </message>
     <message>
@@ -9292,404 +9051,344 @@
         <translation>Odrzucona według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
         <source>{why}; {also}</source>
         <translation>{why}; {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
         <source>{value:.2%} of the measured metres failed and only {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się tylko {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="92"/>
         <source>the longest failure without a break is {value:.1f} m and {limit:.1f} m may be</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
         <source>the longest failure without a break is {value:.1f} m and only {limit:.1f} m may be</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest tylko {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
         <source>{value:.1%} of the metres were measured and {limit:.1%} have to be</source>
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
-        <source>only {value:.1%} of the metres were measured and {limit:.1%} have to be, so it can&apos;t be told</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
+        <source>only {value:.1%} of the metres were measured and {limit:.1%} have to be, so it can&apos;t be decided</source>
         <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
-        <source>nothing was measured, so it can&apos;t be told</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
+        <source>nothing was measured, so it can&apos;t be decided</source>
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="92"/>
-        <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may (ISO 2859-1, lot of {lot}, code letter {letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted)</source>
-        <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} (ISO 2859-1, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {allowed}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="97"/>
-        <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may (ISO 2859-1, lot of {lot}, code letter {letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected)</source>
-        <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} (ISO 2859-1, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {allowed}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="101"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
         <source>As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is accepted, and the next one is inspected normally.</source>
         <translation>Liczba niezgodnych odcinków leży między Ac {acceptance} a Re {rejection} kontroli ulgowej: ta partia jest przyjęta, a następna podlega kontroli normalnej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
-        <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be told</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}, 95 % interval {low:.2%} to {high:.2%} for seams made in the same way.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}, przedział ufności 95 % od {low:.2%} do {high:.2%} dla linii mozaikowania wykonanych w ten sam sposób.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="113"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="116"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
         <source>{metres:.1f} m can&apos;t be told apart from the limit of {limit:g}: their 95 % intervals hold it.</source>
         <translation>Odcinki o łącznej długości {metres:.1f} m nie dają się odróżnić od granicy {limit:g}: zawierają ją ich przedziały ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="118"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="120"/>
-        <source>Where failures begin and end inside the pieces is estimated from what these kept: the longest is known to some {longest:.0f} m, all failed metres to some {all:.0f} m.</source>
-        <translation>Początki i końce usterek wewnątrz odcinków oszacowano z tego, co te zachowały: najdłuższą zna się z dokładnością do około {longest:.0f} m, wszystkie niezgodne metry do około {all:.0f} m.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
-        <source>The longest failure, {low:.0f} to {high:.0f} m, can&apos;t be told apart from the limit of {limit:.1f} m; scan with a shorter PIECE to know it better.</source>
-        <translation>Najdłuższej usterki, od {low:.0f} do {high:.0f} m, nie da się odróżnić od granicy {limit:.1f} m; zbadaj krótszymi odcinkami (PIECE), by poznać ją lepiej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="128"/>
-        <source>The failed share, {low:.2%} to {high:.2%} of the measured metres, can&apos;t be told apart from the limit of {limit:.2%}; scan with a shorter PIECE to know it better.</source>
-        <translation>Udziału niezgodnego, od {low:.2%} do {high:.2%} zmierzonych metrów, nie da się odróżnić od granicy {limit:.2%}; zbadaj krótszymi odcinkami (PIECE), by poznać go lepiej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
-        <source>A piece fails when it keeps less than 0, which none can: what was measured passes whatever it kept.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
+        <source>A piece fails when it keeps less than 0, which none can, so every measured piece passes.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="137"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
-        <source>The limits are for all metres of a delivery, and here they speak of the sample alone; decide by the plan that it was drawn for, or give the layers of the scan.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
+        <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="144"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="146"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="195"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
-        <source>The operators&apos; words are in the windows; give WINDOWS, or judge by the tool.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="196"/>
+        <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="149"/>
-        <source>None of the {count} windows was judged; judge them in the dock and save the edits of their layer, or judge by the tool.</source>
-        <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
-        <source>The windows in {name} were neither inspected nor judged: they lend the failures no cause and no remark.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
+        <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="161"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="211"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
-        <source>Both operators judged {count} windows and agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
+        <source>Both operators judged {count} windows and agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="173"/>
-        <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them said one word only, so there is no kappa.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
+        <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="229"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="180"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="233"/>
         <source>The layers of seams are empty; choose those of a scan that found seams.</source>
         <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
-        <source>{count} pieces of seam are given twice, the same line that kept the same; they count once.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
+        <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="196"/>
-        <source>kept_1 of {count} pieces of {name} is no number (&apos;{value}&apos;, say; a decimal point is a point); they count as not measured.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
+        <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
-        <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); check whether they are shares.</source>
-        <translation>kept_1 jest większe, niż może zachować linia mozaikowania (odcinki w {name}: {count}, największe {value:g}); sprawdź, czy to udziały.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
-        <source>The field length of {count} pieces of {name} says something else than their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
+        <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>The layers are in degrees; places and lengths are told in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="262"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
-        <source>The AQL {aql} is none of the standard&apos;s; known are {known}.</source>
-        <translation>Normy nie przewidują AQL {aql}; znane są {known}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="265"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="47"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="48"/>
         <source>Accept or reject a delivery</source>
         <translation>Przyjmij lub odrzuć dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="49"/>
-        <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and by rules or a plan of ISO 2859-1 whether that is accepted, with the risk of it. A piece of seam fails when it kept less than is asked for. What could not be measured never counts as passed.</source>
-        <translation>Rozstrzyga o dostawie według linii mozaikowania z jednego badania albo z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy i czy według reguł lub planu ISO 2859-1 dostawa jest przyjęta, wraz z ryzykiem tej decyzji. Odcinek linii mozaikowania jest niezgodny, gdy zachował mniej, niż jest wymagane. To, czego nie można było zmierzyć, nigdy nie liczy się jako zgodne.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="61"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="63"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm „Zaplanuj kontrolę”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="68"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="70"/>
         <source>Plan</source>
         <translation>Plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="70"/>
-        <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lot.</source>
-        <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="77"/>
-        <source>Rules that come with the plugin, instead of the limits above; these then stay as they are.</source>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
+        <source>Rules that come with the plugin, instead of the limits above; leave those as they are.</source>
         <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="82"/>
-        <source>A JSON file of your own with limits and where they come from, instead of the limits above; these then stay as they are. The documentation shows one.</source>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="85"/>
+        <source>A JSON file of your own with limits and where they come from, instead of the limits above; leave those as they are. The documentation shows one.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="89"/>
-        <source>Windows that were inspected, and judged perhaps: their causes and remarks go to the failures in them, and the agreement of operators and tool is told.</source>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="92"/>
+        <source>Inspected windows, judged or not: their causes and remarks go to the failures in them, and the log says how well operators and tool agree.</source>
         <translation>Okna skontrolowane, ewentualnie z opiniami: ich przyczyny i uwagi trafiają do usterek, które w nich leżą, a zgodność operatorów i narzędzia jest podawana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="94"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="97"/>
         <source>Who judges</source>
         <translation>Kto ocenia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="96"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="99"/>
         <source>tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what nobody judged counts as not measured.</source>
         <translation>tool: o niezgodności odcinka decyduje to, co zachował. observer: decyduje to, co operator widział w oknie na odcinku; czego nikt nie ocenił, liczy się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="103"/>
-        <source>The plan&apos;s operating characteristic; without a plan how many metres kept how much.</source>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="106"/>
+        <source>The plan&apos;s operating characteristic; without a plan, how many metres kept how much.</source>
         <translation>Krzywa operacyjno-charakterystyczna planu; bez planu: ile metrów zachowało ile detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="106"/>
-        <source>Accepted (1) or not (0)</source>
-        <translation>Przyjęta (1) lub nie (0)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="108"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="112"/>
         <source>Length that was measured (metres)</source>
         <translation>Długość zmierzona (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="109"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="113"/>
         <source>Length that failed (metres)</source>
         <translation>Długość niezgodna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="110"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="114"/>
         <source>Share of the measured length that failed (%)</source>
         <translation>Udział niezgodnych w zmierzonej długości (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="111"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="115"/>
         <source>Longest failure without a break (metres)</source>
         <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="214"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="197"/>
         <source>Least share of detail kept</source>
         <translation>Najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="215"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="198"/>
         <source>A piece of seam fails when its kept_1 is smaller; one that keeps exactly as much passes.</source>
         <translation>Odcinek linii mozaikowania jest niezgodny, gdy jego kept_1 jest mniejsze; odcinek, który zachowuje dokładnie tyle, jest zgodny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="219"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="199"/>
         <source>Largest share that may fail (%)</source>
         <translation>Największy udział niezgodnych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="221"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="199"/>
         <source>Of the metres of seam that were measured.</source>
         <translation>Odniesiony do zmierzonych metrów linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="227"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="201"/>
         <source>Failed pieces that follow each other, across seams and sheets where they touch.</source>
         <translation>Niezgodne odcinki, które następują po sobie, także na kolejnych liniach mozaikowania i arkuszach, jeśli się stykają.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="231"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="202"/>
         <source>Least share that has to be measured (%)</source>
         <translation>Najmniejszy udział, który musi być zmierzony (%)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="234"/>
-        <source>With less of the metres measured a delivery is not accepted.</source>
-        <translation>Jeśli zmierzono mniejszą część metrów, dostawa nie jest przyjmowana.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/planinspection.py" line="44"/>
@@ -9697,192 +9396,182 @@
         <translation>Zaplanuj kontrolę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="46"/>
-        <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the dock to be judged. The same seed draws the same sample.</source>
-        <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859-1, jak wymagają podane ryzyka albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/planinspection.py" line="55"/>
         <source>Layers &apos;Seams&apos; of scans, a sheet each, or plain seamlines: these are cut into pieces first.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań, po jednej na arkusz, albo zwykłe linie mozaikowania: te są najpierw dzielone na odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="61"/>
-        <source>How many: iso2859, as the standard&apos;s tables say for the lot; risk, as few as keep the risks below; count, as many as you say.</source>
-        <translation>Liczność próby: iso2859 – według tablic normy dla danej partii; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="70"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="71"/>
         <source>How many are drawn with the plan &apos;count&apos;.</source>
         <translation>Ile odcinków jest losowanych przy planie „count”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="74"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="75"/>
         <source>Unit</source>
         <translation>Jednostka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="75"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="76"/>
         <source>pieces: pieces of seam, as lines. windows: one around the middle of each, on the mosaic&apos;s pixels.</source>
         <translation>pieces: odcinki linii mozaikowania jako linie. windows: po jednym oknie wokół środka każdego odcinka, na pikselach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="80"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="81"/>
         <source>What windows are placed on; pieces that do not lie on it are no part of the lot. With it and the same seed, windows and pieces are one sample.</source>
         <translation>Na czym rozmieszczane są okna; odcinki, które na niej nie leżą, nie należą do partii. Z nią i przy tym samym ziarnie losowania okna i odcinki tworzą jedną próbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="89"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="90"/>
         <source>Length of a piece (metres)</source>
         <translation>Długość odcinka (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="90"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="91"/>
         <source>Plain seamlines are cut into pieces of about this length; those of a scan stay as they are.</source>
         <translation>Zwykłe linie mozaikowania są dzielone na odcinki mniej więcej tej długości; odcinki z badania pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="93"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="94"/>
         <source>Field of the sheets</source>
         <translation>Pole arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="94"/>
-        <source>Whose values the sample is drawn from in proportion. Empty: layer by layer.</source>
+        <location filename="../plugin/acceptance/planinspection.py" line="95"/>
+        <source>The sample is drawn from each of its values in proportion. Empty: layer by layer.</source>
         <translation>Pole, którego wartości są w próbie reprezentowane proporcjonalnie. Puste: warstwa po warstwie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="98"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="99"/>
         <source>Sample</source>
         <translation>Próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="99"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="100"/>
         <source>The sample: its field &apos;sample&apos; numbers the pieces as they were drawn, &apos;lot_size&apos; says of how many.</source>
         <translation>Próba: jej pole „sample” numeruje odcinki w kolejności losowania, a „lot_size” podaje, z ilu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="102"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="103"/>
         <source>Pieces in the sample</source>
         <translation>Odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="103"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="104"/>
         <source>How many of them may fail</source>
         <translation>Ile z nich może być niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="104"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="105"/>
         <source>Pieces in the lot</source>
         <translation>Odcinki w partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="106"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="107"/>
         <source>Code letter of the plan</source>
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="146"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="149"/>
         <source>Of the plan &apos;risk&apos;, in percent of the pieces.</source>
         <translation>Dla planu „risk”, w procentach odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="147"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="150"/>
         <source>Good: failing pieces (%)</source>
         <translation>Dobra: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="149"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="152"/>
         <source>Producer&apos;s risk (%)</source>
         <translation>Ryzyko dostawcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="150"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="153"/>
         <source>How often a lot that is good may be rejected.</source>
         <translation>Jak często może być odrzucona partia, która jest dobra.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="153"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="156"/>
         <source>Bad: failing pieces (%)</source>
         <translation>Zła: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="155"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="158"/>
         <source>Consumer&apos;s risk (%)</source>
         <translation>Ryzyko odbiorcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="156"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="159"/>
         <source>How often a lot that is bad may be accepted.</source>
         <translation>Jak często może być przyjęta partia, która jest zła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="160"/>
-        <source>Likeness along a seam</source>
+        <location filename="../plugin/acceptance/planinspection.py" line="163"/>
+        <source>Correlation along a seam</source>
         <translation>Podobieństwo wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="162"/>
-        <source>How much alike pieces of one seam are, 0 to 1 (intraclass correlation); the sample grows with it. Empty: as a scan&apos;s kept_1 says, or 0.3 without one.</source>
+        <location filename="../plugin/acceptance/planinspection.py" line="165"/>
+        <source>Intraclass correlation of the pieces of one seam, 0 to 1; the sample grows with it. Empty: as a scan&apos;s kept_1 says, or 0.3 without one.</source>
         <translation>Jak bardzo odcinki jednej linii mozaikowania są do siebie podobne, od 0 do 1 (korelacja wewnątrzklasowa); próba rośnie wraz z nią. Puste pole: według kept_1 z badania albo 0,3, gdy badania nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="169"/>
-        <source>What counts as failed where likeness along seams is taken from a scan.</source>
+        <location filename="../plugin/acceptance/planinspection.py" line="172"/>
+        <source>What counts as failed where the correlation along seams is taken from a scan.</source>
         <translation>Co liczy się jako niezgodne, gdy podobieństwo odcinków wzdłuż linii mozaikowania jest brane z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="232"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="218"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="232"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="218"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="159"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="178"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="160"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="179"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="163"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="182"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="164"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="183"/>
         <source>The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="167"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="193"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="168"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="194"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="171"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="197"/>
         <source>Inspection</source>
         <translation>Kontrola</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="172"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="198"/>
         <source>Normal; tightened after two of five lots were rejected; reduced after ten that were accepted.</source>
         <translation>Normalna; obostrzona po odrzuceniu dwóch z pięciu partii; ulgowa po przyjęciu dziesięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="179"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="205"/>
         <source>Of the drawing: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -9968,7 +9657,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/report.py" line="125"/>
-        <source>farthest that a mark may be off</source>
+        <source>largest distance of a mark from its place</source>
         <translation>największe dopuszczalne odchylenie znaczka</translation>
     </message>
     <message>
@@ -9978,7 +9667,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="75"/>
-        <source>The mark &apos;{mark}&apos; stands out: the others, which agree well, want it {worst:.2f} mm elsewhere; look at its picture.</source>
+        <source>The mark &apos;{mark}&apos; stands out: the others, which agree well, place it {worst:.2f} mm away; look at its picture.</source>
         <translation>Znaczek „{mark}” odstaje: pozostałe, które są ze sobą zgodne, wskazują miejsce odległe o {worst:.2f} mm; obejrzyj jego obraz.</translation>
     </message>
     <message>
@@ -9988,7 +9677,7 @@
     </message>
     <message>
         <location filename="../plugin/photos/measure/messages.py" line="104"/>
-        <source>the given place lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most; check it and its name</source>
+        <source>the given place lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is the most; check it and its name</source>
         <translation>podane miejsce leży {worst:.2f} mm od tego, na które wskazują pozostałe znaczki, a dopuszczalne jest {limit:.2f} mm; sprawdź je i jego nazwę</translation>
     </message>
     <message>
@@ -10162,6 +9851,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="68"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -10194,7 +9884,7 @@
         <translation>Linie mozaikowania wszystkich arkuszy; liczby to numery usterek podanych niżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="52"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="54"/>
         <source>sheet</source>
         <translation>arkusz</translation>
     </message>
@@ -10231,10 +9921,6 @@
         <translation>Niejasne: odcinki, których 95 % przedział ufności obejmuje granicę; liczą się według swojej wartości.</translation>
     </message>
     <message>
-        <source>None: no piece of seam that was measured failed.</source>
-        <translation>Brak: żaden zmierzony odcinek nie jest niezgodny.</translation>
-    </message>
-    <message>
         <source>no.</source>
         <translation>nr</translation>
     </message>
@@ -10247,7 +9933,7 @@
         <translation>zachowano (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="176"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="175"/>
         <source>band width</source>
         <translation>szerokość pasa</translation>
     </message>
@@ -10344,10 +10030,6 @@
         <translation>strata detali na tle ortofotomapy; w ramce wycinki</translation>
     </message>
     <message>
-        <source>The cross stands where the mark was found, of a failed one where the others put it: column, row.</source>
-        <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
-    </message>
-    <message>
         <source>element</source>
         <translation>element</translation>
     </message>
@@ -10428,10 +10110,6 @@
         <translation>Wartości</translation>
     </message>
     <message>
-        <source>Clipping, peak and contrast come from the histogram of all valid pixels, of the luminosity (0.299 R + 0.587 G + 0.114 B) or of bands as the rules say. The peak is the fullest of 256 bins; contrast is the standard deviation as a share of the available range.</source>
-        <translation>Obcięcie, maksimum i kontrast pochodzą z histogramu wszystkich pikseli z danymi, zależnie od reguł dla jasności (0,299 R + 0,587 G + 0,114 B) albo dla kanałów. Maksimum to najliczniejszy z 256 przedziałów; kontrast to odchylenie standardowe jako część dostępnego zakresu.</translation>
-    </message>
-    <message>
         <source>Colour balance: the means of red, green and blue on the grey areas that were given, each area counted once; their largest difference as a share of the range. Without such areas it is not measurable.</source>
         <translation>Balans barw: średnie czerwieni, zieleni i niebieskiego na podanych szarych obszarach, każdy obszar liczony raz; największa różnica między nimi jako część zakresu. Bez takich obszarów nie można go zmierzyć.</translation>
     </message>
@@ -10442,10 +10120,6 @@
     <message>
         <source>Each window is decomposed by the wavelet {wavelet} on {levels} levels; a level&apos;s detail is the share of the window&apos;s variance in its three detail components. A window is judged by its noisiest band; one that several images of a group show counts once (Pyka 2009).</source>
         <translation>Każde okno jest rozkładane falką {wavelet} na {levels} {levels:poziom|poziomy|poziomów}; detale poziomu to udział jego trzech komponentów detalicznych w wariancji okna. Okno jest oceniane według kanału o największym szumie; okno, które pokazuje kilka obrazów grupy, liczy się raz (Pyka 2009).</translation>
-    </message>
-    <message>
-        <source>Largest possible is the most that noise can be, grain of up to 1.1 px included: no level has more than its quietest ground varies. Where grain of that strength would make the verdict worse, it is uncertain.</source>
-        <translation>Największy możliwy to najwyższa wartość, jaką może mieć szum, łącznie z ziarnem do 1,1 px: żaden poziom nie ma go więcej, niż wynosi zmienność najspokojniejszego terenu. Gdy ziarno tej siły pogorszyłoby ocenę, jest ona niepewna.</translation>
     </message>
     <message>
         <source>Kurtosis is the fourth moment of a level&apos;s details over their squared variance: 3 for Gaussian noise, more where edges stand out of a quiet ground. Coefficients that see the window&apos;s opposite border take no part.</source>
@@ -10504,27 +10178,22 @@
         <translation>podane</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="179"/>
-        <source>{name} is read by the Python package PyYAML, which is not there; install it, or give an AutoCal XML of MicMac.</source>
-        <translation>Do odczytu pliku {name} potrzebny jest pakiet Pythona PyYAML, którego nie ma; zainstaluj go albo podaj AutoCal XML programu MicMac.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="20"/>
+        <location filename="../plugin/toolkit/messages.py" line="25"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a number.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="21"/>
+        <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a whole number between -{most} and {most}.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="219"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
         <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="142"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="208"/>
         <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
         <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
     </message>
@@ -10666,42 +10335,42 @@
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="13"/>
+        <location filename="../plugin/imagery/messages.py" line="16"/>
         <source>{name} is a device, a pipe or memory, not a file; copy its data to a file.</source>
         <translation>{name} jest urządzeniem, potokiem albo pamięcią, a nie plikiem; skopiuj dane do pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="14"/>
-        <source>{name} is a VRT that leads to {path}, which is no file; mend the VRT.</source>
+        <location filename="../plugin/imagery/messages.py" line="22"/>
+        <source>{name} is a VRT that leads to {path}, which is not a file; mend the VRT.</source>
         <translation>{name} jest plikiem VRT, który prowadzi do {path}, a to nie jest plik; popraw plik VRT.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="15"/>
+        <location filename="../plugin/imagery/messages.py" line="23"/>
         <source>{name} is a VRT of more than {most} files; make VRTs of parts of the block.</source>
         <translation>{name} jest plikiem VRT złożonym z więcej niż {most} plików; utwórz pliki VRT z części bloku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="16"/>
+        <location filename="../plugin/imagery/messages.py" line="24"/>
         <source>{name} has {count} bands and {most} are the most; take out those that are to be measured.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, a może mieć najwyżej {most}; wydziel te, które mają być mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="18"/>
+        <location filename="../plugin/imagery/messages.py" line="26"/>
         <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles.</source>
         <translation>Raster {name} jest zapisany w blokach {width} × {height} px, zbyt dużych do odczytu; zapisz go ponownie w kaflach.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="20"/>
-        <source>{name} says it has {columns} x {rows} px, as no raster has; the file is damaged, so copy it anew.</source>
+        <location filename="../plugin/imagery/messages.py" line="28"/>
+        <source>{name} claims {columns} x {rows} px, which no raster has; the file is damaged, so copy it anew.</source>
         <translation>Raster {name} ma mieć {columns} × {rows} px, jakich nie ma żaden raster; plik jest uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="22"/>
+        <location filename="../plugin/imagery/messages.py" line="30"/>
         <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="24"/>
+        <location filename="../plugin/imagery/messages.py" line="32"/>
         <source>{name} is {columns} px wide and {most} are the most; cut it into sheets first.</source>
         <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
     </message>
@@ -10711,47 +10380,47 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="174"/>
+        <location filename="../plugin/seams/desk/dock.py" line="171"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="174"/>
+        <location filename="../plugin/seams/desk/dock.py" line="171"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="47"/>
-        <source>&apos;{output}&apos; is to be written to {path}, which is no file on a disk; choose a file.</source>
+        <location filename="../plugin/toolkit/messages.py" line="65"/>
+        <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="48"/>
+        <location filename="../plugin/toolkit/messages.py" line="66"/>
         <source>{path} is being written by another program; close it there, or choose another file.</source>
         <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="50"/>
+        <location filename="../plugin/toolkit/messages.py" line="68"/>
         <source>&apos;{output}&apos; can&apos;t be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name.</source>
         <translation>Wynik „{output}” nie może być tabelą o nazwie {name}, ponieważ nazwa tabeli w pliku GeoPackage nie może zaczynać się od {begins}; wybierz inną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="52"/>
+        <location filename="../plugin/toolkit/messages.py" line="73"/>
         <source>{path} can&apos;t be written; make room on the disk, or choose another folder.</source>
         <translation>Nie można zapisać pliku {path}; zwolnij miejsce na dysku albo wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="54"/>
+        <location filename="../plugin/toolkit/messages.py" line="75"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="76"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="72"/>
         <source>Significant losses first; within a verdict the greatest loss.</source>
         <translation>Najpierw straty istotne; w obrębie oceny największa strata.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="323"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="357"/>
         <source>The key S takes the seamlines and a scan&apos;s layers off the map, and puts them back.</source>
         <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
@@ -10766,22 +10435,22 @@
         <translation>Uwaga do okna {number}:</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="19"/>
-        <source>&apos;{parameter}&apos; is {value}, which is no coordinate reference system; choose one.</source>
+        <location filename="../plugin/toolkit/messages.py" line="24"/>
+        <source>&apos;{parameter}&apos; is {value}, which is not a coordinate reference system; choose one.</source>
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="114"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
         <source>the plugin&apos;s standard ({parameter})</source>
         <translation>standard wtyczki ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="125"/>
+        <location filename="../plugin/imagery/messages.py" line="136"/>
         <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="126"/>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -10819,7 +10488,7 @@
         <translation>Plik GeoTIFF: czerwony, zielony i niebieski w pikselach obrazu i w jego typie danych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="105"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="106"/>
         <source>GeoTIFF files (*.tif *.tiff *.TIF *.TIFF)</source>
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
@@ -10829,14 +10498,9 @@
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="98"/>
+        <location filename="../plugin/seams/report/window_words.py" line="99"/>
         <source>Looks at ratio 1 in whole windows. Significant: {limit:.2f} or less. Reduced: below 1. Preserved: 1 or more.</source>
         <translation>Patrzy na stosunek 1 w całych oknach. Istotna strata: {limit:.2f} lub mniej. Osłabione: poniżej 1. Zachowane: 1 lub więcej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/window_words.py" line="93"/>
-        <source>Significant: {percent} % or less of the finest detail is kept along the seam, or the whole window is blurred badly. Reduced: surely less than all is kept. Preserved: no loss is sure.</source>
-        <translation>Istotna strata: wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/window_words.py" line="90"/>
@@ -10849,83 +10513,83 @@
         <translation>Okno z istotną stratą lub ze stratą, którą zauważył obserwator.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="100"/>
+        <location filename="../plugin/seams/report/window_words.py" line="101"/>
         <source>the paper&apos;s rule</source>
         <translation>reguła z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="101"/>
+        <location filename="../plugin/seams/report/window_words.py" line="102"/>
         <source>What the operator saw at 2x magnification.</source>
         <translation>Co operator widział w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="103"/>
+        <location filename="../plugin/seams/report/window_words.py" line="104"/>
         <source>The share of the sources&apos; finest detail that is left in the strip along the seam, relative to the ground around it, so that what was done to the whole mosaic does not count; in brackets its 95 % interval. 0.5 is what is left where two images that have nothing in common were averaged.</source>
         <translation>Część najdrobniejszych detali ortoobrazów źródłowych, która została w pasie wzdłuż linii mozaikowania, w odniesieniu do terenu wokół, tak że to, co zrobiono z całą ortofotomapą, się nie liczy; w nawiasie przedział ufności 95 %. 0,5 zostaje tam, gdzie uśredniono dwa obrazy, które nie mają nic wspólnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="117"/>
+        <location filename="../plugin/seams/report/window_words.py" line="118"/>
         <source>The mosaic&apos;s relative variance at level 1 divided by a source&apos;s; a window&apos;s is the largest over its sources.</source>
         <translation>Wariancja względna ortofotomapy na poziomie 1 podzielona przez wariancję ortoobrazu źródłowego; stosunek okna jest największym spośród jego źródeł.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="120"/>
+        <location filename="../plugin/seams/report/window_words.py" line="121"/>
         <source>The share of a clip&apos;s variance that lies in the details of each level, and in the background that is left (wavelet decomposition; Pyka 2010).</source>
         <translation>Część wariancji wycinka przypadająca na detale każdego poziomu i na pozostałe tło (dekompozycja falkowa; Pyka 2010).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="123"/>
+        <location filename="../plugin/seams/report/window_words.py" line="124"/>
         <source>level of detail</source>
         <translation>poziom detali</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="123"/>
-        <source>Level 1 is the finest, of some 2 px; each further one is twice as coarse.</source>
+        <location filename="../plugin/seams/report/window_words.py" line="124"/>
+        <source>Level 1 is the finest, about 2 px; each further one is twice as coarse.</source>
         <translation>Poziom 1 jest najdrobniejszy, około 2 px; każdy następny jest dwa razy grubszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="113"/>
+        <location filename="../plugin/seams/report/window_words.py" line="114"/>
         <source>sharpness 1</source>
         <translation>ostrość 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="114"/>
+        <location filename="../plugin/seams/report/window_words.py" line="115"/>
         <source>The contrast of the finest detail in the whole window, 1 for that of its sources in the mosaic&apos;s tones.</source>
         <translation>Kontrast najdrobniejszych detali w całym oknie; 1 to kontrast jego ortoobrazów źródłowych w tonach ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="126"/>
+        <location filename="../plugin/seams/report/window_words.py" line="127"/>
         <source>What the mosaic would be if its sources had been cut along the seam and nothing were mixed.</source>
         <translation>Czym byłaby ortofotomapa, gdyby jej źródła przycięto wzdłuż linii mozaikowania i niczego nie zmieszano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="130"/>
+        <location filename="../plugin/seams/report/window_words.py" line="131"/>
         <source>What would be left of the sources&apos; detail if the two were averaged.</source>
         <translation>Ile zostałoby z detali ortoobrazów źródłowych, gdyby dwa z nich uśredniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="133"/>
+        <location filename="../plugin/seams/report/window_words.py" line="134"/>
         <source>seam profile</source>
         <translation>profil linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="139"/>
+        <location filename="../plugin/seams/report/window_words.py" line="140"/>
         <source>lost detail</source>
         <translation>utracone detale</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="140"/>
+        <location filename="../plugin/seams/report/window_words.py" line="141"/>
         <source>The colours say how much of the finest detail is kept, relative to the ground around; ground without a colour is even.</source>
         <translation>Barwy pokazują, ile najdrobniejszych detali zachowano w odniesieniu do terenu wokół; teren bez barwy jest jednolity.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="143"/>
+        <location filename="../plugin/seams/report/window_words.py" line="144"/>
         <source>clips</source>
         <translation>wycinki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="144"/>
-        <source>The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes a little of it from all of them.</source>
+        <location filename="../plugin/seams/report/window_words.py" line="145"/>
+        <source>The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes a little detail from all of them.</source>
         <translation>Część okna, w której ortofotomapa straciła najwięcej najdrobniejszych detali, wszystkie z jednakowym rozciągnięciem. JPEG zabiera ich trochę wszystkim.</translation>
     </message>
     <message>
@@ -10955,127 +10619,127 @@
         <translation>długość (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="33"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="35"/>
         <source>verdict by the paper&apos;s rule</source>
         <translation>ocena według reguły z artykułu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="34"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="36"/>
         <source>verdict against</source>
         <translation>ocena względem</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="36"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="38"/>
         <source>sources that took part</source>
         <translation>liczba ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="38"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="40"/>
         <source>orthoimage on the left</source>
         <translation>ortoobraz z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="39"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="41"/>
         <source>orthoimage on the right</source>
         <translation>ortoobraz z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="40"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="42"/>
         <source>its date, left</source>
         <translation>jego data, z lewej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="41"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="43"/>
         <source>its date, right</source>
         <translation>jego data, z prawej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="140"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="139"/>
         <source>ratio of the background</source>
         <translation>stosunek tła</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="42"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="44"/>
         <source>kept 1, at least</source>
         <translation>zachowane 1, co najmniej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="43"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="45"/>
         <source>kept 1, at most</source>
         <translation>zachowane 1, co najwyżej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="44"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="46"/>
         <source>width of the band (m)</source>
         <translation>szerokość pasa (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="153"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="152"/>
         <source>share where no source wins clearly</source>
         <translation>udział pikseli, gdzie żadne źródło nie przeważa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="214"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="213"/>
         <source>share that the sources explain</source>
         <translation>udział pikseli objaśnionych przez źródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="229"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="236"/>
         <source>sure (%)</source>
         <translation>pewność (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="234"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="241"/>
         <source>sure 2 (%)</source>
         <translation>pewność 2 (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="51"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="53"/>
         <source>failure</source>
         <translation>usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="53"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="55"/>
         <source>picture</source>
         <translation>obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="56"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="58"/>
         <source>kept {level}</source>
         <translation>zachowane {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="145"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="144"/>
         <source>ratio {level} against the composite</source>
         <translation>stosunek {level} względem kompozycji</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="149"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="148"/>
         <source>ratio {level} expected of a feather</source>
         <translation>stosunek {level} oczekiwany po wtapianiu</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="57"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="59"/>
         <source>kept {level} in the window</source>
         <translation>zachowane {level} w oknie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="58"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="60"/>
         <source>kept {level} in the strip</source>
         <translation>zachowane {level} w pasie</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="59"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="61"/>
         <source>contrast {level}</source>
         <translation>kontrast {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="60"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="62"/>
         <source>sharpness {level}</source>
         <translation>ostrość {level}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="61"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="63"/>
         <source>added detail {level}</source>
         <translation>dodane detale {level}</translation>
     </message>
@@ -11089,22 +10753,12 @@
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="34"/>
+        <location filename="../plugin/imagery/messages.py" line="42"/>
         <source>{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="227"/>
-        <source>{asked} m is too small for this mosaic</source>
-        <translation>{asked} m to za mało dla tej ortofotomapy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
-        <source>{asked} m is too large for this mosaic</source>
-        <translation>{asked} m to za dużo dla tej ortofotomapy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="218"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -11114,32 +10768,22 @@
         <translation>{width} × {height} m, {columns} × {rows} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="175"/>
+        <location filename="../plugin/seams/words.py" line="182"/>
         <source>A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there.</source>
         <translation>Część ortofotomapy nie pasuje do żadnego ze źródeł: dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="177"/>
-        <source>a part of it matches none of these sources</source>
-        <translation>jej część nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
+        <location filename="../plugin/seams/words.py" line="184"/>
+        <source>a part of the mosaic matches none of these sources</source>
+        <translation>część ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="178"/>
-        <source>{value} % of it match none of these sources</source>
-        <translation>{value} % jej pikseli nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
+        <location filename="../plugin/seams/words.py" line="185"/>
+        <source>{value} % of the mosaic match none of these sources</source>
+        <translation>{value} % pikseli ortofotomapy nie pasuje do żadnego z tych ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="94"/>
-        <source>{share:.0f} % of the window matches none of the given sources, so what its seam kept can&apos;t be told; add the orthoimage that is missing, unless the mosaic was altered there.</source>
-        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych, więc nie da się powiedzieć, ile zachowano wzdłuż linii mozaikowania; dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="98"/>
-        <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest, so add the orthoimage that is missing, unless the mosaic was altered there.</source>
-        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty, więc dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="291"/>
+        <location filename="../plugin/seams/window_summary.py" line="219"/>
         <source>{percent} % of the pixels match none of the given sources and took no part.</source>
         <translation>{percent} % pikseli nie pasuje do żadnego z podanych ortoobrazów i nie brało udziału.</translation>
     </message>
@@ -11154,116 +10798,112 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="140"/>
+        <location filename="../plugin/imagery/messages.py" line="151"/>
         <source>Permission denied</source>
         <translation>brak dostępu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="151"/>
+        <location filename="../plugin/imagery/messages.py" line="162"/>
         <source>Operation not permitted</source>
         <translation>operacja niedozwolona</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="148"/>
+        <location filename="../plugin/imagery/messages.py" line="159"/>
         <source>No such file or directory</source>
         <translation>nie ma takiego pliku ani katalogu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="145"/>
+        <location filename="../plugin/imagery/messages.py" line="156"/>
         <source>Is a directory</source>
         <translation>jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="150"/>
+        <location filename="../plugin/imagery/messages.py" line="161"/>
         <source>Not a directory</source>
         <translation>nie jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="142"/>
+        <location filename="../plugin/imagery/messages.py" line="153"/>
         <source>File exists</source>
         <translation>plik już istnieje</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="146"/>
+        <location filename="../plugin/imagery/messages.py" line="157"/>
         <source>Too many levels of symbolic links</source>
         <translation>zbyt wiele poziomów dowiązań symbolicznych</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="147"/>
+        <location filename="../plugin/imagery/messages.py" line="158"/>
         <source>File name too long</source>
         <translation>zbyt długa nazwa pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="149"/>
+        <location filename="../plugin/imagery/messages.py" line="160"/>
         <source>No space left on device</source>
         <translation>brak miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="152"/>
         <source>Disk quota exceeded</source>
         <translation>przekroczony limit miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="152"/>
+        <location filename="../plugin/imagery/messages.py" line="163"/>
         <source>Read-only file system</source>
         <translation>system plików tylko do odczytu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="144"/>
+        <location filename="../plugin/imagery/messages.py" line="155"/>
         <source>Input/output error</source>
         <translation>błąd wejścia/wyjścia</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="143"/>
+        <location filename="../plugin/imagery/messages.py" line="154"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
     </message>
     <message>
-        <source>What the words mean stands behind the flagged windows, under How to read this.</source>
-        <translation>Znaczenie słów podano za oznaczonymi oknami, w części Jak to czytać.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="37"/>
+        <location filename="../plugin/imagery/messages.py" line="45"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="54"/>
-        <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; is no verdict), and the measures &apos;kept_1&apos;, &apos;visibility&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
+        <location filename="../plugin/seams/algorithms/calibratethreshold.py" line="55"/>
+        <source>Windows that were inspected and judged: the field &apos;observer&apos; with the words &apos;visible&apos; (a loss was seen at 2x) and &apos;invisible&apos; (&apos;unsure&apos; does not count), and the measures &apos;kept_1&apos;, &apos;visibility&apos;, &apos;composite_ratio_1&apos;, &apos;contrast_1&apos; and &apos;ratio_1&apos;, as far as they are there.</source>
         <translation>Okna skontrolowane i ocenione: pole „observer” ze słowami „visible” (stratę widać przy 2×) i „invisible” („unsure” nie jest oceną) oraz miary „kept_1”, „visibility”, „composite_ratio_1”, „contrast_1” i „ratio_1”, o ile są.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="116"/>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="115"/>
         <source>The rectangles as measured, with their verdict, what is kept along the seam, how far an eye sees the loss at 2x (&apos;visibility&apos;, 1 is just seen), and ratios: the largest over the sources.</source>
         <translation>Prostokąty w zmierzonych granicach, z oceną, z tym, co zachowano wzdłuż linii mozaikowania, z tym, na ile oko widzi stratę w powiększeniu 2× („visibility”, 1 to strata ledwie widoczna), i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="129"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="130"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees the loss at 2x, and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="187"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="186"/>
         <source>visibility</source>
         <translation>widoczność</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="189"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="188"/>
         <source>How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable differences, JND).</source>
         <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="185"/>
+        <location filename="../plugin/seams/measure/messages.py" line="181"/>
         <source>{measure} tells every window with a visible loss from any other, so resampling has no error to show; the interval is the score interval.</source>
         <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="108"/>
+        <location filename="../plugin/seams/report/window_words.py" line="109"/>
         <source>visibility at 2x (JND)</source>
         <translation>widoczność w powiększeniu 2× (JND)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="109"/>
+        <location filename="../plugin/seams/report/window_words.py" line="110"/>
         <source>How many times more of the detail along the seam was lost than an eye just sees side by side at 2x: just noticeable differences of contrast, by the sensitivity of the eye to the size and contrast of the detail.</source>
         <translation>Ile razy więcej detali utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2×: ledwie zauważalne różnice kontrastu, według czułości oka na wielkość i kontrast detali.</translation>
     </message>
@@ -11273,74 +10913,64 @@
         <translation>widoczność w powiększeniu 2× (JND): {value:.1f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="366"/>
-        <source>, less than an eye just sees at 2x</source>
-        <translation>, mniej niż oko ledwie dostrzega w powiększeniu 2×</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="367"/>
-        <source>, {times} times what an eye just sees at 2x</source>
-        <translation>, {times} raza tyle, ile oko ledwie dostrzega w powiększeniu 2×</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/words.py" line="114"/>
+        <location filename="../plugin/seams/words.py" line="116"/>
         <source>blur took {value} %</source>
-        <translation>rozmycie zabrało {value} %</translation>
+        <translation>rozmycie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="128"/>
+        <location filename="../plugin/seams/words.py" line="132"/>
         <source>other mixture</source>
         <translation>inna mieszanina</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="129"/>
+        <location filename="../plugin/seams/words.py" line="133"/>
         <source>Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano obrazy, ale nie wagami: według ciemniejszego piksela, losowo, ręcznie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="155"/>
+        <location filename="../plugin/seams/words.py" line="160"/>
         <source>clipping took {value} %</source>
-        <translation>obcięcie zabrało {value} %</translation>
+        <translation>obcięcie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="166"/>
+        <location filename="../plugin/seams/words.py" line="172"/>
         <source>Images that meet in the mosaic do not lie on each other there.</source>
         <translation>Obrazy, które stykają się w ortofotomapie, nie leżą tam na sobie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="192"/>
+        <location filename="../plugin/seams/words.py" line="199"/>
         <source>resampling took {value} %</source>
-        <translation>przepróbkowanie zabrało {value} %</translation>
+        <translation>przepróbkowanie zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="209"/>
+        <location filename="../plugin/seams/words.py" line="217"/>
         <source>compression took {value} %</source>
-        <translation>kompresja zabrała {value} %</translation>
+        <translation>kompresja zabrała {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="150"/>
+        <location filename="../plugin/seams/window_summary.py" line="136"/>
         <source>images are mixed by another rule than weights</source>
         <translation>obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="167"/>
+        <location filename="../plugin/seams/words.py" line="173"/>
         <source>images do not fit where they meet</source>
         <translation>obrazy nie pasują do siebie tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="246"/>
+        <location filename="../plugin/seams/window_summary.py" line="252"/>
         <source>images lie {value} px apart where they meet</source>
         <translation>obrazy są odsunięte od siebie o {value} px tam, gdzie się stykają</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="239"/>
+        <location filename="../plugin/seams/words.py" line="248"/>
         <source>the cause is unclear</source>
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/profile_painter.py" line="82"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
-        <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
+        <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/profile_painter.py" line="234"/>
@@ -11355,120 +10985,110 @@
     <message>
         <location filename="../plugin/seams/charts/profile_painter.py" line="101"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m</source>
-        <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
+        <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="181"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="180"/>
         <source>feather width</source>
         <translation>szerokość wtapiania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="183"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="182"/>
         <source>Width of the feather, by where the mixture of the two images goes from 10 to 90 %; 0 for a hard cut.</source>
         <translation>Szerokość wtapiania, według przejścia mieszaniny obu obrazów od 10 do 90 %; 0 przy ostrym cięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="194"/>
         <source>misfit</source>
         <translation>niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="196"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
         <source>How far apart the two images lie where they meet, as the mosaic has them.</source>
         <translation>O ile oba obrazy są od siebie odsunięte tam, gdzie się stykają, tak jak leżą w ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="159"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="158"/>
         <source>All that happened to the contrast, what took most first.</source>
         <translation>Wszystko, co stało się z kontrastem; najpierw to, co zabrało najwięcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/window_columns.py" line="220"/>
+        <location filename="../plugin/seams/desk/windows/window_columns.py" line="219"/>
         <source>{length} px</source>
         <translation>{length} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="106"/>
-        <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or look.</source>
-        <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
+        <location filename="../plugin/seams/measure/messages.py" line="103"/>
+        <source>Whether the loss is significant can&apos;t be told, as {low:.0f} to {high:.0f} % may be left; measure more of the seam, or judge it by eye.</source>
+        <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="119"/>
+        <location filename="../plugin/seams/window_summary.py" line="105"/>
         <source>This is told by the mixture of the images, as the ground around is mixed too.</source>
         <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="148"/>
-        <source>it is softened along the seam</source>
-        <translation>jest zmiękczona wzdłuż linii mozaikowania</translation>
+        <location filename="../plugin/seams/window_summary.py" line="134"/>
+        <source>the mosaic is softened along the seam</source>
+        <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="175"/>
-        <source>, where mixing alone would leave {percent} %</source>
-        <translation>, a samo zmieszanie zostawiłoby {percent} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="116"/>
+        <location filename="../plugin/seams/window_summary.py" line="102"/>
         <source>This is told by the mixture of the images, as there is too little unmixed ground around.</source>
         <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="118"/>
+        <location filename="../plugin/seams/window_summary.py" line="104"/>
         <source>This is told by the mixture of the images, as other detail was added along the seam.</source>
         <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="183"/>
+        <location filename="../plugin/seams/window_summary.py" line="169"/>
         <source>Besides: {others}.</source>
         <translation>Poza tym: {others}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="152"/>
+        <location filename="../plugin/seams/window_summary.py" line="138"/>
         <source>images are mixed over {width} m by another rule than weights</source>
         <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="154"/>
+        <location filename="../plugin/seams/window_summary.py" line="140"/>
         <source>images {apart} px apart are mixed by another rule than weights</source>
         <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="156"/>
+        <location filename="../plugin/seams/window_summary.py" line="142"/>
         <source>images {apart} px apart are feathered over {width} m</source>
         <translation>na szerokości {width} m wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="157"/>
+        <location filename="../plugin/seams/window_summary.py" line="143"/>
         <source>images {apart} px apart are feathered</source>
         <translation>wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="160"/>
-        <source>, and most of that is their misfit</source>
+        <location filename="../plugin/seams/window_summary.py" line="146"/>
+        <source>, and their misfit took most of it</source>
         <translation>, a większość tego zabrało ich niedopasowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="162"/>
+        <location filename="../plugin/seams/window_summary.py" line="148"/>
         <source>images are feathered over {width} m</source>
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="381"/>
+        <location filename="../plugin/seams/window_summary.py" line="396"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
-        <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
+        <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="373"/>
-        <source>The rest is as sharp as its sources.</source>
-        <translation>Reszta jest tak ostra jak jej ortoobrazy źródłowe.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/layer_styles.py" line="45"/>
+        <location filename="../plugin/toolkit/layer_styles.py" line="47"/>
         <source>width of the feather (m)</source>
         <translation>szerokość wtapiania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="195"/>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="194"/>
         <source>images apart in the mosaic (px)</source>
         <translation>odsunięcie obrazów w ortofotomapie (px)</translation>
     </message>
@@ -11477,62 +11097,57 @@
         <translation>wtopione na szerokości</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="118"/>
+        <location filename="../plugin/seams/words.py" line="121"/>
         <source>Two images that differ were mixed by weights along the seam.</source>
         <translation>Wzdłuż linii mozaikowania zmieszano wagami dwa obrazy, które się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/window_words.py" line="134"/>
+        <location filename="../plugin/seams/report/window_words.py" line="135"/>
         <source>The share of the detail that is kept by distance from the seam, with its 95 % interval; where level 1 drops below the dashed line, the loss is significant. The dotted line is the share of the image beyond the seam in the mixture of the two.</source>
         <translation>Część zachowanych detali w zależności od odległości od linii mozaikowania, z 95 % przedziałem ufności; gdzie poziom 1 opada poniżej linii przerywanej, strata jest istotna. Linia kropkowana to udział obrazu zza linii mozaikowania w mieszaninie obu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="126"/>
+        <location filename="../plugin/seams/window_summary.py" line="112"/>
         <source>In the whole window {left} % of the finest detail is left (sharpness {sharpness} %): {took}.</source>
-        <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
+        <translation>W całym oknie zostało {left} % najdrobniejszych detali (ostrość {sharpness} %): {took}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="125"/>
+        <location filename="../plugin/seams/window_summary.py" line="111"/>
         <source>the seam took {value} %</source>
-        <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
+        <translation>łączenie wzdłuż linii mozaikowania zabrało {value} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="86"/>
+        <location filename="../plugin/seams/measure/messages.py" line="80"/>
         <source>Two images are mixed on {share:.0f} % of the window, so there is no seam in it, and no unmixed ground to compare it with.</source>
-        <translation>Na {share:.0f} % okna zmieszano dwa obrazy, więc nie ma w nim linii mozaikowania ani niezmieszanego terenu do porównania.</translation>
+        <translation>Na {share:.0f} % okna zmieszano dwa obrazy, więc nie ma w nim linii mozaikowania ani niezmieszanego terenu do porównania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="122"/>
-        <source>{name} explains nothing in the window that other sources don&apos;t, as a copy of the mosaic would; it takes no part there.</source>
-        <translation>{name} nie wyjaśnia w oknie niczego ponad to, co inne ortoobrazy źródłowe, tak jak kopia ortofotomapy; nie bierze tam udziału.</translation>
+        <location filename="../plugin/seams/measure/messages.py" line="119"/>
+        <source>{name} shows nothing in the window that the other sources don&apos;t; it takes no part there.</source>
+        <translation>{name} nie pokazuje w oknie niczego, czego nie pokazywałyby pozostałe źródła; nie bierze tam udziału.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="145"/>
+        <location filename="../plugin/seams/window_summary.py" line="131"/>
         <source>more than {width}</source>
         <translation>ponad {width}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="316"/>
-        <source>The whole window lost sharpness: it has {percent} % of that of its sources.</source>
-        <translation>Całe okno straciło ostrość: ma {percent} % ostrości ortoobrazów źródłowych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="119"/>
+        <location filename="../plugin/seams/measure/messages.py" line="116"/>
         <source>No seam cell names a source that is given, so the cells say nothing; the first one names &apos;{name}&apos;.</source>
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="57"/>
+        <location filename="../plugin/toolkit/messages.py" line="78"/>
         <source>{path} is as it was, as the run did not come to its end; what was measured until then is in {part}.</source>
         <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="61"/>
+        <location filename="../plugin/toolkit/messages.py" line="82"/>
         <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="122"/>
+        <location filename="../plugin/imagery/messages.py" line="133"/>
         <source>the file there is damaged</source>
         <translation>istniejący plik jest uszkodzony</translation>
     </message>
@@ -11542,7 +11157,7 @@
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="52"/>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="53"/>
         <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image, and taken as one.</source>
         <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
     </message>
@@ -11552,34 +11167,1582 @@
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia go na punktach, których nie użyto do dopasowania: na punktach kontrolnych albo, gdy jest ich mniej niż pięć, przewidując każdy punkt z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Z modeli, których błędy różnią się tylko przypadkowo, zalecany jest ten o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="192"/>
-        <source>The camera of {name} has a distortion that is not known here ({kind}); orthority&apos;s pinhole, brown, opencv and fisheye cameras and MicMac&apos;s radial distortion are.</source>
-        <translation>Kamera z pliku {name} ma dystorsję, która nie jest tu znana ({kind}); znane są kamery pinhole, brown, opencv i fisheye programu orthority oraz dystorsja radialna programu MicMac.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="236"/>
         <source>The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the model.</source>
         <translation>Ortoobraz leży do {most:.1f} px od miejsca, w którym widzi go dokładny model, bo model zastępuje RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
         <source>The distortion of the camera shows no view at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="95"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="104"/>
         <source>While the mosaic was scanned {name} changed, so what was read of it before can&apos;t be used; start the scan again with the same output, and it is measured anew.</source>
         <translation>Podczas badania ortofotomapy zmienił się plik {name}, więc tego, co odczytano z niego wcześniej, nie można użyć; uruchom badanie ortofotomapy ponownie z tym samym wynikiem, a zostanie zmierzony od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="114"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="123"/>
         <source>where the mosaic or one of the sources lies</source>
         <translation>położenie ortofotomapy lub jednego ze źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="124"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="133"/>
         <source>No seam was found: as far as the orthoimages explain the mosaic, all of it follows {name}.</source>
         <translation>Nie znaleziono linii mozaikowania: w zakresie, w jakim ortoobrazy wyjaśniają ortofotomapę, cała pochodzi z {name}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="203"/>
+        <source>Of the seams on ground with detail. With less measured a delivery is not accepted.</source>
+        <translation>Linii mozaikowania w terenie z detalami. Gdy zmierzono mniej, dostawa nie jest przyjmowana.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="108"/>
+        <source>accepted, rejected or undecided</source>
+        <translation>przyjęta, odrzucona lub nierozstrzygnięta</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="110"/>
+        <source>Accepted (1), rejected (0), or nothing where it is undecided</source>
+        <translation>Przyjęta (1), odrzucona (0) lub puste, gdy jest nierozstrzygnięta</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="44"/>
+        <source>Check a delivery</source>
+        <translation>Kontrola dostawy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="46"/>
+        <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, or have no data inside their outline; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with what was found at each, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all of them, ready for the scan.</source>
+        <translation>Sprawdza pliki dostawy przed jej liniami mozaikowania: arkusze, których brakuje, których nikt nie zamówił albo które nie mają danych wewnątrz swojego obrysu; rozmiar piksela, układ odniesienia, kanały, typ pikseli i nazwy. Zapisuje arkusze z uwagami do każdego, gotowe dla odbioru dostawy, oraz jedną ortofotomapę wszystkich arkuszy, gotową do skanowania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="56"/>
+        <source>Of the delivered sheets. Empty: the files that the sheets&apos; field location names.</source>
+        <translation>Dostarczonych arkuszy. Puste: pliki, które wymienia pole location arkuszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="61"/>
+        <source>Outlines of the sheets that were ordered, as polygons with a field sheet, name or location. Empty: all files in the folder count as ordered, and only their form is checked.</source>
+        <translation>Obrysy zamówionych arkuszy jako poligony z polem sheet, name lub location. Puste: zamówiono to, co zawiera katalog, i sprawdzana jest tylko postać plików.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
+        <source>The pattern of file names, with * and ?, such as ortho_????_??.tif. Empty: any name.</source>
+        <translation>Jak mają się nazywać pliki, ze znakami * i ?, np. ortho_????_??.tif. Puste: dowolnie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="71"/>
+        <source>To 1 %. Empty: as most sheets have it.</source>
+        <translation>Z dokładnością do 1 %. Puste: tak jak w większości arkuszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="74"/>
+        <source>Empty: as most sheets have it.</source>
+        <translation>Puste: tak jak w większości arkuszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="78"/>
+        <source>How many, without alpha. Empty: as most sheets have.</source>
+        <translation>Ile, bez kanału alfa. Puste: tyle, ile w większości arkuszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="82"/>
+        <source>8 bit is uint8, 16 bit uint16. Empty: as most sheets have it.</source>
+        <translation>8 bitów to uint8, 16 bitów to uint16. Puste: tak jak w większości arkuszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="86"/>
+        <source>Of a sheet&apos;s outline.</source>
+        <translation>Obrysu arkusza.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="91"/>
+        <source>Each sheet with its file, what was found at it, and whether that is nothing.</source>
+        <translation>Każdy arkusz z jego plikiem, uwagami i informacją, czy uwag nie ma.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="95"/>
+        <source>A virtual mosaic over the sheets that fit together; nothing is copied.</source>
+        <translation>Wirtualna ortofotomapa arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="55"/>
+        <source>Folder</source>
+        <translation>Katalog</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="66"/>
+        <source>Pattern of names</source>
+        <translation>Wzorzec nazw</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="77"/>
+        <source>Bands</source>
+        <translation>Kanały</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="81"/>
+        <source>Type of the pixels</source>
+        <translation>Typ pikseli</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="85"/>
+        <source>Largest share without data (%)</source>
+        <translation>Największy udział bez danych (%)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="90"/>
+        <source>Checked sheets</source>
+        <translation>Sprawdzone arkusze</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="94"/>
+        <source>Mosaic of all sheets</source>
+        <translation>Ortofotomapa wszystkich arkuszy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="99"/>
+        <source>Number of sheets</source>
+        <translation>Liczba arkuszy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="100"/>
+        <source>Sheets without a file</source>
+        <translation>Arkusze bez pliku</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="101"/>
+        <source>Sheets with findings</source>
+        <translation>Arkusze z uwagami</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="102"/>
+        <source>Complete (1) or not (0)</source>
+        <translation>Kompletna (1) lub nie (0)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <source>Undecided by &apos;{rules}&apos;: {why}.</source>
+        <translation>Nierozstrzygnięta według reguł „{rules}”: {why}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
+        <source>Accepted by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
+        <translation>Przyjęta na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <source>Rejected by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
+        <translation>Odrzucona na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
+        <source>Undecided by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
+        <translation>Nierozstrzygnięta na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
+        <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is not known</source>
+        <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
+        <source>the longest failure without a break is {value:.1f} m and {limit:.1f} m may be, but it may be {low:.1f} to {high:.1f} m by the intervals of its pieces</source>
+        <translation>najdłuższa usterka bez przerwy ma {value:.1f} m, a dopuszcza się {limit:.1f} m, lecz według przedziałów jej odcinków może to być od {low:.1f} do {high:.1f} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <source>{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may</source>
+        <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="104"/>
+        <source>the layers lack {metres:.0f} m of seam</source>
+        <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="140"/>
+        <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
+        <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
+        <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, scan with a longer PIECE, or judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
+        <translation>Co by rozstrzygnęło: wyniki z co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy obok nich, skanuj z dłuższym PIECE albo oceń tam okna wzrokowo (JUDGE observer); pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
+        <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
+        <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="153"/>
+        <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({count} pieces, {metres:.0f} m). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.</source>
+        <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają wartość graniczną (odcinków: {count}, {metres:.0f} m). Oceń okna na nich wzrokowo albo skanuj z dłuższym PIECE, które daje węższe przedziały.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
+        <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
+        <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
+        <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
+        <source>What would decide it: the layers of seams as their scans wrote them, without features taken away.</source>
+        <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, bez usuniętych obiektów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <source>The layers of seams are as their scans left them ({count}).</source>
+        <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
+        <source>Layers of seams that were changed since their scan: {count} ({names}); the decision is on what they hold now.</source>
+        <translation>Warstwy linii mozaikowania zmienione po skanowaniu: {count} ({names}); decyzja dotyczy tego, co zawierają teraz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="171"/>
+        <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
+        <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
+        <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
+        <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="178"/>
+        <source>{name} lacks {metres:.0f} m of seam: what its scan had, or what lies between the stations of its pieces.</source>
+        <translation>W warstwie {name} brakuje {metres:.0f} m linii mozaikowania: tego, co miało skanowanie, albo tego, co leży między stacjami jej odcinków.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
+        <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
+        <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="296"/>
+        <source>The run was stopped: there is neither report nor XML.</source>
+        <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
+        <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
+        <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
+        <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
+        <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
+        <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
+        <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
+        <source>The check was stopped; nothing is written.</source>
+        <translation>Kontrolę przerwano; nic nie zapisano.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
+        <source>{sheet}: {finding}.</source>
+        <translation>{sheet}: {finding}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="305"/>
+        <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
+        <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
+        <source>{path} can&apos;t be written; choose another folder.</source>
+        <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
+        <source>the file is missing</source>
+        <translation>brakuje pliku</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
+        <source>it was not ordered</source>
+        <translation>nikt go nie zamówił</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="309"/>
+        <source>the file does not say where it lies</source>
+        <translation>plik nie mówi, gdzie leży</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="310"/>
+        <source>its name {name} does not match {pattern}</source>
+        <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
+        <source>its pixels are {pixel:.4g} m instead of {wanted:.4g} m</source>
+        <translation>piksel ma {pixel:.4g} m zamiast {wanted:.4g} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
+        <source>its reference system is another one</source>
+        <translation>ma inny układ odniesienia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="313"/>
+        <source>it has {bands} bands instead of {wanted}</source>
+        <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
+        <source>its pixels are {kind} instead of {wanted}</source>
+        <translation>piksele są typu {kind} zamiast {wanted}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <source>{share:.2%} of its outline has no data</source>
+        <translation>{share:.2%} obrysu nie ma danych</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
+        <source>whether it has data everywhere can&apos;t be told</source>
+        <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <source>of what was measured failed</source>
+        <translation>zmierzonych metrów niezgodne</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
+        <source>failures: {count}, in sheets: {sheets} of {all}</source>
+        <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
+        <source>No seams</source>
+        <translation>Bez linii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <source>ground without detail</source>
+        <translation>teren bez detali</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="302"/>
+        <source>Orthoimage {name}</source>
+        <translation>Ortoobraz {name}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <source>of what was measured failed (95 % interval: {low} to {high})</source>
+        <translation>zmierzonych metrów niezgodne (przedział 95 %: od {low} do {high})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
+        <source>detail kept along the seams</source>
+        <translation>szczegóły zachowane wzdłuż linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
+        <source>sheets with findings: {count} of {all}</source>
+        <translation>arkusze z uwagami: {count} z {all}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <source>With findings</source>
+        <translation>Z uwagami</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <source>No findings</source>
+        <translation>Bez uwag</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
+        <source>radiometry</source>
+        <translation>radiometria</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
+        <source>Not checked</source>
+        <translation>Nie sprawdzono</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
+        <source>&apos;Check radiometry&apos; checks it</source>
+        <translation>sprawdza to „Kontrola radiometrii”</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <source>completeness and form of the files</source>
+        <translation>kompletność i postać plików</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
+        <source>&apos;Check a delivery&apos; checks it</source>
+        <translation>sprawdza to „Kontrola dostawy”</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="289"/>
+        <source>The mosaic</source>
+        <translation>Ortofotomapa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="289"/>
+        <source>Its orthoimages, cut hard</source>
+        <translation>Te same ortoobrazy, cięte ostro</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="243"/>
+        <source>sheet: {verdict}</source>
+        <translation>arkusz: {verdict}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="90"/>
+        <source>Digests of the files</source>
+        <translation>Skróty kryptograficzne plików</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="96"/>
+        <source>rows of {layer}</source>
+        <translation>wiersze warstwy {layer}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/outputs.py" line="99"/>
+        <source>list of orthoimages</source>
+        <translation>lista ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="18"/>
+        <source>Of the report; empty: Acceptance of an orthophoto mosaic.</source>
+        <translation>Raportu; puste: Odbiór ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="19"/>
+        <source>Contract</source>
+        <translation>Umowa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="19"/>
+        <source>Number of the order or contract that the delivery belongs to.</source>
+        <translation>Numer zamówienia lub umowy, do której należy dostawa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="20"/>
+        <source>Producer</source>
+        <translation>Wykonawca</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="20"/>
+        <source>Who made the delivery.</source>
+        <translation>Kto wykonał dostawę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="21"/>
+        <source>Client</source>
+        <translation>Zamawiający</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="21"/>
+        <source>Who ordered the delivery and decides on it.</source>
+        <translation>Kto zamówił dostawę i o niej decyduje.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
+        <source>Delivery</source>
+        <translation>Dostawa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
+        <source>What the delivery is called.</source>
+        <translation>Nazwa dostawy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
+        <source>Date of the delivery</source>
+        <translation>Data dostawy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
+        <source>As it should appear in the report, such as 2026-11-23.</source>
+        <translation>Tak, jak ma stać na papierze, np. 2026-11-23.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="200"/>
+        <source>Length of seam that could be measured, by the length of all seams on ground with detail.</source>
+        <translation>Długość linii mozaikowania, którą dało się zmierzyć, do długości wszystkich linii mozaikowania w terenie z detalami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="22"/>
+        <source>Accepted</source>
+        <translation>Przyjęta</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="23"/>
+        <source>Rejected</source>
+        <translation>Odrzucona</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="24"/>
+        <source>Undecided</source>
+        <translation>Nierozstrzygnięta</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="37"/>
+        <source>The orthoimages, for the proof: each failure is shown beside the two that meet there and their cut. Empty: those that the scan wrote into its picture of losses.</source>
+        <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowanie zapisało w obrazie strat.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="47"/>
+        <source>As the scan wrote it, one for each sheet where these were scanned apart, in the order of SEAMS: the XML refers to it. It also says from which orthoimages the seams were measured, and how, where their layer does not.</source>
+        <translation>Taki, jak zapisało go skanowanie; po jednym na arkusz, jeżeli skanowano je osobno, w kolejności SEAMS: odwołuje się do niego XML, a on mówi, z jakich ortoobrazów zmierzono linie mozaikowania, oraz jak, jeżeli nie mówi tego ich warstwa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="65"/>
+        <source>SHA-256 of the mosaic&apos;s files, the seams, the rules and the list of orthoimages, for the report and the XML. It takes as long as reading the files once.</source>
+        <translation>SHA-256 plików ortofotomapy, linii mozaikowania, reguł i listy ortoobrazów, do raportu i XML. Trwa tyle, ile jednokrotne odczytanie plików.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="84"/>
+        <source>One polygon for each sheet, with its verdict by the same limits and its metres.</source>
+        <translation>Jeden poligon na każdy arkusz, z oceną według tych samych granic i z metrami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="81"/>
+        <source>Decided sheets</source>
+        <translation>Ocenione arkusze</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="144"/>
+        <source>Length of the pieces that keep less than 70 % (metres)</source>
+        <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <source>Accept...</source>
+        <translation>Odbiór...</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="158"/>
+        <source>Accept or reject the delivery: by its last scan, or all the way from its files</source>
+        <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
+        <source>few windows below {pixels} px can be measured</source>
+        <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
+        <source>{asked} m is too small for this mosaic: {side} m, every {spacing} m</source>
+        <translation>{asked} m to za mało dla tej ortofotomapy: {side} m, co {spacing} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
+        <source>{asked} m is too large for this mosaic: {side} m, every {spacing} m</source>
+        <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="126"/>
+        <source>Why?</source>
+        <translation>Dlaczego?</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="129"/>
+        <source>What the sentence rests on: intervals, what an eye sees, all causes with their figures, the paper&apos;s rule.</source>
+        <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="79"/>
+        <source>{judged} of {count} judged, {unsure} not sure, {left} to go</source>
+        <translation>oceniono {judged} z {count}, niepewne: {unsure}, pozostało {left}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="84"/>
+        <source>A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them. A right click on the headings chooses columns, a drag moves them.</source>
+        <translation>Kliknięcie przenosi mapę do okna; Del usuwa zaznaczone, Ctrl+C kopiuje je. Prawy przycisk na nagłówkach wybiera kolumny, przeciągnięcie je przesuwa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="76"/>
+        <source>No change from one source to another is found in the window; the verdict is that of the sharpness alone.</source>
+        <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie; ocena opiera się na samej ostrości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="87"/>
+        <source>Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are measured as without orthoimages; give those that are missing.</source>
+        <translation>Tylko {between:.0f} z {all:.0f} m linii mozaikowania leży na co najmniej dwóch z podanych ortoobrazów, więc linie zmierzono jak bez ortoobrazów; podaj brakujące.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="91"/>
+        <source>Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders of polygons with such a name stay seams, and the mosaic itself tells what it follows there; write paths with their folders into the layer to tell them apart.</source>
+        <translation>Nazwy ortoobrazów w warstwie linii mozaikowania pasują do kilku podanych: {count} (przede wszystkim {names}). Granice poligonów o takiej nazwie pozostają liniami mozaikowania, a to, któremu ortoobrazowi odpowiada tam ortofotomapa, mówi ona sama; aby je rozróżnić, wpisz do warstwy ścieżki z katalogami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="144"/>
+        <source>The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise there. It does not count.</source>
+        <translation>Teren wzdłuż tego odcinka nie ma drobnych detali, które można by stracić: ortoobrazy pokazują tam niewiele więcej niż szum. Odcinek się nie liczy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="157"/>
+        <source>{share:.0f} % of the mosaic follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is measured there. Give those that it was made from there; ground without any texture, such as water, is counted as well.</source>
+        <translation>{share:.0f} % ortofotomapy nie odpowiada żadnemu ortoobrazowi, najwięcej w okolicy {x:.1f}, {y:.1f}, więc nic tam nie zmierzono. Podaj te, z których tam powstała; liczy się też teren bez tekstury, na przykład woda.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="219"/>
+        <source>loss (m2)</source>
+        <translation>strata (m2)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="219"/>
+        <source>loss</source>
+        <translation>strata</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="221"/>
+        <source>The finest detail that is missing, along the seam or in the whole window, as so many square metres of the window hold; 0 where no loss is sure.</source>
+        <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="320"/>
+        <source>Along the seam as much of the finest detail is left as around it</source>
+        <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="40"/>
+        <source>{area} m²</source>
+        <translation>{area} m²</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="296"/>
+        <source>beside the seam</source>
+        <translation>przy linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="299"/>
+        <source>{lost} % of the finest detail is lost {where}</source>
+        <translation>{lost} % najdrobniejszych detali utracono {where}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="304"/>
+        <source>{lost} % of the finest detail is lost in the whole window</source>
+        <translation>{lost} % najdrobniejszych detali utracono w całym oknie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="322"/>
+        <source>Along the seam no loss is certain</source>
+        <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="332"/>
+        <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
+        <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="336"/>
+        <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
+        <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="161"/>
+        <source>Mixing alone would leave {percent} % there.</source>
+        <translation>Samo mieszanie zostawiłoby tam {percent} %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="301"/>
+        <source>{lost} % of the finest detail is lost {where}, {whole} % in the whole window</source>
+        <translation>{lost} % najdrobniejszych detali utracono {where}, {whole} % w całym oknie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="319"/>
+        <source>No change from one source to another is found in the window.</source>
+        <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="346"/>
+        <source>It is less than an eye just sees at 2x.</source>
+        <translation>To mniej, niż oko ledwo dostrzega przy powiększeniu 2x.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="347"/>
+        <source>It is {times} times what an eye just sees at 2x.</source>
+        <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="395"/>
+        <source>The window is as sharp as its sources.</source>
+        <translation>Okno jest tak ostre jak jego źródła.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="298"/>
+        <source>in a strip of {width} m along the seam</source>
+        <translation>w pasie szerokości {width} m wzdłuż linii mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="32"/>
+        <source>loss: {area}</source>
+        <translation>strata: {area}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="117"/>
+        <source>Leave out the filter that softened it.</source>
+        <translation>Wykonaj ją bez filtru, który ją rozmył.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="129"/>
+        <source>Use a hard cut there, or a narrower feather.</source>
+        <translation>Połącz tam obrazy ostrą linią albo z węższym wtapianiem.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="135"/>
+        <source>Use a hard cut there.</source>
+        <translation>Połącz tam obrazy ostrą linią.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="161"/>
+        <source>Stretch the grey values less.</source>
+        <translation>Słabiej rozciągnij wartości szarości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="177"/>
+        <source>Register the two images before you blend them.</source>
+        <translation>Dopasuj oba obrazy, zanim zostaną zmieszane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="200"/>
+        <source>Keep the orthoimages on their own pixel grid.</source>
+        <translation>Pozostaw piksele ortoobrazów na ich miejscu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="218"/>
+        <source>Compress it less.</source>
+        <translation>Zastosuj słabszą kompresję.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/layer_styles.py" line="32"/>
+        <source>piece or stretch</source>
+        <translation>odcinek czy ciąg odcinków</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/layer_styles.py" line="33"/>
+        <source>counts as</source>
+        <translation>liczy się jako</translation>
+    </message>
+    <message>
+        <source>part of the delivery</source>
+        <translation>część dostawy</translation>
+    </message>
+    <message>
+        <source>in figures</source>
+        <translation>w liczbach</translation>
+    </message>
+    <message>
+        <source>The seams</source>
+        <translation>Linie mozaikowania</translation>
+    </message>
+    <message>
+        <source>The seams of all sheets, none of which failed.</source>
+        <translation>Linie mozaikowania wszystkich arkuszy; żadna nie jest niezgodna.</translation>
+    </message>
+    <message>
+        <source>What the figures rest on</source>
+        <translation>Na czym opierają się liczby</translation>
+    </message>
+    <message>
+        <source>A sheet&apos;s verdict is by the limits of the delivery.</source>
+        <translation>Ocena arkusza opiera się na granicach przyjętych dla dostawy.</translation>
+    </message>
+    <message>
+        <source>Findings at the files</source>
+        <translation>Uwagi do plików</translation>
+    </message>
+    <message>
+        <source>findings</source>
+        <translation>uwagi</translation>
+    </message>
+    <message>
+        <source>No failures</source>
+        <translation>Brak usterek</translation>
+    </message>
+    <message>
+        <source>No piece of seam that was measured failed.</source>
+        <translation>Żaden zmierzony odcinek linii mozaikowania nie jest niezgodny.</translation>
+    </message>
+    <message>
+        <source>visible loss</source>
+        <translation>widoczna strata</translation>
+    </message>
+    <message>
+        <source>Visible loss: in just noticeable differences (JND) of contrast, as an eye sees it at 2x on a screen; below 1 it is not seen.</source>
+        <translation>Widoczna strata: w ledwie zauważalnych różnicach (JND) kontrastu, tak jak widzi ją oko w powiększeniu 2x na ekranie; poniżej 1 jej nie widać.</translation>
+    </message>
+    <message>
+        <source>Failure {number}: {length}, {kept} kept</source>
+        <translation>Usterka {number}: {length}, zachowano {kept}</translation>
+    </message>
+    <message>
+        <source>The frame is shown below, at 2x.</source>
+        <translation>Ramkę pokazano poniżej w powiększeniu 2x.</translation>
+    </message>
+    <message>
+        <source>Share of detail kept, by distance from the seam.</source>
+        <translation>Zachowana część szczegółów w zależności od odległości od linii mozaikowania.</translation>
+    </message>
+    <message>
+        <source>standards</source>
+        <translation>normy</translation>
+    </message>
+    <message>
+        <source>Annex: orthoimages</source>
+        <translation>Załącznik: ortoobrazy</translation>
+    </message>
+    <message>
+        <source>taken on</source>
+        <translation>data wykonania</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>bajty</translation>
+    </message>
+    <message>
+        <source>Annex: digests</source>
+        <translation>Załącznik: skróty kryptograficzne</translation>
+    </message>
+    <message>
+        <source>SHA-256 of what was decided on. Of a file it is what sha256sum prints; of pieces of seam and of the list of orthoimages it is that of their rows as the documentation lays them out.</source>
+        <translation>SHA-256 tego, o czym zdecydowano. Dla pliku jest to wynik programu sha256sum; dla odcinków linii mozaikowania i listy ortoobrazów skrót ich wierszy w postaci opisanej w dokumentacji.</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>co</translation>
+    </message>
+    <message>
+        <source>Checks the files of a delivery, scans its mosaic and decides on it, in one go: folder or index in, report, record, failures and sheets with their verdicts out.</source>
+        <translation>Sprawdza pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję, za jednym razem: z katalogu lub indeksu powstają raport, zapis jakości, usterki i arkusze z ocenami.</translation>
+    </message>
+    <message>
+        <source>One feature for each failure without a break, for the producer.</source>
+        <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy.</translation>
+    </message>
+    <message>
+        <source>The decision on paper, to be signed.</source>
+        <translation>Decyzja na papierze, do podpisu.</translation>
+    </message>
+    <message>
+        <source>What detail is kept, cell by cell.</source>
+        <translation>Jakie szczegóły zachowano, komórka po komórce.</translation>
+    </message>
+    <message>
+        <source>Each piece of seam with what it kept and the verdict.</source>
+        <translation>Każdy odcinek linii mozaikowania z tym, co zachował, i z oceną.</translation>
+    </message>
+    <message>
+        <source>Windows where least was kept, the worst first.</source>
+        <translation>Okna, w których zachowano najmniej, od najgorszego.</translation>
+    </message>
+    <message>
+        <source>Lines, or polygons of which each is filled from one orthoimage. Needed where there are no orthoimages.</source>
+        <translation>Linie albo poligony, z których każdy wypełniono z jednego ortoobrazu. Konieczne, gdy nie ma ortoobrazów.</translation>
+    </message>
+    <message>
+        <source>The decision on paper, to be signed: rules, sheets, a map, the failures with pictures of the longest 100, the plan&apos;s risk. Opens in a browser and prints on A4.</source>
+        <translation>Decyzja na papierze, do podpisu: reguły, arkusze, mapa, usterki ze zdjęciami 100 najdłuższych, ryzyko planu. Otwiera się w przeglądarce i drukuje na A4.</translation>
+    </message>
+    <message>
+        <source>Accept delivery</source>
+        <translation>Odbiór dostawy od plików</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="114"/>
+        <source>commit of the plugin</source>
+        <translation>wersja źródeł wtyczki (commit)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="50"/>
+        <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and by rules or a plan of ISO 2859 whether that is accepted, rejected or can&apos;t be decided, and then what would decide it. A piece of seam fails when it kept less than is asked for; metres are sums of whole pieces. What could not be measured never counts as passed.</source>
+        <translation>Rozstrzyga o dostawie na podstawie linii mozaikowania z jednego skanowania lub z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy, i według reguł lub planu ISO 2859, czy dostawę się przyjmuje, odrzuca, czy nie da się rozstrzygnąć, i co by wtedy rozstrzygnęło. Odcinek jest niezgodny, gdy zachował mniej, niż się wymaga; metry są sumami całych odcinków. Co nie dało się zmierzyć, nigdy nie liczy się jako zgodne.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
+        <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lots of a series. iso2859_2: the same for a single delivery, an isolated lot, by its limiting quality (ISO 2859-2).</source>
+        <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii w serii. iso2859_2: tak samo dla pojedynczej dostawy, czyli partii izolowanej, według jakości granicznej (ISO 2859-2).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="24"/>
+        <source>{place} in {name}: the {key} &apos;{value}&apos; is none of the standard&apos;s; known are {known}.</source>
+        <translation>{place} w {name}: {key} „{value}” nie występuje w normie; dostępne są: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="60"/>
+        <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).</source>
+        <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
+        <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})</source>
+        <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} ({plan})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
+        <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})</source>
+        <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} ({plan})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
+        <source>{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted</source>
+        <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
+        <source>{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, {consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected</source>
+        <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
+        <source>{standard}, all of the lot of {lot} inspected</source>
+        <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
+        <source>{count} failures, {metres:.1f} m, end at the edge of a sheet where no seam goes on (no. {numbers}): they may be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.</source>
+        <translation>Usterki kończące się na brzegu arkusza, za którym nie biegnie żadna linia mozaikowania: {count}, {metres:.1f} m (nr {numbers}); za brzegiem mogą być dłuższe. Aby to sprawdzić, przeskanuj arkusz razem z sąsiednimi jako jedną ortofotomapę (VRT).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
+        <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
+        <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
+        <source>The {parameter} {value} is none of the standard&apos;s; known are {known}.</source>
+        <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="290"/>
+        <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
+        <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
+        <source>images rejected: {rejected}, undecided: {open} of {all}</source>
+        <translation>obrazy odrzucone: {rejected}, nierozstrzygnięte: {open} z {all}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="328"/>
+        <source>{risk}: a delivery with {quality} of failed pieces is rejected</source>
+        <translation>{risk}: odrzucenie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
+        <source>measured, of the {metres} on ground with detail</source>
+        <translation>zmierzono z {metres} w terenie z detalami</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/charts.py" line="205"/>
+        <source>good quality {quality} %: rejected in {risk} % (producer&apos;s risk)</source>
+        <translation>dobra jakość {quality} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="168"/>
+        <source>accepted up to {most} failed pieces.</source>
+        <translation>przyjęcie do {most} niezgodnych odcinków.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="185"/>
+        <source>Producer&apos;s risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer&apos;s risk).</source>
+        <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy, w której udział niezgodnych odcinków wynosi {good}. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem {risk} (ryzyko odbiorcy).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="59"/>
+        <source>{standard}, single sampling, level {level}, {severity}, AQL {aql}</source>
+        <translation>{standard}, plan jednostopniowy, poziom {level}, {severity}, AQL {aql}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="57"/>
+        <source>{standard}, single sampling of an isolated lot (procedure A), limiting quality {lq:g} %</source>
+        <translation>{standard}, plan jednostopniowy dla partii izolowanej (procedura A), jakość graniczna {lq:g} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="58"/>
+        <source>The table that &apos;Check radiometry&apos; made of the sheets: its result stands on the cover beside the decision, which it does not change.</source>
+        <translation>Tabela, którą algorytm „Sprawdź radiometrię” utworzył dla arkuszy: jej wynik stoi na pierwszej stronie obok decyzji i jej nie zmienia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/planinspection.py" line="46"/>
+        <source>Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for &apos;Accept or reject a delivery&apos;, or as windows that open in the desk to be judged. The same seed draws the same sample.</source>
+        <translation>Losuje próbę linii mozaikowania dostawy, proporcjonalnie z każdego arkusza: tak dużą, jak wymaga ISO 2859-1, jak wymagają podane ryzyka albo jak podasz. Próba powstaje jako odcinki linii mozaikowania dla algorytmu „Przyjmij lub odrzuć dostawę” albo jako okna, które otwiera się w panelu do oceny. To samo ziarno losowania daje tę samą próbę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/planinspection.py" line="61"/>
+        <source>How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an isolated lot; risk, as few as keep the risks below; count, as many as you say.</source>
+        <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="188"/>
+        <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 has it: three times what you want at least.</source>
+        <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="139"/>
+        <source>at least {kept:g} kept, sampled as an isolated lot, LQ {lq:g} %</source>
+        <translation>zachowane co najmniej {kept:g}, próba z partii izolowanej, LQ {lq:g} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="186"/>
+        <source>Limiting quality (LQ)</source>
+        <translation>Jakość graniczna (LQ)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="43"/>
+        <source>Measures how much random noise an image has, from film, scanner or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. The rule compares noise with the scene; the amount beside it is the ratio of the signal to the noise. Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as land use or scale.</source>
+        <translation>Mówi, ile szumu losowego ma obraz, czy to film, skan, czy matryca. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (umiarkowany), a gdy jest silny, poziom 2 ponad poziom 3 (Pyka 2009). Ziarna grubszego niż piksel szuka się w widmie najspokojniejszego terenu; gdzie tekstura mogłaby je ukryć, ocena jest niepewna. Reguła porównuje szum ze sceną; ilość podana obok to stosunek sygnału do szumu. Zdjęcia i skany nie muszą leżeć na mapie. Porównuje się dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno mierzy się na obu, z pominięciem tych samych pikseli. Okna grupuje się według ich pola, na przykład użytkowania terenu lub skali.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="88"/>
+        <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, the most that grain can be, the verdict low, uncertain, moderate or strong, and beside it the amount of noise by the signal to noise ratio: little, some or much.</source>
+        <translation>Jeden wiersz na okno, raster i kanał: wariancja względna, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN, największe możliwe ziarno, ocena low, uncertain, moderate lub strong, a obok niej poziom szumu według stosunku sygnału do szumu: little, some lub much.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="32"/>
+        <source>little</source>
+        <translation>mały</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="33"/>
+        <source>some</source>
+        <translation>umiarkowany</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="34"/>
+        <source>much</source>
+        <translation>duży</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="144"/>
+        <source>Amount: {amount}; {sigma} DN without texture, signal to noise {ratio}.</source>
+        <translation>Poziom szumu: {amount}; {sigma} DN bez tekstury, stosunek sygnału do szumu {ratio}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="143"/>
+        <source>Amount: {amount}.</source>
+        <translation>Poziom szumu: {amount}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/report.py" line="139"/>
+        <source>amount</source>
+        <translation>poziom szumu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/words.py" line="119"/>
+        <source>The rules set no limit for it.</source>
+        <translation>Reguły nie zawierają granicy, względem której można by go ocenić.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/inspectwindows.py" line="47"/>
+        <source>Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the window are clipped and decomposed by wavelets, and what the mosaic has of its sources&apos; finest detail beside a seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss is significant where 70 % or less is kept along the seam, reduced where the 95 % interval lies below all of it. The paper&apos;s own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against every source is a significant loss.</source>
+        <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii mozaikowania zachowano 70 % lub mniej, a kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="49"/>
+        <source>Mend seams</source>
+        <translation>Napraw linie mozaikowania</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="51"/>
+        <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are eased. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as a scan does it, and only what keeps more detail than before stays. Where the orthoimages fit nowhere, the seam stays as it is and the table gives the reason.</source>
+        <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
+        <source>The seams as Scan a whole mosaic writes them, all of them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
+        <translation>Wszystkie linie mozaikowania, jak zapisuje je skanowanie całej ortofotomapy. Albo okna: wtedy ortofotomapa jest najpierw skanowana, a naprawiane są linie w oknach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
+        <source>failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every piece.</source>
+        <translation>failed: odcinki, które zachowują mniej niż 70 %. reduced: także te, które mierzalnie straciły detale. all: wszystkie odcinki.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="81"/>
+        <source>How far a new cut may move to either side of the seam; at most 800 pixels.</source>
+        <translation>Jak daleko nowe cięcie może odejść w każdą stronę od linii mozaikowania; najwyżej 800 pikseli.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="87"/>
+        <source>Width over which the two orthoimages are mixed at the cut. 0: a hard cut.</source>
+        <translation>Szerokość, na której oba ortoobrazy są mieszane przy cięciu. 0: twarde cięcie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="94"/>
+        <source>A folder for the patches, cloud-optimised GeoTIFFs with an alpha band; or the name of one .tif for all of them.</source>
+        <translation>Katalog na łaty, czyli pliki COG z kanałem alfa; albo nazwa jednego pliku .tif na wszystkie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="100"/>
+        <source>A virtual raster: the mosaic with the patches above it. It needs both where they are.</source>
+        <translation>Raster wirtualny: ortofotomapa, a nad nią łaty. Jedne i drugie muszą pozostać na swoich miejscach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="104"/>
+        <source>Each seam as it runs now, with what it kept before and after, and its step of tone before and after.</source>
+        <translation>Każda linia mozaikowania w nowym przebiegu, z tym, co zachowywała przed i po, oraz ze skokiem tonu przed i po.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
+        <source>What to mend</source>
+        <translation>Co naprawić</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="80"/>
+        <source>Width of the corridor (metres)</source>
+        <translation>Szerokość korytarza (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="85"/>
+        <source>Blend (pixels)</source>
+        <translation>Wtapianie (piksele)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="92"/>
+        <source>Patches</source>
+        <translation>Łaty</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="99"/>
+        <source>Mended mosaic</source>
+        <translation>Naprawiona ortofotomapa</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="103"/>
+        <source>Cuts</source>
+        <translation>Cięcia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="108"/>
+        <source>Length of the seams that are mended (metres)</source>
+        <translation>Długość naprawionych linii mozaikowania (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="109"/>
+        <source>Length of the seams that stay as they were (metres)</source>
+        <translation>Długość linii mozaikowania, które pozostały bez zmian (metry)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="68"/>
+        <source>Full width, from where the one image is all to where the other is. What such a feather would leave, in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the middle of the feather is predicted, where both images weigh the same.</source>
+        <translation>Pełna szerokość, od miejsca, gdzie jest tylko jeden obraz, do miejsca, gdzie jest tylko drugi. Ile takie wtapianie zostawiłoby w całym oknie i w samym pasie, podają window_kept i strip_kept. 0 lub puste: prognoza dotyczy tylko środka pasa, gdzie oba obrazy mają równe wagi.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/predictloss.py" line="84"/>
+        <source>Lines along which the images are to be joined, or polygons with such borders, where they are known. Elsewhere the seam is assumed to run straight through the middle of its window, and the prediction is the mean over the directions it may have.</source>
+        <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="56"/>
+        <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the desk. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
+        <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <source>Windows where least was kept, the worst first, ready for the desk and for Inspect windows.</source>
+        <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="86"/>
+        <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
+        <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging.py" line="85"/>
+        <source>{left} to go</source>
+        <translation>jeszcze {left}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="8"/>
+        <source>Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider.</source>
+        <translation>Oba ortoobrazy mają piksele w zbyt małej części korytarza, by ciąć od końca do końca; poszerz go.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="11"/>
+        <source>The two orthoimages lie {misfit:.1f} pixels apart along the best cut, so edges would break; widen the corridor or register the images better.</source>
+        <translation>Wzdłuż najlepszego cięcia oba ortoobrazy są przesunięte o {misfit:.1f} piksela, więc krawędzie byłyby przerwane; poszerz korytarz albo dopasuj lepiej obrazy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="15"/>
+        <source>The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images.</source>
+        <translation>Wzdłuż najlepszego cięcia oba ortoobrazy nie pokazują niczego wspólnego; poszerz korytarz albo wybierz inne obrazy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="18"/>
+        <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be told.</source>
+        <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="20"/>
+        <source>One of the two orthoimages has no pixels along the new cut.</source>
+        <translation>Jeden z dwóch ortoobrazów nie ma pikseli wzdłuż nowego cięcia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="21"/>
+        <source>{name} lacks bands of the mosaic: {bands}.</source>
+        <translation>W {name} brakuje kanałów ortofotomapy: {bands}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="22"/>
+        <source>The new cut keeps no more detail than the old seam, so its patch is left out.</source>
+        <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="25"/>
+        <source>The corridor is {width} m wide; give a number of metres above 0.</source>
+        <translation>Korytarz ma szerokość {width} m; podaj liczbę metrów większą od 0.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="26"/>
+        <source>The blend is {blend} pixels wide; give 0 to {most}.</source>
+        <translation>Wtapianie ma szerokość {blend} pikseli; podaj od 0 do {most}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="27"/>
+        <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
+        <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="30"/>
+        <source>The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes.</source>
+        <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="32"/>
+        <source>The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.</source>
+        <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="33"/>
+        <source>A patch would be written over {path}, which is an input; choose another folder.</source>
+        <translation>Łata zastąpiłaby plik wejściowy {path}; wybierz inny katalog.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="35"/>
+        <source>Mending was stopped; start it again with the same outputs, and it goes on where it was.</source>
+        <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
+        <source>Mending goes on where it stopped; seams that are cut already: {done}.</source>
+        <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
+        <source>{metres:.0f} m of the seams name no two orthoimages that are given, so they stay as they are.</source>
+        <translation>{metres:.0f} m linii mozaikowania nie wymienia dwóch podanych ortoobrazów, więc pozostają bez zmian.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="41"/>
+        <source>None of the seams is to be mended; choose another WHAT.</source>
+        <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="88"/>
+        <source>{share:.0f} % of the window matches none of the given sources, so what its seam kept can&apos;t be measured. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
+        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych, więc nie da się zmierzyć, ile zachowano wzdłuż linii mozaikowania. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="92"/>
+        <source>{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.</source>
+        <translation>{share:.0f} % okna nie pasuje do żadnego z podanych ortoobrazów źródłowych i nie wzięło udziału; ocena dotyczy reszty. Sprawdź ich daty i dodaj brakujący ortoobraz, chyba że ortofotomapę tam zmieniono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="96"/>
+        <source>{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic&apos;s pixel size. {more}</source>
+        <translation>{name} ma piksele {pixel:g} m, a ortofotomapa {own:g} m; podaj go z rozmiarem piksela ortofotomapy. {more}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/window_words.py" line="93"/>
+        <source>Significant: {percent} % or less of the finest detail is kept along the seam, or the whole window is blurred badly. Reduced: less than all is kept, beyond the error of the measurement. Preserved: no certain loss.</source>
+        <translation>Istotna strata: wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
+    </message>
+    <message>
+        <source>A seam is where the mosaic passes from one orthoimage to the next; it is measured piece by piece.</source>
+        <translation>Linia mozaikowania biegnie tam, gdzie ortofotomapa przechodzi z jednego ortoobrazu w drugi; mierzy się ją odcinek po odcinku.</translation>
+    </message>
+    <message>
+        <source>The decision is by the detail kept along the seams; what else was checked stands beside it and does not change it. Not looked at by any of these: accuracy of position, the orthoimages by themselves, clouds and shadows, what buildings hide, metadata.</source>
+        <translation>O decyzji rozstrzygają szczegóły zachowane wzdłuż linii mozaikowania; wyniki innych kontroli stoją obok i jej nie zmieniają. Żadna z tych kontroli nie obejmuje: dokładności położenia, samych ortoobrazów, chmur i cieni, martwych pól za budynkami ani metadanych.</translation>
+    </message>
+    <message>
+        <source>Radiometry: images that are not accepted</source>
+        <translation>Radiometria: obrazy, których nie przyjęto</translation>
+    </message>
+    <message>
+        <source>limits that are not kept</source>
+        <translation>niedotrzymane granice</translation>
+    </message>
+    <message>
+        <source>Clipping, peak and contrast come from the histogram of all valid pixels, of the luminosity (0.299 R + 0.587 G + 0.114 B) or of bands as the rules say. The peak is the fullest of 256 bins; contrast is the standard deviation as a share of the available range. In the histograms the peak should lie on green, and red is what counts as clipped.</source>
+        <translation>Obcięcie, maksimum i kontrast pochodzą z histogramu wszystkich pikseli z danymi, zależnie od reguł dla jasności (0,299 R + 0,587 G + 0,114 B) albo dla kanałów. Maksimum to najliczniejszy z 256 przedziałów; kontrast to odchylenie standardowe jako część dostępnego zakresu. Na histogramach maksimum powinno leżeć na zielonym polu, a czerwone oznacza to, co liczy się jako obcięte.</translation>
+    </message>
+    <message>
+        <source>Largest possible is the most that noise can be, grain of up to 1.35 px included: no level has more than its quietest ground varies, in all windows of the image that are as bright. Where grain of that strength would make the verdict worse, it is uncertain.</source>
+        <translation>Największy możliwy to najwięcej, ile może wynosić szum, łącznie z ziarnem do 1,35 px: na żadnym poziomie nie ma go więcej, niż zmienia się najspokojniejszy teren, we wszystkich równie jasnych oknach obrazu. Jeśli ziarno o takiej sile pogorszyłoby ocenę, jest ona niepewna.</translation>
+    </message>
+    <message>
+        <source>The verdict compares noise with the scene&apos;s own detail. Amount is how much noise there is: the mean over the noise&apos;s standard deviation, texture taken off, is 40 or more where it is little, below 10 where it is much (ISO 12232).</source>
+        <translation>Ocena porównuje szum z detalami samej sceny. Poziom szumu mówi, ile szumu jest: średnia podzielona przez odchylenie standardowe szumu, po odjęciu tekstury, wynosi co najmniej 40, gdy jest mały, a poniżej 10, gdy jest duży (ISO 12232).</translation>
+    </message>
+    <message>
+        <source>ISO 2859-2, isolated lot, LQ 5 %</source>
+        <translation>ISO 2859-2, partia izolowana, LQ 5 %</translation>
+    </message>
+    <message>
+        <source>ISO 2859-2:1985, single sampling of an isolated lot, procedure A</source>
+        <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="360"/>
+        <source>New windows at the same places</source>
+        <translation>Nowe okna w tych samych miejscach</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="361"/>
+        <source>The windows are of this mosaic</source>
+        <translation>Okna należą do tej ortofotomapy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/dock.py" line="362"/>
+        <source>Leave these windows as they are</source>
+        <translation>Zostaw te okna bez zmian</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="36"/>
+        <source>The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.</source>
+        <translation>Okna w {name} zmierzono i oceniono na {older}, a teraz ortofotomapą jest {newer}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/messages.py" line="39"/>
+        <source>{mosaic} has changed since the windows in {name} were measured and judged.</source>
+        <translation>{mosaic} zmieniono po zmierzeniu i ocenieniu okien w {name}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="28"/>
+        <source>Holds labels, not an image: {count} different values.</source>
+        <translation>Zawiera etykiety, a nie obraz: {count} różnych wartości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="37"/>
+        <source>Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: {count}, on seam {places}.</source>
+        <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="49"/>
+        <source>Windows placed along the seams: {count}; some places are left without one, as the log messages tell.</source>
+        <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="57"/>
+        <source>Window {window}: {what}</source>
+        <translation>Okno {window}: {what}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="58"/>
+        <source>In {count} windows ({windows}): {what}</source>
+        <translation>Okna ({count}: {windows}): {what}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="59"/>
+        <source>In {count} windows ({windows}), such as {window}: {what}</source>
+        <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="17"/>
+        <source>{name} is a service or a database, not a file; save the part that is needed as GeoTIFF.</source>
+        <translation>{name} to usługa lub baza danych, a nie plik; zapisz potrzebną część jako GeoTIFF.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="19"/>
+        <source>{name} is read by GDAL&apos;s driver {driver}, which may lead to other files; save it as GeoTIFF.</source>
+        <translation>{name} czyta sterownik GDAL {driver}, który może prowadzić do innych plików; zapisz dane jako GeoTIFF.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="21"/>
+        <source>{path} is called like a file of {name} and is a device or a pipe; remove it.</source>
+        <translation>{path} nazywa się jak plik należący do {name}, a jest urządzeniem lub potokiem; usuń go.</translation>
+    </message>
+    <message>
+        <source>The words are explained after the flagged windows, under How to read this.</source>
+        <translation>Znaczenie słów podano za oznaczonymi oknami, w części Jak to czytać.</translation>
+    </message>
+    <message>
+        <source>The cross marks where the mark was found or, for a failed one, where the others place it: column, row.</source>
+        <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
+        <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="14"/>
+        <source>{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it anew.</source>
+        <translation>{name} jest uszkodzony w kolumnach od {left} do {right} i wierszach od {top} do {bottom} (GDAL: {why}); skopiuj go ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <source>The server of {name} sends less than {bytes} bytes a second; try again later, or copy it to a local disk.</source>
+        <translation>Serwer pliku {name} wysyła mniej niż {bytes} bajtów na sekundę; spróbuj ponownie później albo skopiuj plik na dysk lokalny.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/distance_words.py" line="44"/>
+        <source>{direction}, one group more or less: {low} to {high} cm</source>
+        <translation>{direction}, o grupę więcej lub mniej: {low} do {high} cm</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="89"/>
+        <source>The groups tell too little of the target&apos;s contrast, so the full amplitude is taken from the ground beside the bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.</source>
+        <translation>Grupy zbyt mało mówią o kontraście testu, więc pełną amplitudę przyjęto z terenu obok pasków; narysuj linie także przez grubsze grupy albo upewnij się, że ten teren jest tak ciemny jak przerwy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="101"/>
+        <source>&apos;{word}&apos; is no reference height; give metres, or a name and metres for each group, as &apos;DMC 2714; RC20 2015&apos;.</source>
+        <translation>„{word}” nie jest wysokością odniesienia; podaj metry albo nazwę i metry dla każdej grupy, np. &apos;DMC 2714; RC20 2015&apos;.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measure/messages.py" line="104"/>
+        <source>There is a reference height for {name}, but no group of passes is called so; give one of: {known}.</source>
+        <translation>Podano wysokość odniesienia dla {name}, ale żadna grupa przelotów tak się nie nazywa; podaj jedną z: {known}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measureresolution.py" line="143"/>
+        <source>Finest distance that may be resolved along the flight (cm)</source>
+        <translation>Najmniejsza terenowa zdolność rozdzielcza możliwa wzdłuż kierunku lotu (cm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measureresolution.py" line="144"/>
+        <source>Coarsest distance that may be the finest one along the flight (cm)</source>
+        <translation>Największa terenowa zdolność rozdzielcza możliwa wzdłuż kierunku lotu (cm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measureresolution.py" line="145"/>
+        <source>Finest distance that may be resolved across the flight (cm)</source>
+        <translation>Najmniejsza terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/measureresolution.py" line="146"/>
+        <source>Coarsest distance that may be the finest one across the flight (cm)</source>
+        <translation>Największa terenowa zdolność rozdzielcza możliwa w poprzek kierunku lotu (cm)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/resolution/minimumheight.py" line="143"/>
+        <source>The minimum height that the results are compared with, or one for each sensor, type of image or direction: &apos;DMC 2714; RC20 2015&apos;.</source>
+        <translation>Wysokość minimalna, z którą porównuje się wyniki, albo po jednej dla każdego sensora, typu obrazu lub kierunku: &apos;DMC 2714; RC20 2015&apos;.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="58"/>
+        <source>{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image&apos;s RPC holds for {first:.0f} to {last:.0f} m; but for a shift they miss the RPC by {missed:.3g} px. Errors and recommendation mean nothing if the heights are wrong, so check them and their unit.</source>
+        <translation>Punkty ({count}: {names}) mają wysokości od {low:.0f} do {high:.0f} m, a RPC obrazu obowiązuje od {first:.0f} do {last:.0f} m; poza przesunięciem różnią się od RPC o {missed:.3g} px. Błędy i zalecenie nic nie znaczą, jeśli wysokości są złe, więc sprawdź je i ich jednostkę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="64"/>
+        <source>{count} points lie outside the image ({names}), where its RPC sees them, too; they are used.</source>
+        <translation>Liczba punktów leżących poza obrazem ({names}) tam, gdzie widzi je także jego RPC: {count}; są używane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="67"/>
+        <source>By the image&apos;s RPC the points&apos; heights are in feet: as metres they miss it by {missed:.3g} px, as feet by {left:.3g} px; give metres.</source>
+        <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {missed:.3g} px, jako stopy o {left:.3g} px; podaj metry.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
+        <source>{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac that does.</source>
+        <translation>{name} nie zawiera kamery, którą można odczytać; wybierz plik programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac, który ją zawiera.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="191"/>
+        <source>{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML.</source>
+        <translation>{name} odczytuje pakiet PyYAML języka Python, którego brak; zainstaluj go albo podaj kamerę jako JSON lub XML.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="201"/>
+        <source>Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.</source>
+        <translation>Kąty w {name} sięgają {angle:.6g} i są brane jako stopnie; ustaw ich jednostkę, jeśli są w gradach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
+        <source>The rotation of {name} is taken as {way} commonly has it, which no file says; check how the orthoimage lies.</source>
+        <translation>Obrót {name} przyjęto tak, jak zwykle zapisuje go {way}, czego żaden plik nie mówi; sprawdź położenie ortoobrazu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
+        <source>The camera of {name} has a distortion that is not known here ({kind}); pinhole, Brown&apos;s, OpenCV&apos;s and fisheye lenses are.</source>
+        <translation>Kamera z {name} ma dystorsję, która nie jest tu znana ({kind}); znane są obiektywy bez dystorsji, Browna, OpenCV i rybie oko.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="214"/>
+        <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
+        <translation>{name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa albo plik programu OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="221"/>
+        <source>An interior orientation needs an exterior one; give it, too.</source>
+        <translation>Orientacja wewnętrzna wymaga zewnętrznej; podaj także ją.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
+        <source>Of a table. auto: what its header says, else degrees.</source>
+        <translation>W tabeli. auto: to, co mówi jej nagłówek, inaczej stopnie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectify.py" line="57"/>
+        <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS&apos;s text or a YAML file of orthority. Without it and without a model file: the image&apos;s own RPC.</source>
+        <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, tekst ALOS albo plik YAML programu orthority. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectify.py" line="65"/>
+        <source>The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac write it. Empty: in the file of the exterior orientation.</source>
+        <translation>Kamera zdjęcia lotniczego w zapisie programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac. Puste: w pliku orientacji zewnętrznej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
+        <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa, or a file of OpenSfM (an OpenDroneMap project&apos;s folder, too), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
+        <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa albo plik programu OpenSfM (także katalog projektu OpenDroneMap), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectify.py" line="91"/>
+        <source>Angles of the exterior orientation</source>
+        <translation>Kąty orientacji zewnętrznej</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="36"/>
+        <source>The Dask scheduler at {address} does not answer ({error}); check the address, of which the port mostly is 8786, or leave it empty.</source>
+        <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres, którego port to najczęściej 8786, albo pozostaw go pusty.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="40"/>
+        <source>What answers at {address} is not a Dask scheduler; check the address, of which the port mostly is 8786, or leave it empty.</source>
+        <translation>To, co odpowiada pod adresem {address}, nie jest schedulerem Dask; sprawdź adres, którego port to najczęściej 8786, albo pozostaw go pusty.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="49"/>
+        <source>The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; start them anew, then run this again.</source>
+        <translation>Procesy robocze schedulera Dask pod adresem {address} nie odpowiadają od {seconds:.0f} s; uruchom je od nowa, a potem powtórz to zadanie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="71"/>
+        <source>&apos;{output}&apos; can&apos;t be {path}: QGIS takes &apos;{found}&apos; in the path of a layer for something else; choose another name.</source>
+        <translation>&apos;{output}&apos; nie może być plikiem {path}: QGIS inaczej rozumie &apos;{found}&apos; w ścieżce warstwy; wybierz inną nazwę.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="20"/>
+        <source>The rectangle around the outline is measured where a window is not a rectangle along the mosaic&apos;s axes: {count}.</source>
+        <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
 </context>
 </TS>

@@ -4,18 +4,20 @@ from __future__ import annotations
 from qgis.core import QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
-from .acceptance.acceptmosaic import AcceptMosaic
+from .acceptance.checkdelivery import CheckDelivery
 from .acceptance.planinspection import PlanInspection
 from .noise.checknoise import CheckNoise
 from .photos.comparemarks import CompareMarks
 from .photos.enhancephoto import EnhancePhoto
 from .photos.interiororientation import InteriorOrientation
+from .proven_acceptance import ProvenAcceptMosaic
 from .radiometry.checkradiometry import CheckRadiometry
 from .resolution.measureresolution import MeasureResolution
 from .resolution.minimumheight import MinimumHeight
 from .resolution.simulatebayer import SimulateBayer
 from .seams.algorithms.calibratethreshold import CalibrateThreshold
 from .seams.algorithms.inspectwindows import InspectWindows
+from .seams.algorithms.mendseams import MendSeams
 from .seams.algorithms.placewindows import PlaceWindows
 from .seams.algorithms.predictloss import PredictLoss
 from .seams.algorithms.report import Report
@@ -32,8 +34,10 @@ ALGORITHMS = (
     PlaceWindows,
     InspectWindows,
     ScanMosaic,
+    MendSeams,
+    CheckDelivery,
     PlanInspection,
-    AcceptMosaic,
+    ProvenAcceptMosaic,
     PredictLoss,
     CalibrateThreshold,
     Report,

@@ -4,7 +4,7 @@ from __future__ import annotations
 import re
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -37,6 +37,8 @@ class Fault:
     """No answer at all, until the server is closed."""
     dropped: bool = False
     """The connection is closed at once."""
+    dripping: float = 0.0
+    """Seconds from each byte to the next."""
     cut_to: float = 1.0
     """Share of the bytes that are sent before the connection is closed."""
 
@@ -129,8 +131,11 @@ class _Handler(BaseHTTPRequestHandler):
         sent = part[: int(len(part) * fault.cut_to)] if self.command == "GET" else b""
         state.answers.append(Answer(self.command, path, start, stop, status, len(sent)))
         self.end_headers()  # from here on the other side may go on
-        if sent:
-            self.wfile.write(sent)
+        with suppress(BrokenPipeError):  # the other side had enough
+            for byte in sent if fault.dripping else ():
+                state.closing.wait(fault.dripping)
+                self.wfile.write(bytes([byte]))
+            self.wfile.write(b"" if fault.dripping else sent)
         if fault.cut_to < 1:
             self.close_connection = True
 

@@ -34,9 +34,10 @@ KINDS = {
     "field": "field",
     "file": "file",
     "fileDestination": "file",
+    "folderDestination": "folder",
     "rasterDestination": "raster",
 }
-RESULTS = {"outputNumber": "number", "outputString": "text"}
+RESULTS = {"outputNumber": "number", "outputString": "text", "outputRaster": "raster"}
 
 
 def tables(algorithm: QgsProcessingAlgorithm) -> dict[str, str]:
@@ -46,7 +47,10 @@ def tables(algorithm: QgsProcessingAlgorithm) -> dict[str, str]:
         (made if definition.isDestination() else asked).append(definition)
     asked.sort(key=_is_advanced)
     inputs = _table(("parameter", "kind", "default", "meaning"), map(_parameter_row, asked))
-    results = (_result_row(one) for one in algorithm.outputDefinitions() if one.type() in RESULTS)
+    own = {one.name() for one in algorithm.destinationParameterDefinitions()}
+    results = (
+        _result_row(one) for one in algorithm.outputDefinitions() if one.type() in RESULTS and one.name() not in own
+    )
     return {
         "parameters": inputs,
         "outputs": _table(("output", "kind", "meaning"), [*map(_destination_row, made), *results]),

@@ -2,7 +2,8 @@
 
     python -m tools.make_package [FOLDER]
 
-It holds the files of the commit, but for those that .gitattributes keeps out, and the compiled translations.
+It holds the files of the commit, but for those that .gitattributes keeps out, the compiled translations, and which
+commit it is.
 """
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ import time
 import zipfile
 from pathlib import Path
 
-from .committed import REPOSITORY, commit_time, refuse_what_is_not_committed, released_files
+from .committed import REPOSITORY, commit_time, git, refuse_what_is_not_committed, released_files
 
 _PLUGIN = "seam_inspector"
 _EARLIEST = 315532800  # 1980, where the times of zips begin
@@ -26,6 +27,7 @@ def make_package(folder: Path) -> Path:
     """The zip's path. Ends the program with a sentence when it can't be made."""
     files = released_files()
     files |= {name[: -len(".ts")] + ".qm": compiled(files[name]) for name in files if name.endswith(".ts")}
+    files["COMMIT"] = git("rev-parse", "HEAD")  # which reports tell
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{_PLUGIN}-{version(files['metadata.txt'])}.zip"
     when = time.gmtime(max(commit_time(), _EARLIEST))[:6]

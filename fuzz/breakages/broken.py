@@ -25,6 +25,8 @@ class Broken:
     """The only source of chance: the same case breaks the same way again."""
     outside: Path
     """A file that nothing may read into a result, and nobody may change."""
+    scale: int = 1
+    """Of what grows: times as many bytes."""
 
     @property
     def folder(self) -> Path:
@@ -55,18 +57,20 @@ class Registered:
     name: str
     endings: tuple[str, ...]
     breaks: Breakage
+    grows: bool = False
+    """Whether it makes something as long as ``Broken.scale`` says."""
 
 
 BREAKAGES: dict[str, Registered] = {}
 
 
-def breakage(*endings: str) -> Callable[[Breakage], Breakage]:
+def breakage(*endings: str, grows: bool = False) -> Callable[[Breakage], Breakage]:
     """Add a function to the registry, for files with these endings."""
 
     def register(function: Breakage) -> Breakage:
         name = function.__name__
         assert name not in BREAKAGES, name
-        BREAKAGES[name] = Registered(name, endings, function)
+        BREAKAGES[name] = Registered(name, endings, function, grows)
         return function
 
     return register

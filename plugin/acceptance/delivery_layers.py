@@ -5,7 +5,7 @@ Layers are looked up in their own thread (``seam_layers``) and read in another (
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -29,13 +29,15 @@ from qgis.core import (
 
 from ..imagery.errors import Message, SettingsError, WindowError
 from ..imagery.reference_systems import utm_wkt
+from ..imagery.seam_totals import TOTALS_DOMAIN
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
 from ..toolkit.table_fields import Attributes, attributes, number, text, whole_number
+from ..toolkit.translation import tr
 from .measure import messages
 from .measure.delivered_rows import LayerDoubts, united_delivery
-from .measure.delivery import DeliveredPiece, Delivery, SeenWindow
+from .measure.delivery import DeliveredLayer, DeliveredPiece, Delivery, SeenWindow
 
 
 def judged_windows(
@@ -85,6 +87,8 @@ class SeamLayer:
     source: QgsVectorLayerFeatureSource
     crs: QgsCoordinateReferenceSystem
     fields: tuple[str, ...]
+    scan: Mapping[str, str]
+    """What its scan wrote beside its rows: totals and settings."""
 
 
 def seam_layers(
@@ -92,7 +96,7 @@ def seam_layers(
 ) -> tuple[list[SeamLayer], list[Message]]:
     """The layers behind a parameter's values, each once, and what is to be told of them.
 
-    ``needed``: a field that each must have. Raises SettingsError where one is no layer of lines.
+    ``needed``: a field that each must have. Raises SettingsError where one is no layer of lines, or is filtered.
     """
     found: list[QgsVectorLayer] = []
     told: list[Message] = []
@@ -101,6 +105,8 @@ def seam_layers(
         if any(_is_same(layer, other) for other in found):
             told.append(messages.LAYER_TWICE(name=layer.name()))
             continue
+        if layer.subsetString():
+            raise SettingsError(messages.LAYER_FILTERED(name=layer.name(), filter=layer.subsetString()))
         if needed and needed not in layer.fields().names():
             raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=layer.name()))
         found.append(layer)
@@ -112,7 +118,7 @@ def seam_layers(
     made = [
         SeamLayer(
             name, layers.layer_address(layer), QgsVectorLayerFeatureSource(layer), layer.crs(),
-            tuple(layer.fields().names()),
+            tuple(layer.fields().names()), layers.layer_notes(layer, TOTALS_DOMAIN),
         )
         for name, layer in zip(_names(found), found)
     ]
@@ -132,16 +138,18 @@ def read_delivery(
     pieces: list[DeliveredPiece] = []
     told: list[Message] = []
     lots: set[int] = set()
+    read: list[DeliveredLayer] = []
     for layer in seams:
         doubts = LayerDoubts(layer.sheet)
         for row, piece in _pieces(layer, crs, transforms, (sheet_field,) if sheet_field else _SHEET_FIELDS, doubts):
             pieces.append(replace(piece, sample_number=whole_number(row["sample"])))
             lots.add(whole_number(row["lot_size"]) or 0)
         told += doubts.told()
+        read.append(doubts.layer(layer.scan))
     if not pieces:
         raise SettingsError(messages.LAYERS_EMPTY())
     size = max(lots) or None if any(piece.sample_number for piece in pieces) else None
-    delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), metres_in_unit(crs), size)
+    delivery, doubled = united_delivery(pieces, layers.system_wkt(crs), metres_in_unit(crs), size, read)
     told += doubled
     if all(layer.crs.isGeographic() for layer in seams) and not crs.isGeographic():
         told.append(messages.PLACES_IN(system=crs.description()))
@@ -180,9 +188,10 @@ def _is_same(layer: QgsVectorLayer, other: QgsVectorLayer) -> bool:
 
 
 def _name(layer: QgsVectorLayer) -> str:
-    """Of a file whose name has dots all but its ending, where QGIS ends at the first one."""
+    """Of its file where the layer has the title that scans give theirs, or that of a file with dots, whose name ends at
+    the first one for QGIS."""
     name, file = layer.name(), Path(layers.layer_path(layer))
-    return file.stem if name and name == file.name.split(".")[0] else name
+    return file.stem if file.stem and name in (file.name.split(".")[0], tr("Seams")) else name
 
 
 def _names(found: Sequence[QgsVectorLayer]) -> list[str]:

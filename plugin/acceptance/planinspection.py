@@ -45,7 +45,7 @@ class PlanInspection(SeamInspectorAlgorithm):
     HELP = QT_TR_NOOP(
         "Draws a random sample of the seams of a delivery, in proportion from every sheet: as large as ISO 2859-1 asks "
         "for, as stated risks ask for, or as large as you say. The sample comes as pieces of seam for 'Accept or "
-        "reject a delivery', or as windows that open in the dock to be judged. The same seed draws the same sample."
+        "reject a delivery', or as windows that open in the desk to be judged. The same seed draws the same sample."
     )
     RASTER_LISTS = (SEAMS,)
 
@@ -56,9 +56,10 @@ class PlanInspection(SeamInspectorAlgorithm):
         )
         add_sheets(self)
         self.addDescribed(
-            common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, RISK, BY_COUNT)),
+            common.choice(stated.PLAN, tr("Plan"), (stated.ISO2859, stated.ISOLATED, RISK, BY_COUNT)),
             tr(
-                "How many: iso2859, as the standard's tables say for the lot; risk, as few as keep the risks below; "
+                "How many: iso2859, as ISO 2859-1 says for a lot of a series; iso2859_2, as ISO 2859-2 says for an "
+                "isolated lot; risk, as few as keep the risks below; "
                 "count, as many as you say."
             ),
         )
@@ -91,7 +92,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             QgsProcessingParameterString(SHEET_FIELD, tr("Field of the sheets"), optional=True),
-            tr("Whose values the sample is drawn from in proportion. Empty: layer by layer."),
+            tr("The sample is drawn from each of its values in proportion. Empty: layer by layer."),
             advanced=True,
         )
         self.addDescribed(
@@ -109,7 +110,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         self._check(run)
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
-        return stated.with_standard_aql(super().for_check(parameters))
+        return stated.with_standard_words(super().for_check(parameters))
 
     def prepare(self, run: Run) -> None:
         from .delivery_layers import seam_layers
@@ -123,7 +124,7 @@ class PlanInspection(SeamInspectorAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from .measure.inspection_plan import drawn_sample
-        from .planned_sample import delivered_lot, planned, tell_plan, write_sample
+        from .planned_sample import delivered_lot, planned, write_sample
 
         run.tell(*self._told)
         delivery, lot = delivered_lot(run, self._seams, self._mosaic)
@@ -131,9 +132,11 @@ class PlanInspection(SeamInspectorAlgorithm):
         if size < len(lot):
             raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))
         risk = self._risk(run) if run.word(stated.PLAN) == RISK else None
-        plan, by_risk = planned(run, lot, size, risk, None if risk is None else self._correlation(run))
+        plan, said = planned(run, lot, size, risk, None if risk is None else self._correlation(run))
         sample = drawn_sample(lot, min(run.whole(COUNT), size) if plan is None else plan.sample_size, run.whole(SEED))
-        tell_plan(run, plan, None if by_risk is None or risk is None else (by_risk, risk), len(sample), size)
+        run.tell(*said or [messages.PLANNED_BY_COUNT(size=len(sample), lot=size)])
+        if plan is not None and len(sample) < plan.sample_size:
+            run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=len(sample)))
         return {
             OUTPUT: write_sample(run, sample, size, delivery.wkt, self._mosaic),
             SAMPLE_SIZE: len(sample),
@@ -157,23 +160,24 @@ class PlanInspection(SeamInspectorAlgorithm):
             advanced=True,
         )
         self.addDescribed(
-            common.real(CORRELATION, tr("Likeness along a seam"), None, 0.0, optional=True),
+            common.real(CORRELATION, tr("Correlation along a seam"), None, 0.0, optional=True),
             tr(
-                "How much alike pieces of one seam are, 0 to 1 (intraclass correlation); the sample grows with it. "
-                "Empty: as a scan's kept_1 says, or 0.3 without one."
+                "Intraclass correlation of the pieces of one seam, 0 to 1; the sample grows with it. Empty: as a "
+                "scan's kept_1 says, or 0.3 without one."
             ),
             advanced=True,
         )
         self.addDescribed(
             common.real(stated.MIN_KEPT, tr("Least share of detail kept"), stated.LIMITS[stated.MIN_KEPT], 0.0),
-            tr("What counts as failed where likeness along seams is taken from a scan."),
+            tr("What counts as failed where the correlation along seams is taken from a scan."),
             advanced=True,
         )
 
     def _check(self, run: Run) -> None:
         """Raise SettingsError for what can't be planned."""
-        plan = stated.known_word(run, stated.PLAN, (stated.ISO2859, RISK, BY_COUNT))
-        stated.standard_aql(run)
+        plan = stated.known_word(run, stated.PLAN, (stated.ISO2859, stated.ISOLATED, RISK, BY_COUNT))
+        for name in stated.QUALITIES:
+            stated.standard_quality(run, name)
         stated.known_word(run, stated.INSPECTION_LEVEL, INSPECTION_LEVELS)
         stated.known_word(run, stated.SEVERITY, SEVERITIES)
         stated.check_limit(LOT_SIZE, run.whole(LOT_SIZE))

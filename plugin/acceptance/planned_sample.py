@@ -25,15 +25,15 @@ from ..imagery.reference_systems import transform_points
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
-from ..toolkit.table_fields import column_fields, column_values, feature, whole_number
+from ..toolkit.table_fields import LARGEST_WHOLE, column_fields, column_values, feature, whole_number
 from ..toolkit.translation import tr
 from . import stated_rules as stated
 from .delivery_layers import SeamLayer, common_system, metres_in_unit, read_delivery
 from .measure import messages
 from .measure.delivery import DeliveredPiece, Delivery, in_order
-from .measure.inspection_plan import cut_pieces, plan_of_risk, risk_sentences
-from .measure.sampling_plans import SamplingPlan, single_sampling_plan
-from .measure.sampling_risks import RiskPlan, StatedRisk, allowed_at_aql, operating_characteristic
+from .measure.inspection_plan import cut_pieces, plan_of_risk, plan_sentence, risk_sentences
+from .measure.sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
+from .measure.sampling_risks import StatedRisk, operating_characteristic
 from .planinspection import BY_COUNT, OUTPUT, PIECE, SHEET_FIELD, SIDE, UNIT, WINDOWS
 from .sheet_index import with_sheets
 
@@ -115,36 +115,22 @@ def delivered_lot(
 
 def planned(
     run: Run, lot: Sequence[DeliveredPiece], size: int, risk: StatedRisk | None, correlation: float | None
-) -> tuple[SamplingPlan | None, RiskPlan | None]:
-    """The plan, none where as many are drawn as were asked for, and how it came about where risks were stated."""
+) -> tuple[SamplingPlan | None, list[Message]]:
+    """The plan, none where as many are drawn as were asked for; and how many are inspected, and what that risks."""
     if risk is not None:
         by_risk = plan_of_risk(lot, size, risk, correlation, run.real(stated.MIN_KEPT))
-        return by_risk.plan, by_risk
+        return by_risk.plan, [*risk_sentences(by_risk, risk)]
     if run.word(stated.PLAN) == BY_COUNT:
-        return None, None
-    level, severity = run.word(stated.INSPECTION_LEVEL), run.word(stated.SEVERITY)
-    return single_sampling_plan(size, stated.standard_aql(run), level, severity), None
-
-
-def tell_plan(
-    run: Run, plan: SamplingPlan | None, by_risk: tuple[RiskPlan, StatedRisk] | None, drawn: int, size: int
-) -> None:
-    """What is inspected of how many, and what that risks."""
-    if plan is None:
-        run.tell(messages.PLANNED_BY_COUNT(size=drawn, lot=size))
-        return
-    if by_risk is not None:
-        run.tell(*risk_sentences(*by_risk))
+        return None, []
+    if run.word(stated.PLAN) == stated.ISOLATED:
+        plan = isolated_lot_plan(size, stated.standard_quality(run, stated.LQ))
     else:
-        risks = operating_characteristic(plan)
-        run.tell(messages.PLANNED_BY_STANDARD(
-            size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1, level=plan.inspection_level,
-            aql=plan.aql, letter=plan.code_letter, allowed=allowed_at_aql(plan),
-            producers=risks.producers_risk, bad=round(risks.limiting_quality * plan.lot_size),
-            limiting=risks.limiting_quality, consumers=risks.consumers_risk,
-        ))  # fmt: skip
-    if drawn < plan.sample_size:
-        run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=drawn))
+        level, severity = run.word(stated.INSPECTION_LEVEL), run.word(stated.SEVERITY)
+        plan = single_sampling_plan(size, stated.standard_quality(run, stated.AQL), level, severity)
+    return plan, [messages.PLANNED_BY_STANDARD(
+        size=plan.sample_size, lot=size, acceptance=plan.rejection_number - 1,
+        plan=plan_sentence(plan, operating_characteristic(plan)),
+    )]
 
 
 def sampled_window(mosaic: Raster, piece: DeliveredPiece, wkt: str, side_m: float) -> PixelWindow:
@@ -177,7 +163,7 @@ _DRAWN: tuple[Column[SampledItem], ...] = (
     Column("sample", "integer", lambda one: one.order),
     Column("lot_size", "integer", lambda one: one.lot_size),
 )
-_SEAM: Column[SampledItem] = Column("seam_id", "integer", lambda one: whole_number(one.piece.seam_id))
+_SEAM: Column[SampledItem] = Column("seam_id", "integer", lambda one: whole_number(one.piece.seam_id, LARGEST_WHOLE))
 
 PIECE_COLUMNS: tuple[Column[SampledItem], ...] = (
     Column("sheet", "text", lambda one: one.piece.sheet),

@@ -22,7 +22,7 @@ from ..imagery.errors import SettingsError
 from ..toolkit.algorithms.base import SeamInspectorAlgorithm
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
-from ..toolkit.table_fields import attributes, text
+from ..toolkit.table_fields import Attributes, attributes, text
 from ..toolkit.translation import tr
 from .measure import messages
 
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from .measure.delivery import DeliveredPiece, Delivery, SheetOutline, SheetPart
 
 SHEETS = "SHEETS"
+COMPLETE, FINDINGS, LOCATION = "complete", "findings", "location"
+"""Fields of 'Check a delivery': whether nothing was found at a sheet, what was, and its file."""
 _SHORTEST = 1e-6  # of a piece: shorter parts are rounding
 _NAME_FIELDS = ("sheet", "name", "location", "tile", "id")
 """The first that a layer has says what its sheets are called; of a file's path its name."""
@@ -88,26 +90,21 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
 
     Raises SettingsError where the polygons have no names or no numbers for coordinates, or none holds a piece.
     """
-    from ..toolkit.layers import features, has_numbers
-
     if not run.parameters.get(SHEETS):
         return delivery
-    source = run.source(SHEETS)
-    names = source.fields().names()
-    field = next((name for wanted in _NAME_FIELDS for name in names if name.lower() == wanted), None)
-    if field is None:
-        raise SettingsError(messages.SHEETS_WITHOUT_NAMES(fields=", ".join(_NAME_FIELDS)))
-    transform = run.transform(source, reference_system(delivery.wkt))
+    rows, is_checked = _sheet_rows(run, SHEETS)
+    transform = run.transform(run.source(SHEETS), reference_system(delivery.wkt))
     sheets = _Sheets()
-    for row in attributes(features(source), names):
+    findings: dict[str, tuple[str, ...]] = {}
+    for name, row in rows:
         outline = QgsGeometry(row.feature.geometry())
-        if not has_numbers(outline):
-            raise SettingsError(messages.SHEET_WITHOUT_PLACE(name=text(row[field])))
         try:
             outline.transform(transform)
         except QgsCsException:
-            raise SettingsError(messages.NOT_TRANSFORMED(name=source.sourceName())) from None
-        sheets.add(Path(text(row[field])).stem, outline)
+            raise SettingsError(messages.NOT_TRANSFORMED(name=run.source(SHEETS).sourceName())) from None
+        sheets.add(name, outline)
+        if is_checked and (words := text(row[FINDINGS])):
+            findings[name] = (words,)
     found = [next(sheets.at(piece.middle), None) for piece in delivery.pieces]
     cut = [_sheet_parts(sheets, piece, sheet or piece.sheet) for piece, sheet in zip(delivery.pieces, found)]
     outside = sum(sheet is None for sheet in found)
@@ -119,7 +116,41 @@ def with_sheets(delivery: Delivery, run: Run) -> Delivery:
         replace(piece, sheet=sheet or piece.sheet, scan=piece.seam[0], sheet_parts=parts)
         for piece, sheet, parts in zip(delivery.pieces, found, cut)
     )
-    return replace(delivery, pieces=pieces, outlines=_sheet_outlines(sheets.outlines))
+    made = tuple(replace(one, findings=findings.get(one.name, ())) for one in _sheet_outlines(sheets.outlines))
+    return replace(delivery, pieces=pieces, outlines=made, is_checked=is_checked)
+
+
+def index_rows(run: Run, parameter: str, index_path: str) -> Iterator[tuple[str, str, bytes, str]]:
+    """Of each sheet its name, its file where the index names one, its outline as WKB and that one's reference system.
+
+    ``index_path``: the index's own file, at whose folder paths start. Raises SettingsError for sheets without a name or
+    a place.
+    """
+    from ..toolkit.layers import system_wkt
+
+    wkt, folder = system_wkt(run.source(parameter).sourceCrs()), Path(index_path).parent
+    for name, row in _sheet_rows(run, parameter)[0]:
+        path = text(row[LOCATION])
+        yield name, str(folder / path) if path else "", bytes(row.feature.geometry().asWkb()), wkt
+
+
+def _sheet_rows(run: Run, parameter: str) -> tuple[list[tuple[str, Attributes]], bool]:
+    """The sheets by name, and whether they come from 'Check a delivery'.
+
+    Raises SettingsError where one has no name or no place.
+    """
+    from ..toolkit.layers import features, has_numbers
+
+    source = run.source(parameter)
+    names = source.fields().names()
+    field = next((name for wanted in _NAME_FIELDS for name in names if name.lower() == wanted), None)
+    if field is None:
+        raise SettingsError(messages.SHEETS_WITHOUT_NAMES(fields=", ".join(_NAME_FIELDS)))
+    rows = list(attributes(features(source), names))
+    for row in rows:
+        if not has_numbers(row.feature.geometry()):
+            raise SettingsError(messages.SHEET_WITHOUT_PLACE(name=text(row[field])))
+    return [(Path(text(row[field])).stem, row) for row in rows], {COMPLETE, FINDINGS} <= set(names)
 
 
 def _sheet_outlines(outlines: list[tuple[str, QgsGeometry]]) -> tuple[SheetOutline, ...]:

@@ -24,12 +24,23 @@ from .measure.acceptance_rules import (
     load_acceptance_rules,
     ready_files,
 )
-from .measure.sampling_plans import DEFAULT_LEVEL, INSPECTION_LEVELS, NORMAL, SEVERITIES, SHARE_AQLS, aql_word
+from .measure.sampling_plans import (
+    DEFAULT_LEVEL,
+    DEFAULT_LQ,
+    INSPECTION_LEVELS,
+    LIMITING_QUALITIES,
+    NORMAL,
+    SEVERITIES,
+    SHARE_AQLS,
+    word_of,
+)
 
 READY_RULES, RULES = "READY_RULES", "RULES"
 MIN_KEPT, MAX_SHARE, MAX_RUN, MIN_MEASURED = "MIN_KEPT", "MAX_SHARE", "MAX_RUN", "MIN_MEASURED"
-PLAN, AQL, INSPECTION_LEVEL, SEVERITY = "PLAN", "AQL", "INSPECTION_LEVEL", "SEVERITY"
-ALL, ISO2859 = "all", "iso2859"
+PLAN, AQL, LQ, INSPECTION_LEVEL, SEVERITY = "PLAN", "AQL", "LQ", "INSPECTION_LEVEL", "SEVERITY"
+ALL, ISO2859, ISOLATED = "all", "iso2859", "iso2859_2"
+QUALITIES = {AQL: (SHARE_AQLS, limits.STANDARD_AQL), LQ: (LIMITING_QUALITIES, DEFAULT_LQ)}
+"""What the standards have of each, and what is taken where none is given."""
 LIMITS = {
     MIN_KEPT: limits.STANDARD_KEPT,
     MAX_SHARE: 100 * limits.STANDARD_FAILED_SHARE,
@@ -38,7 +49,7 @@ LIMITS = {
 }
 """What parameters that are numbers hold when nobody changes them."""
 DEFAULTS: dict[str, object] = {
-    **LIMITS, PLAN: ALL, AQL: limits.STANDARD_AQL, INSPECTION_LEVEL: DEFAULT_LEVEL, SEVERITY: NORMAL
+    **LIMITS, PLAN: ALL, AQL: limits.STANDARD_AQL, LQ: DEFAULT_LQ, INSPECTION_LEVEL: DEFAULT_LEVEL, SEVERITY: NORMAL
 }
 
 
@@ -69,12 +80,12 @@ def check_limit(name: str, value: float, most: float | None = None) -> None:
         raise SettingsError(messages.LIMIT_NO_SHARE(parameter=name, value=value, least=0, most=most))
 
 
-def standard_aql(run: Run) -> str:
-    """The AQL as the standard writes it, also of a number. Raises SettingsError for one that it does not have."""
-    value = run.raster_value(AQL)
-    word = limits.STANDARD_AQL if value is None or value == "" else aql_word(value)
-    if word is None or word not in SHARE_AQLS:
-        raise SettingsError(messages.AQL_UNKNOWN(aql=value, known=", ".join(SHARE_AQLS)))
+def standard_quality(run: Run, name: str) -> str:
+    """AQL or LQ as the standard writes it, also of a number. Raises SettingsError for one that it does not have."""
+    value, (known, usual) = run.raster_value(name), QUALITIES[name]
+    word = usual if value is None or value == "" else word_of(value, known)
+    if word is None:
+        raise SettingsError(messages.QUALITY_UNKNOWN(parameter=name, value=value, known=", ".join(known)))
     return word
 
 
@@ -86,10 +97,10 @@ def known_word(run: Run, name: str, known: tuple[str, ...]) -> str:
     return word
 
 
-def with_standard_aql(parameters: dict[str, Any]) -> dict[str, Any]:
-    """For QGIS's own check: an AQL that is a number, or written in another way, as the standard's word."""
-    word = aql_word(parameters.get(AQL))
-    return parameters if word is None else {**parameters, AQL: word}
+def with_standard_words(parameters: dict[str, Any]) -> dict[str, Any]:
+    """For QGIS's own check: qualities that are numbers, or written in another way, as the standard's words."""
+    words = {name: word_of(parameters.get(name), known) for name, (known, _) in QUALITIES.items()}
+    return {**parameters, **{name: word for name, word in words.items() if word is not None}}
 
 
 def _given(run: Run) -> dict[str, object]:
@@ -99,8 +110,8 @@ def _given(run: Run) -> dict[str, object]:
         value = run.real(name)
         check_limit(name, value, most)
         values[name] = value
-    values[PLAN] = known_word(run, PLAN, (ALL, ISO2859))
-    values[AQL] = standard_aql(run)
+    values[PLAN] = known_word(run, PLAN, (ALL, ISO2859, ISOLATED))
+    values.update({name: standard_quality(run, name) for name in QUALITIES})
     values[INSPECTION_LEVEL] = known_word(run, INSPECTION_LEVEL, INSPECTION_LEVELS)
     values[SEVERITY] = known_word(run, SEVERITY, SEVERITIES)
     return values
@@ -123,6 +134,11 @@ def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
         sampling = SamplingRule(aql, level, severity, source(PLAN))
         words = filled(name, kept=kept, level=level, aql=float(aql))
         return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)
+    if given[PLAN] == ISOLATED:
+        sampling = SamplingRule("", "", "", source(PLAN), str(given[LQ]))
+        words = filled(tr("at least {kept:g} kept, sampled as an isolated lot, LQ {lq:g} %"), kept=kept,
+            lq=float(sampling.lq))
+        return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)
     rules = (
         AcceptanceRule(FAILED_SHARE, limit(MAX_SHARE) / 100, source(MAX_SHARE)),
         AcceptanceRule(LONGEST_FAILURE, limit(MAX_RUN), source(MAX_RUN)),
@@ -135,14 +151,17 @@ def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
 
 def _as_parameters(rules: AcceptanceRules) -> dict[str, object]:
     """What a file says, in the parameters' units."""
-    said: dict[str, object] = {MIN_KEPT: rules.least_kept, PLAN: ISO2859 if rules.sampling else ALL}
+    plan = ALL if rules.sampling is None else ISOLATED if rules.sampling.lq else ISO2859
+    said: dict[str, object] = {MIN_KEPT: rules.least_kept, PLAN: plan}
     for name, check, scale in (
         (MAX_SHARE, FAILED_SHARE, 100), (MAX_RUN, LONGEST_FAILURE, 1), (MIN_MEASURED, MEASURED_SHARE, 100)
     ):
         limit = rules.limit(check)
         if limit is not None:
             said[name] = round(limit * scale, 9)
-    if rules.sampling is not None:
+    if plan == ISOLATED and rules.sampling is not None:
+        said[LQ] = rules.sampling.lq
+    elif rules.sampling is not None:
         said[AQL], said[INSPECTION_LEVEL] = rules.sampling.aql, rules.sampling.inspection_level
         said[SEVERITY] = rules.sampling.severity
     return said
@@ -154,7 +173,7 @@ _LARGEST_SEED = 2**31 - 1
 
 
 def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
-    """LOT_SIZE, AQL, INSPECTION_LEVEL, SEVERITY and SEED."""
+    """LOT_SIZE, AQL, LQ, INSPECTION_LEVEL, SEVERITY and SEED."""
     algorithm.addDescribed(
         QgsProcessingParameterNumber(LOT_SIZE, tr("Lot size"), _WHOLE, 0, minValue=0),
         tr("How many pieces of seam the whole lot has; 0: as many as the layers hold."),
@@ -162,6 +181,13 @@ def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
     algorithm.addDescribed(
         common.choice(AQL, tr("Acceptance quality limit (AQL)"), SHARE_AQLS, limits.STANDARD_AQL),
         tr("The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it."),
+    )
+    algorithm.addDescribed(
+        common.choice(LQ, tr("Limiting quality (LQ)"), LIMITING_QUALITIES, DEFAULT_LQ),
+        tr(
+            "The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 "
+            "has it: three times what you want at least."
+        ),
     )
     algorithm.addDescribed(
         common.choice(INSPECTION_LEVEL, tr("Inspection level"), INSPECTION_LEVELS, DEFAULT_LEVEL),

@@ -6,15 +6,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from osgeo import gdal
 
 from . import limits, messages
 from .errors import Exceeding, NotCoveredError, RasterError, WindowError
-from .gdal_calls import gdal_call
+from .gdal_calls import gdal_call, gdal_pixels
 from .grids import Extent, Grid, NumberedWindow, PixelWindow, snap_window
-from .open_raster import OpenRaster, PixelBlock, placed
+from .open_raster import OpenRaster, PixelBlock, damaged, placed
 from .rasters import Raster
 from .reference_systems import extent_on, same_coordinates
 
@@ -119,6 +120,8 @@ def read_overview(mosaic: Raster, extent: Extent, longest_px: int) -> tuple[Pixe
     source, grid = OpenRaster(mosaic.ref), mosaic.grid
     left, right = (grid.column_at(x) for x in (extent[0], extent[2]))
     top, bottom = (grid.row_at(y) for y in (extent[3], extent[1]))
+    if not all(map(math.isfinite, (left, right, top, bottom))):
+        return None
     left, right = max(math.floor(left), 0), min(math.ceil(right), grid.columns)
     top, bottom = max(math.floor(top), 0), min(math.ceil(bottom), grid.rows)
     if right <= left or bottom <= top:
@@ -156,13 +159,14 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly
         raise RasterError(messages.MUCH_FINER(name=source.ref.name, times=times))
     if source.roles.palette is not None:
         dataset = gdal_call(lambda: _palette_expanded(source.dataset), failure)
-    warped = gdal_call(
+    warped = gdal_pixels(
         lambda: gdal.Warp(
             "", dataset, format="MEM", srcSRS=raster.wkt, dstSRS=mosaic.wkt, outputBounds=extent,
             width=window.width, height=window.height, dstAlpha=True, warpOptions=["UNIFIED_SRC_NODATA=YES"],
             resampleAlg="average" if raster.ground_sample_distance < finest else "cubic",
         ),
         failure,
+        partial(damaged, source.ref.name, PixelWindow(0, 0, source.columns, source.rows)),
     )
     for i in range(dataset.RasterCount):  # GDAL keeps no roles when it adds alpha
         warped.GetRasterBand(i + 1).SetColorInterpretation(dataset.GetRasterBand(i + 1).GetColorInterpretation())

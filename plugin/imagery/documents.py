@@ -13,7 +13,8 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Callable, Optional, TypeVar
-from xml.etree.ElementTree import Element, ParseError, TreeBuilder, XMLParser
+from xml.etree.ElementTree import Element, ParseError, TreeBuilder
+from xml.parsers import expat
 
 from . import messages
 from .errors import Message, SettingsError
@@ -21,6 +22,7 @@ from .gdal_calls import is_endless
 from .messages import system_reason
 
 MOST_BYTES = 100_000_000  # a hundred times the largest table of points or rules anybody has
+_MOST_DIGITS = 400  # more than the largest float has
 
 _PairsHook = Optional[Callable[[Sequence[tuple[str, Any]]], Any]]
 
@@ -37,14 +39,23 @@ def document_bytes(path: Path) -> bytes:
 
 
 def json_document(text: str | bytes, pairs: _PairsHook = None) -> Any:
-    """What a JSON text says; ``pairs`` makes the objects. Raises ValueError for what is none, or nested too deeply."""
+    """What a JSON text says; ``pairs`` makes the objects.
+
+    Raises JSONDecodeError for what is none, nested too deeply, or holds whole numbers that are longer than any is.
+    """
     try:
-        return json.loads(text, object_pairs_hook=pairs)
-    except RecursionError:
-        raise json.JSONDecodeError("nested too deeply", "", 0) from None
+        return json.loads(text, object_pairs_hook=pairs, parse_int=_whole)
+    except json.JSONDecodeError:
+        raise
+    except (RecursionError, ValueError) as error:  # ValueError of an encoding that is not kept to, too
+        why = "nested too deeply" if isinstance(error, RecursionError) else str(error)
+        raise json.JSONDecodeError(why, "", 0) from None
 
 
-_PIECE = 64  # bytes given to the parser at once: it stops before a document type's entities are put to use
+def _whole(digits: str) -> int:
+    if len(digits) > _MOST_DIGITS:  # the time that they take grows with the square of their number
+        raise ValueError("a number of too many digits")
+    return int(digits)
 
 
 def looks_like_xml(content: bytes) -> bool:
@@ -58,26 +69,21 @@ def xml_root(content: bytes) -> Element:
     Raises ParseError for what is no XML and for a document type of its own: no data need one, and its entities can
     name other files or grow beyond all memory.
     """
-    parser = XMLParser(target=_PlainElements())
+    builder, parser = TreeBuilder(), expat.ParserCreate(namespace_separator="}")
+    parser.buffer_text = True
+    parser.StartDoctypeDeclHandler = _refuse_document_type
+    parser.StartElementHandler = lambda tag, attributes: builder.start(tag.rpartition("}")[2], attributes)
+    parser.EndElementHandler = lambda tag: builder.end(tag.rpartition("}")[2])
+    parser.CharacterDataHandler = builder.data
     try:
-        for start in range(0, len(content), _PIECE):
-            parser.feed(content[start : start + _PIECE])
-        root = parser.close()
-    except (ValueError, LookupError) as error:  # an encoding that is unknown or not kept to
+        parser.Parse(content, True)
+    except (expat.ExpatError, ValueError, LookupError) as error:  # the last two of an encoding
         raise ParseError(str(error)) from None
-    assert isinstance(root, Element)
-    return root
+    return builder.close()
 
 
-class _PlainElements(TreeBuilder):
-    def start(self, tag: str, attributes: dict[str, str]) -> Element:
-        return super().start(tag.rpartition("}")[2], attributes)
-
-    def end(self, tag: str) -> Element:
-        return super().end(tag.rpartition("}")[2])
-
-    def doctype(self, *declared: object) -> None:
-        raise ParseError("document types are refused")
+def _refuse_document_type(*declared: object) -> None:
+    raise ParseError("document types are refused")
 
 
 _READY = Path(__file__).parents[2] / "resources" / "rules"
@@ -179,11 +185,12 @@ def ready_rules(subject: str) -> dict[str, Path]:
 
 def _object(name: str, pairs: Sequence[tuple[str, Any]]) -> dict[str, Any]:
     """An object of a file; raises SettingsError where a key stands in it twice: which of the two is meant?"""
-    keys = [key for key, _ in pairs]
-    for key in keys:
-        if keys.count(key) > 1:
+    made: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in made:
             raise SettingsError(messages.RULES_KEY_TWICE(name=name, key=key))
-    return dict(pairs)
+        made[key] = value
+    return made
 
 
 def is_number(value: Any) -> bool:

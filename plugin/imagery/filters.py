@@ -1,8 +1,8 @@
 """The wavelets' filters over pixels: one step of the decomposition, and small kernels, as products of matrices.
 
-A step filters periodically along both axes and keeps every second output. A block of outputs is one small product with
-a band of the filter matrix (``FilterPair``). It runs strip by strip, so that what lies between two passes stays in the
-cache and the converted samples are never held whole.
+A step filters along both axes, periodically or with mirrored edges, and keeps every second output. A block of outputs
+is one small product with a band of the filter matrix (``FilterPair``). It runs strip by strip, so that what lies
+between two passes stays in the cache and the converted samples are never held whole.
 """
 from __future__ import annotations
 
@@ -123,14 +123,19 @@ def halved(
     return coarse[:, : rows // 2, : columns // 2], products
 
 
-def split(bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, dtype: type) -> np.ndarray:
-    """LL, LH, HL and HH of bands (bands, rows, columns) less their offsets, (4, bands, rows / 2, columns / 2)."""
+def split(
+    bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, dtype: type, mirrored: bool = False
+) -> np.ndarray:
+    """LL, LH, HL and HH of bands (bands, rows, columns) less their offsets, (4, bands, rows / 2, columns / 2).
+
+    Beyond their edges the bands go on periodically, or ``mirrored``.
+    """
     count, rows, columns = bands.shape
     matrix, margin = _both_matrix(filters, dtype), filters.margin
     parts = np.empty((2, 2, count, *(_whole(length) // 2 for length in (rows, columns))), dtype)
     for band in range(count):
         alone = slice(band, band + 1)
-        for start, samples in _strips(bands[alone], offsets[alone], margin, _SPLIT_AT_A_TIME, dtype):
+        for start, samples in _strips(bands[alone], offsets[alone], margin, _SPLIT_AT_A_TIME, dtype, mirrored):
             height, across = samples.shape[1] - 2 * margin, parts.shape[-1] // BLOCK
             # Of each block of rows both filters' outputs, then the same of each block of columns.
             down = reused("down", (1, height, samples.shape[2]), dtype)
@@ -161,9 +166,10 @@ def _whole(length: int) -> int:
 
 
 def _strips(
-    bands: np.ndarray, offsets: Sequence[float], margin: int, at_a_time: int, dtype: type
+    bands: np.ndarray, offsets: Sequence[float], margin: int, at_a_time: int, dtype: type, mirrored: bool = False
 ) -> Iterator[tuple[int, np.ndarray]]:
-    """First row and samples (bands, rows, columns) of each strip, with a margin on all sides, periodically continued.
+    """First row and samples (bands, rows, columns) of each strip, with a margin on all sides, continued periodically or
+    ``mirrored``.
 
     Rounded up to whole blocks within the margins. The next strip takes the same memory.
     """
@@ -171,7 +177,10 @@ def _strips(
     most = max(at_a_time // (count * columns * 2 * BLOCK), 1) * 2 * BLOCK
     inside = slice(margin, margin + columns)
     buffer = reused("samples", (count, min(most, _whole(rows)) + 2 * margin, _whole(columns) + 2 * margin), dtype)
-    left, right = np.arange(-margin, 0) % columns, np.arange(columns, buffer.shape[2] - margin) % columns
+    left, right = (
+        _continued(beyond, columns, mirrored)
+        for beyond in (np.arange(-margin, 0), np.arange(columns, buffer.shape[2] - margin))
+    )
     for start in range(0, rows, most):
         first, last = start - margin, start + _whole(min(most, rows - start)) + margin
         samples = buffer[:, : last - first]
@@ -179,13 +188,21 @@ def _strips(
         samples[:, held.start - first : held.stop - first, inside] = bands[:, held]
         for beyond in (np.arange(first, held.start), np.arange(held.stop, last)):
             if len(beyond):
-                samples[:, beyond - first, inside] = bands[:, beyond % rows]
+                samples[:, beyond - first, inside] = bands[:, _continued(beyond, rows, mirrored)]
         samples[:, :, : inside.start] = samples[:, :, margin + left]
         samples[:, :, inside.stop :] = samples[:, :, margin + right]
         for band, offset in zip(samples, offsets):
             if offset:
                 band -= dtype(offset)  # whole rows: numpy takes them in one piece, which is six times as fast
         yield start, samples
+
+
+def _continued(beyond: np.ndarray, length: int, mirrored: bool) -> np.ndarray:
+    """The samples of an axis that stand at places beyond its ends."""
+    if not mirrored:
+        return np.asarray(beyond % length)
+    beyond = beyond % (2 * length)
+    return np.minimum(beyond, 2 * length - 1 - beyond)
 
 
 def _banded(x: np.ndarray, matrix: np.ndarray, out: np.ndarray) -> None:

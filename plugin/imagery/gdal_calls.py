@@ -1,76 +1,180 @@
-"""GDAL without its own messages, its failures as ours whether or not its exceptions are on, and what it must not open.
+"""What is opened, by whom, with which drivers, and what is not: a path of others may lead to what never ends.
 
-That are paths that never end, make whoever reads them wait, or are memory, whoever names them.
+And how GDAL is called: without its own messages, its failures as ours whether or not its exceptions are on.
+
+| who | opens | as |
+|---|---|---|
+| `open_raster` | mosaics, orthoimages, heights, photos, also those that VRTs name | `RASTERS`, checked |
+| `seam_features` | seamlines and cells that the Python interface is given | `FEATURES`, checked |
+| `outputs` | inputs and what is to be replaced, to see which files they are | `ANYTHING`, checked |
+| here | tile indexes of a raster (GTI) | `FEATURES` |
+| `layers`, `point_tables`, `feature_sinks` | a file that QGIS has open, or that was just written | `FEATURES` |
+| `raster_writer`, `orthorectification`, `mended_mosaic` | what was read or written just before | `RASTERS` |
+| `window_layer` | `windows*.gpkg` beside a project, which nobody chose | SQLite, after `holds_only_tables` |
+| `mark_tables` | the layers in a folder of marks | QGIS, after `is_layer_file` |
+| `record_store` | `.unsaved`, `.results`, `.scan`, which nobody chose | SQLite, of our own tables only |
+| `documents` | XML, JSON, rules, camera files | Python, after `is_endless`, up to a size |
+
+Checked is by ``check_raster_path``. QGIS itself opens the layers of projects, and the vector inputs of algorithms once
+``is_endless`` let their paths pass.
 """
 from __future__ import annotations
 
 import os
 import re
+import sqlite3
 import stat
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import closing, contextmanager, suppress
+from enum import Enum
 from functools import lru_cache
-from html import unescape
+from pathlib import Path
 from typing import Any, Callable, NamedTuple
+from urllib.parse import unquote
 
 from osgeo import gdal
 
 from . import messages
 from .errors import Message, RasterError
 
+_HELD_BY_ITSELF = (
+    "GTiff", "COG", "JPEG", "PNG", "GIF", "BIGGIF", "BMP", "WEBP", "JPEGXL", "HEIF", "PNM", "JP2OpenJPEG", "JP2ECW",
+    "JP2KAK", "JP2MrSID", "JP2Lura", "ECW", "MrSID", "HFA", "ENVI", "EHdr", "NITF", "RMF", "RST", "KRO", "SGI", "TGA",
+    "AAIGrid", "GRASSASCIIGrid", "GSAG", "GSBG", "GS7BG", "XYZ", "SRTMHGT", "DTED", "USGSDEM", "SAGA", "PCRaster",
+    "BYN", "CTable2", "GTX", "ISG", "LOSLAS", "NGSGEOID", "NTv2", "GPKG", "MBTiles",
+)  # fmt: skip
+"""Formats of images, heights and geoids that name no other file, as ERS, MRF, DIMAP, HDF5 and services do."""
+_MADE_OF_OTHERS = ("VRT", "GTI")
+_TABLES = (
+    "GPKG", "ESRI Shapefile", "GeoJSON", "GeoJSONSeq", "TopoJSON", "ESRIJSON", "FlatGeobuf", "CSV", "SQLite", "KML",
+    "LIBKML", "GML", "GPX", "DXF", "DGN", "MapInfo File", "OpenFileGDB", "Parquet", "Arrow", "XLSX", "ODS",
+)  # fmt: skip
+"""Formats of features without VRTs and servers of databases."""
+
+
+class Access(NamedTuple):
+    """What is opened for one purpose."""
+
+    kind: int
+    """GDAL's flag."""
+    drivers: tuple[str, ...]
+
+
+RASTERS = Access(gdal.OF_RASTER, (*_HELD_BY_ITSELF, *_MADE_OF_OTHERS))
+FEATURES = Access(gdal.OF_VECTOR, _TABLES)
+ANYTHING = Access(0, (*RASTERS.drivers, *_TABLES, "OGR_VRT"))
+
+
+def open_dataset(path: str, access: Access, flags: int = gdal.OF_READONLY) -> gdal.Dataset | None:
+    """None for what can't be opened by the drivers that are allowed. GDAL says nothing."""
+    drivers = _HELD_BY_ITSELF if access is RASTERS and _is_not_looked_at(path) else access.drivers
+    with gdal_silenced():
+        try:
+            return gdal.OpenEx(path, access.kind | flags, list(drivers))
+        except RuntimeError:
+            return None
+
+
+# --- what has an end --------------------------------------------------------------------------------------------
+
 _OF_THE_SYSTEM = ("/dev/", "/proc/", "/sys/")
-_NOT_FILES = re.compile(r"MEM:::|DATAPOINTER\s*=|/vsistdin", re.I)
-"""What GDAL takes for places in the process's memory, or for what is typed."""
+_MEMORY = ("MEM:::", "DATAPOINTER", "/VSISTDIN")
+"""In names of what GDAL takes for places in the process's memory, or for what is typed."""
+
+
+def is_endless(path: str) -> bool:
+    """Whether a path is no file with an end: a device, a pipe, a socket, memory, or a file that the system makes up;
+    or lies in an archive that is one."""
+    try:
+        return _is_special(path, os.stat(path).st_mode)
+    except (OSError, ValueError):
+        return _looked_at(path).refused is _Refused.ENDLESS
+
+
+def _is_special(path: str, mode: int) -> bool:
+    if stat.S_ISDIR(mode):
+        return False
+    return not stat.S_ISREG(mode) or os.path.realpath(path).startswith(_OF_THE_SYSTEM)
+
+
+# --- what leads elsewhere ---------------------------------------------------------------------------------------
+
 _MOST_PARTS = 100_000  # of a VRT, and of those in it
 _MOST_BYTES = 100_000_000  # of a VRT's text
 _MOST_READINGS = 300_000  # of files for one band, where VRTs name VRTs that name each file again and again
 _MOST_DEPTH = 1000  # of VRTs in VRTs; GDAL itself gives up long before
-_HEAD = re.compile(rb"\s*(?:\xef\xbb\xbf)?\s*<VRT")
-_BAND = re.compile(r"<VRTRasterBand\b", re.I)
-_SOURCE = re.compile(r"<Source(?:Filename|Dataset)([^>]*)>\s*(?:<!\[CDATA\[)?([^<\]]+)", re.I)
-_RELATIVE = re.compile(r"relativeToVRT\s*=\s*[\"']1[\"']")
+_HEAD_BYTES = 1024  # by which GDAL's drivers know their files
+_ROOTS = (b"<VRTDataset", b"<OGRVRT", b"<PAMDataset", b"<GDALTileIndexDataset")
+"""Documents that name files."""
+_AUXILIARY = ".aux.xml"
+_ADDRESS = re.compile(r"(?:https?|ftp)://", re.I)
+_LOOKED_AT = re.compile(r"\.(vrt|gti(\.\w+)?)(?=$|\?)", re.I)
+"""Names over the network of what may lead elsewhere: of nothing else the first bytes are fetched to find out."""
+_INDEX = re.compile(r"\.gti(\.gpkg|\.fgb|\.parquet)?$", re.I)
+_NETWORK = {"curl", "s3", "gs", "az", "adls", "oss", "swift", "hdfs", "webhdfs"}
+_ARCHIVES = {"zip", "tar", "gzip", "7z", "rar"}
+_PARTS_OF_FILES = {"GTIFF_DIR", "GTIFF_RAW", "NITF_IM", "GPKG"}
+"""Before the name of a file of which a part is meant."""
+_NAMING = ("FILE", "DATASET", "DATASOURCE", "DEMPATH")
+"""In what elements, and keys of metadata, are called that name a file."""
+_ELEMENT, _TEXT, _ATTRIBUTE = range(3)  # as GDAL's reader counts the nodes of XML
+
+
+class _Refused(Enum):
+    ENDLESS, SERVICE, TOO_MANY, DRIVER = range(4)
 
 
 class _PathLook(NamedTuple):
     """What a path is, as long as it stays the same file."""
 
-    is_no_file: bool
-    """Whether it has no end, or is memory."""
-    parts: tuple[str, ...]
-    """What a VRT names; none of what is no VRT."""
+    refused: _Refused | None = None
+    """Why it must not be opened."""
+    parts: tuple[str, ...] = ()
+    """What a VRT names, or a file of auxiliary data; none of what is neither."""
     bands: int = 1
     """Of a VRT, which names its parts once for each."""
-
-
-def is_endless(path: str) -> bool:
-    """Whether a path is no file with an end: a device, a pipe, a socket, or a file that the system makes up."""
-    return _looked_at(path).is_no_file
+    driver: str = ""
+    """GDAL's, where that is why."""
 
 
 def check_raster_path(path: str, name: str) -> None:
-    """Raise RasterError for what GDAL must not open: no file with an end, memory, or a VRT that leads to those.
+    """Raise RasterError for what GDAL must not open: no file with an end, memory, a service, or what leads to those.
 
     Each part is asked for what it is now; only what changed is looked at anew, as mosaics are opened for every window.
     """
-    look = _looked_at(path)
-    if look.is_no_file:
-        raise RasterError(messages.NO_FILE(name=name))
-    waiting, seen, virtual = [look.parts], {path}, {path: look}
+    waiting: list[tuple[str, ...]] = [(path,)]
+    seen, virtual, folders = set[str](), dict[str, _PathLook](), dict[str, tuple[str, ...]]()
     while waiting:
         for part in waiting.pop():
             if part in seen:
                 continue
-            look = _looked_at(part)
-            if look.is_no_file:
-                raise RasterError(messages.VRT_LEADS_OUT(name=name, path=part))
             seen.add(part)
+            if odd := _odd_beside(part, folders):
+                raise RasterError(messages.NO_FILE_BESIDE(name=name, path=odd))
+            look = _looked_at(part)
+            if look.refused is not None:
+                raise RasterError(
+                    _refusal(look, name) if part == path else messages.VRT_LEADS_OUT(name=name, path=part)
+                )
             if look.parts:
                 virtual[part] = look
                 waiting.append(look.parts)
+            if not part.endswith(_AUXILIARY) and os.path.exists(part + _AUXILIARY):
+                waiting.append((part + _AUXILIARY,))
         if len(seen) > _MOST_PARTS:
             raise RasterError(messages.VRT_OF_TOO_MANY(name=name, most=_MOST_PARTS))
     if len(virtual) > 1 and _readings(path, virtual) > _MOST_READINGS:
         raise RasterError(messages.VRT_OF_TOO_MANY(name=name, most=_MOST_READINGS))
+
+
+def _refusal(look: _PathLook, name: str) -> Message:
+    if look.refused is _Refused.SERVICE:
+        return messages.SERVICE(name=name)
+    if look.refused is _Refused.DRIVER:
+        return messages.DRIVER_NOT_USED(name=name, driver=look.driver)
+    if look.refused is _Refused.TOO_MANY:
+        return messages.VRT_OF_TOO_MANY(name=name, most=_MOST_PARTS)
+    return messages.NO_FILE(name=name)
 
 
 def _readings(path: str, virtual: Mapping[str, _PathLook]) -> float:
@@ -89,44 +193,273 @@ def _readings(path: str, virtual: Mapping[str, _PathLook]) -> float:
 
 
 def vrt_parts(path: str) -> tuple[str, ...]:
-    """The files that a VRT on this machine names, as far as it can be read; none of what is no VRT."""
+    """The files that a VRT or a tile index names, as far as it can be read; none of what is neither."""
     return _looked_at(path).parts
+
+
+_REMOTE = re.compile(r"/vsi(?:curl|s3|gs|az|adls|oss|swift|hdfs|webhdfs)(?:_streaming)?[/?]|^(?:https?|ftp)://", re.I)
+
+
+def is_remote(path: str) -> bool:
+    """Whether a raster's path leads over the network, an archive there included."""
+    return _REMOTE.search(path) is not None
+
+
+def readable_path(path: str) -> str:
+    """What GDAL reads in parts: of a plain address it would fetch the whole file first."""
+    return f"/vsicurl/{path}" if _ADDRESS.match(path) else path
+
+
+def is_layer_file(path: Path) -> bool:
+    """Whether a file that nobody chose is a table of features with an end, and no view or VRT leads elsewhere."""
+    if is_endless(str(path)):
+        return False
+    with gdal_silenced():
+        try:
+            driver = gdal.IdentifyDriverEx(str(path), gdal.OF_VECTOR)
+        except RuntimeError:
+            return False
+    if driver is None or driver.ShortName not in FEATURES.drivers:
+        return False
+    return driver.ShortName not in ("GPKG", "SQLite") or holds_only_tables(path)
+
+
+_OBJECTS = "SELECT type, rootpage, lower(sql) FROM sqlite_master"
+_INDEXES = ("create virtual table", " using rtree")  # of a GeoPackage
+
+
+def holds_only_tables(path: Path) -> bool:
+    """Whether a database holds rows, and no view or table of a module's making: reading them has an end."""
+    if not path.is_file() or is_endless(str(path)):
+        return False
+    try:
+        with closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", 0.05, uri=True)) as database:
+            return all(_is_of_rows(*row) for row in database.execute(_OBJECTS))
+    except (OSError, sqlite3.Error):
+        return False
+
+
+def _is_of_rows(kind: str, page: int | None, sql: str | None) -> bool:
+    if kind == "trigger":  # those of a GeoPackage go over no rows again and again
+        return not re.search(r"\b(with|join)\b", sql or "")
+    if kind == "table" and not page:
+        return all(words in (sql or "") for words in _INDEXES)
+    return kind in ("table", "index")
 
 
 def _looked_at(path: str) -> _PathLook:
     try:
         found = os.stat(path)
     except (OSError, ValueError):
-        return _PathLook(_NOT_FILES.search(path) is not None, ())
-    return _look(
-        path, found.st_mode, found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns
-    )  # fmt: skip
+        return _look_by_name(path)
+    return _look(path, path, found.st_mode, *_identity(found))
+
+
+def _is_not_looked_at(path: str) -> bool:
+    return is_remote(path) and _LOOKED_AT.search(path) is None
+
+
+def _identity(found: os.stat_result) -> tuple[int, ...]:
+    return found.st_dev, found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns
+
+
+def _look_by_name(path: str) -> _PathLook:
+    """Of what the system has no file of: a part of a file, a file in an archive or elsewhere, or a description."""
+    if "<" in path and not path.startswith("/vsi"):
+        return _inline(path)
+    if any(word in path.upper() for word in _MEMORY):
+        return _PathLook(_Refused.ENDLESS)
+    if path.startswith("/vsi"):
+        return _look_in_file_system(path)
+    prefix, colon, rest = path.partition(":")
+    if path.lstrip().startswith("{"):
+        return _PathLook(_Refused.SERVICE)
+    if not colon or len(prefix) == 1 or _ADDRESS.match(path):
+        return _PathLook()
+    if prefix.lower() == "vrt" and rest.startswith("//"):
+        return _PathLook(None, (rest[2:].partition("?")[0],))
+    if prefix.upper() == "GTI":
+        return _PathLook(None, tuple(_indexed(rest)))
+    return _PathLook(None, tuple(_files_in(rest))) if prefix in _PARTS_OF_FILES else _PathLook(_Refused.SERVICE)
+
+
+def _files_in(text: str, folder: str = "") -> Iterator[str]:
+    """The names between colons and quotes that are files, or may be some elsewhere."""
+    words = text.split(":")[:20]
+    for first in range(len(words)):
+        for last in range(first + 1, len(words) + 1):
+            name = os.path.join(folder, ":".join(words[first:last]).strip('"'))
+            if os.path.lexists(name) or name.startswith("/vsi") or "<" in name:
+                yield name
+
+
+def _look_in_file_system(path: str) -> _PathLook:
+    """Of GDAL's own: archives, memory, the network."""
+    rest = path
+    while rest.startswith("/vsi"):
+        handler, _, rest = rest[len("/vsi") :].partition("/")
+        handler, _, query = handler.partition("?")
+        handler = handler.replace("_streaming", "")
+        if handler in _NETWORK:
+            address = unquote(f"{query}/{rest}".partition("url=")[2]) if query else rest
+            if handler == "curl" and not _ADDRESS.match(address):
+                return _PathLook(_Refused.ENDLESS)  # which may be a file of this machine
+            return _PathLook() if _is_not_looked_at(path) else _look(path, path, stat.S_IFREG)
+        if handler == "mem":
+            found = gdal.VSIStatL(path)
+            return _look(path, path, stat.S_IFREG, found.size, found.mtime) if found is not None else _PathLook()
+        if handler == "subfile":
+            rest = rest.partition(",")[2]
+        elif handler not in _ARCHIVES:
+            return _PathLook(_Refused.ENDLESS)
+        rest = f"/{rest}" if rest.startswith("vsi") else rest
+    file = rest.replace("{", "").replace("}", "")
+    while file and not os.path.exists(file) and file != os.path.dirname(file):
+        file = os.path.dirname(file)
+    try:
+        found = os.stat(file)
+    except (OSError, ValueError):
+        return _PathLook()
+    return _look(path, file, found.st_mode, *_identity(found))
 
 
 @lru_cache(_MOST_PARTS)
-def _look(path: str, mode: int, *identity: int) -> _PathLook:
-    """Of what is there: links may lead elsewhere by now, but then to a file of another ``identity``."""
-    is_folder, is_file = stat.S_ISDIR(mode), stat.S_ISREG(mode)
-    is_made_up = is_file and os.path.realpath(path).startswith(_OF_THE_SYSTEM)
-    if _NOT_FILES.search(path) or is_made_up or not (is_file or is_folder):
-        return _PathLook(True, ())
-    if is_folder:
-        return _PathLook(False, ())
+def _look(path: str, file: str, mode: int, *identity: int) -> _PathLook:
+    """Of a path that is read from a file: links may lead elsewhere by now, but then to one of another ``identity``."""
+    if _is_special(file, mode):
+        return _PathLook(_Refused.ENDLESS)
+    if stat.S_ISDIR(mode):
+        return _PathLook()
+    with gdal_silenced():
+        try:
+            driver = gdal.IdentifyDriverEx(path, gdal.OF_RASTER)
+            content = _document(path)
+        except (RuntimeError, UnicodeError):
+            return _PathLook()
+    if driver is not None and driver.ShortName not in ANYTHING.drivers:
+        return _PathLook(_Refused.DRIVER, driver=driver.ShortName)
+    if len(content) > _MOST_BYTES:
+        return _PathLook(_Refused.TOO_MANY)
+    if _INDEX.search(path):
+        return _PathLook(None, tuple(_indexed(path)))
+    folder = os.path.dirname(path if path.startswith("/vsi") else os.path.abspath(path))
+    return _named(content, folder) if content else _PathLook()
+
+
+def _indexed(path: str) -> Iterator[str]:
+    """The files that a tile index of a raster names."""
+    dataset = open_dataset(path, FEATURES)
+    layer = None if dataset is None else dataset.GetLayer(0)
+    if layer is None or (column := layer.GetLayerDefn().GetFieldIndex("location")) < 0:
+        return
+    for row in layer:
+        name = row.GetFieldAsString(column)
+        yield name if is_remote(name) else os.path.join(os.path.dirname(path), name)
+
+
+def _document(path: str) -> bytes:
+    """The content of a file that may name others; empty for any other."""
+    file = gdal.VSIFOpenL(path, "rb")
+    if file is None:
+        return b""
     try:
-        with open(path, "rb") as file:
-            head = file.read(64)
-            content = head + file.read(_MOST_BYTES) if _HEAD.match(head) else b""
-    except OSError:
-        return _PathLook(False, ())
-    text, folder = unescape(content.decode(errors="replace")), os.path.dirname(os.path.abspath(path))
-    return _PathLook(False, tuple(_named(text, folder)), max(len(_BAND.findall(text)), 1))
+        head = gdal.VSIFReadL(1, _HEAD_BYTES, file) or b""
+        if not path.endswith(_AUXILIARY) and not any(root in head for root in _ROOTS):
+            return b""
+        return bytes(head) + bytes(gdal.VSIFReadL(1, _MOST_BYTES, file) or b"")
+    finally:
+        gdal.VSIFCloseL(file)
 
 
-def _named(text: str, folder: str) -> Iterator[str]:
-    for attributes, name in _SOURCE.findall(text):
-        yield os.path.normpath(os.path.join(folder, name)) if _RELATIVE.search(attributes) else name.strip()
-    yield from (found.group() for found in _NOT_FILES.finditer(text))
+@lru_cache(100)
+def _inline(text: str) -> _PathLook:
+    if "<VRTDataset" not in text:
+        return _PathLook(_Refused.SERVICE)
+    return _named(text.encode(errors="surrogateescape"), "")
 
+
+def _named(content: bytes, folder: str) -> _PathLook:
+    """What a document of GDAL's names, found by GDAL's own reader."""
+    with gdal_silenced():
+        try:
+            root = gdal.ParseXMLString(_readable(content.partition(b"\0")[0]))
+        except RuntimeError:
+            root = None
+    names, bands, waiting = list[str](), 0, [root] if root else []
+    while waiting:
+        kind, tag, *inner = waiting.pop()
+        if kind != _ELEMENT:
+            continue
+        waiting += reversed(inner)
+        bands += tag == "VRTRasterBand"
+        said = {str(one[1]).lower(): _text(one) for one in inner if one[0] == _ATTRIBUTE}
+        called = " ".join((str(tag), said.get("key", ""), said.get("name", ""))).upper()
+        if any(word in called for word in _NAMING):
+            is_relative = _is_true(said.get("relativetovrt", ""))
+            texts = (form for one in inner if one[0] == _TEXT for form in _as_written(str(one[1])))
+            names += (name for text in texts for name in _places(text, folder, is_relative))
+    return _PathLook(None, tuple(names), max(bands, 1))
+
+
+_STAND_IN, _LONE = 0xF700, 0xDC00  # added to a byte: a character of nobody's, and Python's for a byte that is none
+
+
+def _readable(content: bytes) -> str:
+    """A text that GDAL takes from Python, whatever bytes there are: those that are no UTF-8 have stand-ins."""
+    text = content.decode(errors="surrogateescape")
+    return re.sub("[\udc80-\udcff]", lambda lone: chr(ord(lone[0]) - _LONE + _STAND_IN), text)
+
+
+def _as_written(text: str) -> Iterable[str]:
+    """A name of the document, and where it may hold stand-ins also with the bytes for which they stand."""
+    return dict.fromkeys((text, re.sub("[\uf780-\uf7ff]", lambda held: chr(ord(held[0]) - _STAND_IN + _LONE), text)))
+
+
+_BASE = ":::BASE:::"  # before names that are relative to the file they stand beside
+
+
+def _places(text: str, folder: str, is_relative: bool) -> Iterator[str]:
+    if text.startswith(_BASE):
+        text, is_relative = text[len(_BASE) :], True
+    if not is_relative:
+        yield text
+        return
+    yield os.path.normpath(os.path.join(folder, text))
+    if ":" in text or "<" in text:
+        yield from _files_in(text, folder)
+
+
+def _text(attribute: list[Any]) -> str:
+    return str(attribute[2][1]) if len(attribute) > 2 else ""
+
+
+def _is_true(text: str) -> bool:
+    """As C's atoi and GDAL take it."""
+    return re.match(r"\s*[+-]?0*[1-9]|\s*(yes|true|on)\b", text, re.I) is not None
+
+
+# --- what lies beside -------------------------------------------------------------------------------------------
+
+
+def _odd_beside(path: str, folders: dict[str, tuple[str, ...]]) -> str:
+    """What is called like a file, lies beside it and has no end; empty where nothing is. GDAL would open it."""
+    folder, name = os.path.split(path)
+    if folder not in folders:
+        folders[folder] = ()
+        with suppress(OSError, ValueError):
+            folders[folder] = _odd_ones(folder, *_identity(os.stat(folder or ".")))
+    stem, odd_ones = os.path.splitext(name)[0].lower(), folders[folder]
+    return next((os.path.join(folder, odd) for odd in odd_ones if odd != name and odd.lower().startswith(stem)), "")
+
+
+@lru_cache(1000)
+def _odd_ones(folder: str, *identity: int) -> tuple[str, ...]:
+    """Names in a folder of what is neither a file nor a folder."""
+    with os.scandir(folder or ".") as entries:
+        return tuple(one.name for one in entries if not (one.is_file() or one.is_dir() or not os.path.exists(one.path)))
+
+
+# --- calls --------------------------------------------------------------------------------------------------------
 
 _MASK_INSIDE = "GDAL_TIFF_INTERNAL_MASK"
 
@@ -150,6 +483,29 @@ def gdal_call(call: Callable[[], Any], failure: Message) -> Any:
             result = None
     if result is None:
         raise RasterError(failure)
+    return result
+
+
+_DAMAGE = re.compile(r"JPEGLib|libpng|libjpeg: (?!.* extraneous)|Decod|corrupt|premature", re.I)
+"""What decoders say of pixels that they then make up. Bytes that cameras leave at the end of a JPEG do no harm; in a
+tile of a TIFF there are none."""
+
+
+def gdal_pixels(call: Callable[[], Any], failure: Message, damage: Callable[[str], Message]) -> Any:
+    """What a call that reads pixels returns. Raises RasterError with ``failure`` when it fails, and with ``damage``,
+    which is given GDAL's words, when it goes on after a warning that pixels can't be decoded."""
+    said: list[str] = []
+    gdal.PushErrorHandler(lambda level, number, text: said.append(text))
+    try:
+        result = call()
+    except RuntimeError:
+        result = None
+    finally:
+        gdal.PopErrorHandler()
+    if result is None:
+        raise RasterError(failure)
+    for text in filter(_DAMAGE.search, said):
+        raise RasterError(damage(text.partition(" (this warning")[0]))
     return result
 
 

@@ -169,11 +169,11 @@ def snap_window(grid: Grid, extent: Extent, levels: int = limits.DEFAULT_LEVELS)
     Raises WindowError when the rectangle lies outside the grid, leaves a side shorter than 64 px or
     ``2 ** levels`` px, or covers more pixels than can be held in memory.
     """
-    if not all(map(math.isfinite, extent)):
-        raise WindowError(messages.WINDOW_OUTSIDE())
     xmin, ymin, xmax, ymax = extent
-    left, right = round(grid.column_at(xmin)), round(grid.column_at(xmax))
-    top, bottom = round(grid.row_at(ymax)), round(grid.row_at(ymin))
+    edges = grid.column_at(xmin), grid.column_at(xmax), grid.row_at(ymax), grid.row_at(ymin)
+    if not all(map(math.isfinite, edges)):
+        raise WindowError(messages.WINDOW_OUTSIDE())
+    left, right, top, bottom = map(round, edges)
     if right <= 0 or bottom <= 0 or left >= grid.columns or top >= grid.rows:
         raise WindowError(messages.WINDOW_OUTSIDE())
     left, right, top, bottom = max(left, 0), min(right, grid.columns), max(top, 0), min(bottom, grid.rows)

@@ -400,7 +400,7 @@ def polygon_rings(polygon: ogr.Geometry, number: int) -> Iterator[np.ndarray]:
             count = int.from_bytes(wkb[offset : offset + 4], "little")
             ring = np.frombuffer(wkb, dtype="<c16", count=count, offset=offset + 4)
             offset += 4 + ring.nbytes
-            yield ring if (_signed_area(ring) > 0) == (index == 0) else ring[::-1]
+            yield ring if (signed_area(ring) > 0) == (index == 0) else ring[::-1]
 
 
 def line_points(line: ogr.Geometry) -> np.ndarray:
@@ -418,17 +418,17 @@ def directed(path: np.ndarray) -> np.ndarray:
     ring = path[:-1]
     ring = np.roll(ring, -int(np.lexsort((ring.imag, ring.real))[0]))
     ring = np.append(ring, ring[0])
-    return ring if _signed_area(ring) > 0 else ring[::-1]
+    return ring if signed_area(ring) > 0 else ring[::-1]
 
 
-def straightened(path: np.ndarray) -> np.ndarray:
-    """A path without the vertices that lie within 1.5 px of it."""
+def straightened(path: np.ndarray, tolerance: float = STRAIGHTEN_PX) -> np.ndarray:
+    """A path without the vertices that lie within ``tolerance`` of it (Douglas-Peucker)."""
     header = struct.pack("<BII", 1, ogr.wkbLineString, len(path))
     line = ogr.CreateGeometryFromWkb(header + path.astype("<c16").tobytes())
-    return line_points(line.Simplify(STRAIGHTEN_PX))
+    return line_points(line.Simplify(tolerance))
 
 
-def _signed_area(ring: np.ndarray) -> float:
+def signed_area(ring: np.ndarray) -> float:
     """Area of a closed ring, positive when it runs counter-clockwise."""
     ring = ring - ring[0]
     return float((ring[:-1].conj() * ring[1:]).imag.sum()) / 2

@@ -10,14 +10,22 @@ NOT_FOUND = Message("{path} does not exist; check the path.")
 NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that the file is complete.")
 NOT_PERMITTED = Message("{name} may not be read; ask its owner for permission to read it, or copy it.")
 NOT_READABLE = Message("The pixels of {name} can't be read; the file may be truncated or damaged, so copy it anew.")
+DAMAGED = Message(
+    "{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it anew."
+)
 NO_FILE = Message("{name} is a device, a pipe or memory, not a file; copy its data to a file.")
-VRT_LEADS_OUT = Message("{name} is a VRT that leads to {path}, which is no file; mend the VRT.")
+SERVICE = Message("{name} is a service or a database, not a file; save the part that is needed as GeoTIFF.")
+DRIVER_NOT_USED = Message(
+    "{name} is read by GDAL's driver {driver}, which may lead to other files; save it as GeoTIFF."
+)
+NO_FILE_BESIDE = Message("{path} is called like a file of {name} and is a device or a pipe; remove it.")
+VRT_LEADS_OUT = Message("{name} is a VRT that leads to {path}, which is not a file; mend the VRT.")
 VRT_OF_TOO_MANY = Message("{name} is a VRT of more than {most} files; make VRTs of parts of the block.")
 TOO_MANY_BANDS = Message("{name} has {count} bands and {most} are the most; take out those that are to be measured.")
 BLOCKS_TOO_LARGE = Message(
     "{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles."
 )
-TOO_LARGE = Message("{name} says it has {columns} x {rows} px, as no raster has; the file is damaged, so copy it anew.")
+TOO_LARGE = Message("{name} claims {columns} x {rows} px, which no raster has; the file is damaged, so copy it anew.")
 TOO_MUCH_AT_ONCE = Message(
     "{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed."
 )
@@ -61,7 +69,7 @@ TOO_MANY_LEVELS = Message(
     "{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer "
     "levels or draw it larger."
 )
-WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so no windows can be laid on it by the map.")
+WINDOW_IMAGE_ROTATED = Message("{name} is rotated, mirrored or south-up, so windows can't be placed on it on the map.")
 WINDOW_ON_NO_RASTER = Message("Window {window} lies on none of the rasters; draw it on one of them.", WARNING)
 WINDOW_LEFT_OUT = Message("Window {window} is left out on {name}: {why}", WARNING)
 # pixels in a window
@@ -77,7 +85,7 @@ WAVELET_NOT_ORTHOGONAL = Message(
     "The wavelet '{wavelet}' is not orthogonal, so the shares of its components do not add up to the clip's variance; "
     "use an orthogonal one such as coif3, db4 or sym8."
 )
-LEVELS_OUT_OF_RANGE = Message("{levels} levels asked for; the decomposition has {least} to {most}.")
+LEVELS_OUT_OF_RANGE = Message("{levels} levels were asked for; give {least} to {most}.")
 # seamlines
 SEAMLINES_EMPTY = Message("The seamline layer is empty; choose a layer with lines or polygons of the mosaic's seams.")
 SEAMLINES_NO_LINES = Message(
@@ -109,6 +117,9 @@ REMOTE_NOT_FOUND = Message("{name} is not on its server (HTTP {code}); check its
 REMOTE_REFUSED = Message("The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.")
 REMOTE_FAILING = Message("The server of {name} fails (HTTP {code}); try again later.")
 REMOTE_SILENT = Message("The server of {name} does not answer ({why}); check the network, and try again.")
+REMOTE_SLOW = Message(
+    "The server of {name} sends less than {bytes} bytes a second; try again later, or copy it to a local disk."
+)
 REMOTE_WITHOUT_RANGES = Message(
     "The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests."
 )
@@ -125,7 +136,7 @@ RULES_NOT_READABLE = Message("The rules in {name} can't be read ({error}); give 
 RULES_NOT_TEXT = Message("The rules in {name} are no text in UTF-8; give a JSON file with rules.")
 RULES_NOT_JSON = Message("The rules in {name} are no JSON (see line {line}); mend the file.")
 RULES_NO_OBJECT = Message('{name} holds no rules; it has to be an object {{"name": ..., "rules": [...]}}.')
-RULES_KEY_TWICE = Message("{name} says '{key}' twice in one object; leave one.")
+RULES_KEY_TWICE = Message("{name} has '{key}' twice in one object; keep one.")
 RULES_KEY_UNKNOWN = Message("{place} in {name} has the unknown key '{key}'; known are {known}.")
 RULES_WORD_UNKNOWN = Message("{place} in {name} has the unknown {key} '{value}'; known are {known}.")
 RULES_LIMIT_BAD = Message("{place} in {name}: '{key}' has to be a number of {least:g} or more.")

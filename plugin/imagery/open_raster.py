@@ -6,15 +6,15 @@ import os
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cached_property, reduce
-from typing import NamedTuple
+from functools import cached_property, partial, reduce
+from typing import Any, Callable, NamedTuple
 
 import numpy as np
 from osgeo import gdal, gdal_array
 
 from . import limits, messages
-from .errors import RasterError
-from .gdal_calls import check_raster_path, gdal_call
+from .errors import Message, RasterError
+from .gdal_calls import RASTERS, check_raster_path, gdal_call, gdal_pixels, open_dataset
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
@@ -167,13 +167,20 @@ class OpenRaster:
         stored = gdal.GetDataTypeSize(self.dataset.GetRasterBand(1).DataType) // 8 * self.dataset.RasterCount
         if columns * rows * stored > limits.MOST_READ_BYTES:
             raise RasterError(messages.TOO_MUCH_AT_ONCE(name=self.ref.name, width=columns, height=rows))
-        failure = messages.NOT_READABLE(name=self.ref.name)
-        data = gdal_call(lambda: self.dataset.ReadAsArray(*inside, **options), failure).reshape(-1, rows, columns)
+        data = self._pixels(lambda: self.dataset.ReadAsArray(*inside, **options), window).reshape(-1, rows, columns)
         first, mask = self.dataset.GetRasterBand(1), None
-        flags = gdal_call(first.GetMaskFlags, failure)
+        flags = gdal_call(first.GetMaskFlags, messages.NOT_READABLE(name=self.ref.name))
         if flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
-            mask = gdal_call(lambda: first.GetMaskBand().ReadAsArray(*inside, columns, rows), failure)
+            mask = self._pixels(lambda: first.GetMaskBand().ReadAsArray(*inside, columns, rows), window)
         return self._block(data, mask)
+
+    def _pixels(self, call: Callable[[], Any], window: PixelWindow) -> Any:
+        """What a call reads of a window."""
+        try:
+            return gdal_pixels(call, messages.NOT_READABLE(name=self.ref.name), partial(damaged, self.ref.name, window))
+        except RasterError:
+            self.dataset.FlushCache()  # else the next one would get the made up pixels without a warning
+            raise
 
     def thinned(self, window: PixelWindow, step: int) -> PixelBlock:
         """Every so many-th pixel of a window along both sides."""
@@ -240,9 +247,15 @@ class OpenRaster:
         return invalid
 
 
+def damaged(name: str, window: PixelWindow, why: str) -> Message:
+    """What is said of a raster of which GDAL can't decode some pixels of a window, in GDAL's words."""
+    right, bottom = window.column + window.width - 1, window.row + window.height - 1
+    return messages.DAMAGED(name=name, left=window.column, right=right, top=window.row, bottom=bottom, why=why)
+
+
 def _opened(ref: RasterRef) -> gdal.Dataset | None:
     """None where GDAL opens no first part."""
-    first = gdal.OpenEx(ref.path, gdal.OF_RASTER | gdal.OF_READONLY)
+    first = open_dataset(ref.path, RASTERS)
     if first is None or not ref.parts:
         return first
     _, width, _, _, _, height = first.GetGeoTransform()

@@ -15,6 +15,7 @@ from dataclasses import replace
 from typing import Protocol, TypeVar
 
 from .errors import RasterError
+from .gdal_calls import is_remote, readable_path
 from .grids import PixelWindow
 from .open_raster import OpenRaster, PixelBlock
 from .rasters import RasterRef
@@ -22,9 +23,8 @@ from .remote_files import (
     COMPLETE,
     WITH_OTHERS,
     forget_failures,
-    is_remote,
     persistently,
-    readable_path,
+    read_until,
     remote_parts,
     remote_settings,
 )
@@ -197,8 +197,19 @@ def own_threads(executor: Executor | None = None, ahead: int = 0) -> Iterator[tu
     if executor is not None:
         yield executor, ahead or ahead_of(workers)
         return
-    with ThreadPoolExecutor(workers, thread_name_prefix="seam-inspector") as executor:
+    with reading_threads(workers) as executor:
         yield executor, ahead_of(workers)
+
+
+@contextmanager
+def reading_threads(count: int) -> Iterator[Executor]:
+    """Threads that read rasters. The end of the block waits for what they are at, and for no further attempts of it."""
+    ended = threading.Event()
+    with ThreadPoolExecutor(count, "seam-inspector", read_until, (ended,)) as executor:
+        try:
+            yield executor
+        finally:
+            ended.set()
 
 
 def ahead_of(workers: int) -> int:
@@ -286,7 +297,8 @@ class _Lane:
     def __init__(self, number: int) -> None:
         self.pool = RasterPool(KEPT_PER_LANE)
         self._turn = 0  # counts how often all was let go
-        self._thread = ThreadPoolExecutor(1, f"seam-inspector-lane-{number}")
+        self._ended = threading.Event()
+        self._thread = ThreadPoolExecutor(1, f"seam-inspector-lane-{number}", read_until, (self._ended,))
 
     def submit(self, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Future[Found | RasterError]:
         return self._thread.submit(self._read, self._turn, ref, work)
@@ -306,4 +318,5 @@ class _Lane:
 
     def close(self) -> None:
         """Read nothing more."""
+        self._ended.set()
         self._thread.shutdown(wait=False, cancel_futures=True)

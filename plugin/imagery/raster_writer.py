@@ -12,7 +12,15 @@ from osgeo import gdal, gdal_array
 from . import limits, messages
 from .atomic_files import replacing
 from .errors import Message, RasterError
-from .gdal_calls import drop_from_memory, gdal_call, gdal_masks_beside, gdal_silenced, gdal_writing
+from .gdal_calls import (
+    RASTERS,
+    drop_from_memory,
+    gdal_call,
+    gdal_masks_beside,
+    gdal_silenced,
+    gdal_writing,
+    open_dataset,
+)
 from .rasters import Raster
 
 GEOTIFF = "GTiff"
@@ -130,7 +138,7 @@ def _files_beside(path: Path) -> set[str]:
     """Names of the files that GDAL takes for a raster's own and that are called like it."""
     found = {path.name + ending for ending in (".aux.xml", ".msk", ".ovr")}
     with gdal_silenced(), suppress(RuntimeError):  # one that can't be read any more
-        dataset = gdal.OpenEx(str(path), gdal.OF_RASTER) if path.is_file() else None
+        dataset = open_dataset(str(path), RASTERS) if path.is_file() else None
         if dataset is not None and dataset.GetDriver().ShortName != "VRT":  # whose files are its sources
             names = {Path(file).name for file in dataset.GetFileList() or ()} - {path.name}
             found |= {name for name in names if name.startswith(path.stem)}

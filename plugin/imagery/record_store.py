@@ -92,8 +92,11 @@ class RecordStore:
         try:
             self._database.execute("PRAGMA locking_mode = EXCLUSIVE")
             self._database.execute("BEGIN IMMEDIATE")
-            tables = {name for (name,) in self._database.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
-            held = self._database.execute("SELECT kind FROM about").fetchone()[0] if "about" in tables else None
+            found = self._database.execute("SELECT sql FROM sqlite_master WHERE sql IS NOT NULL")
+            made = {statement for (statement,) in found}
+            if made and made != set(_MAKE):  # a view by one of our names may never end
+                raise SettingsError(messages.RECORDS_FOREIGN())
+            held = self._database.execute("SELECT kind FROM about").fetchone() if made else None
         except sqlite3.DatabaseError as error:
             if "locked" in str(error):
                 raise SettingsError(messages.RECORDS_IN_USE()) from None
@@ -102,12 +105,10 @@ class RecordStore:
             if _MALFORMED in str(error):
                 raise SettingsError(messages.RECORDS_DAMAGED) from None
             raise
-        if held != kind:
-            if tables and (held is None or replaced is None or not str(held).startswith(replaced)):
+        if held != (kind,):
+            if made and (held is None or replaced is None or not str(held[0]).startswith(replaced)):
                 raise SettingsError(messages.RECORDS_FOREIGN())
-            for table in tables:
-                self._database.execute(f'DROP TABLE "{table}"')
-            for statement in _MAKE:
+            for statement in ("DELETE FROM about", "DELETE FROM records") if made else _MAKE:
                 self._database.execute(statement)
             self._database.execute("INSERT INTO about VALUES (?)", (kind,))
         found = self._database.execute("SELECT key FROM records ORDER BY number")

@@ -23,10 +23,12 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import Enum
 from functools import cache
+from types import ModuleType
 from typing import Any, Callable, Generic, TypeVar
 
 import numpy as np
 
+from .documents import json_document
 from .errors import Level, Message
 
 Result = TypeVar("Result")
@@ -104,7 +106,7 @@ def unpacked(record: bytes, names: Collection[str] | None = None) -> dict[str, n
     ``understanding``."""
     (length,) = _LENGTH.unpack_from(record)
     place, found, left = _LENGTH.size + length, {}, _MOST_BYTES
-    for name, kind, shape, size, is_compressed in json.loads(record[_LENGTH.size : place]):
+    for name, kind, shape, size, is_compressed in json_document(record[_LENGTH.size : place]):
         if names is not None and name not in names:
             place += size
             continue
@@ -136,7 +138,14 @@ def value_of(kind: type, record: bytes, sentences: Mapping[str, Message]) -> Any
     """The instance of a dataclass; ``sentences`` are the known ones, by template. Raises NotUnderstoodError."""
     with understanding():
         arrays = unpacked(record)
-        return _Reader(arrays, sentences).read(kind, json.loads(arrays[_JSON].tobytes()))
+        return _Reader(arrays, sentences).read(kind, json_document(arrays[_JSON].tobytes()))
+
+
+@cache
+def sentences_of(*modules: ModuleType) -> dict[str, Message]:
+    """Those that a record may hold, by template."""
+    every = (one for module in modules for one in vars(module).values())
+    return {one.template: one for one in every if isinstance(one, Message)}
 
 
 def _plain(value: Any, arrays: dict[str, np.ndarray]) -> Any:

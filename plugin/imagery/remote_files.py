@@ -14,14 +14,14 @@ from osgeo import gdal
 
 from . import messages
 from .errors import Message, RasterError
-from .gdal_calls import gdal_silenced, vrt_parts
+from .gdal_calls import gdal_silenced, is_remote, readable_path, vrt_parts
 
 Result = TypeVar("Result")
 
 SETTINGS = {
     "GDAL_HTTP_CONNECTTIMEOUT": "10",
-    "GDAL_HTTP_LOW_SPEED_TIME": "20",  # seconds in which nothing comes: no answer
-    "GDAL_HTTP_LOW_SPEED_LIMIT": "1",
+    "GDAL_HTTP_LOW_SPEED_TIME": "10",  # seconds in which next to nothing comes: no answer
+    "GDAL_HTTP_LOW_SPEED_LIMIT": "1000",  # bytes a second; a window would take hours
     "GDAL_HTTP_MAX_RETRY": "2",  # by GDAL, of a request that is refused for now (429, 5xx)
     "GDAL_HTTP_RETRY_DELAY": "0.5",
     "GDAL_HTTP_MERGE_CONSECUTIVE_RANGES": "YES",
@@ -35,14 +35,14 @@ DELAYS_S = (1.0, 4.0)  # before the second attempt and the third, our own: GDAL 
 PATIENCE_S = 30.0  # no further attempt when those before took longer and it still is not there
 REMEMBERED_S = 60.0  # in which what failed is not asked for again: each block would wait for it
 GONE_S = 600.0  # the same for what is not there, or refused
+_PROBED_BYTES = 16384  # the least that GDAL fetches
+_TOO_SLOW = "too slow"
 MOST_PROBED = 32  # remote parts of a VRT that are asked which one failed
 
-_REMOTE = re.compile(r"/vsi(?:curl|s3|gs|az|adls|oss|swift|hdfs|webhdfs)(?:_streaming)?[/?]|^(?:https?|ftp)://", re.I)
-_INDEX = re.compile(r"^GTI:|\.gti(?:\.gpkg|\.fgb|\.parquet)?$", re.I)
-_ADDRESS = re.compile(r"^(?:https?|ftp)://", re.I)
 _STATUS = re.compile(r"HTTP (?:response|error) code[^:]*: (\d{3})")
 _MAY_BE_THE_NETWORK = (
-    messages.NOT_FOUND.template, messages.NOT_A_RASTER.template, messages.NOT_READABLE.template
+    messages.NOT_FOUND.template, messages.NOT_A_RASTER.template, messages.NOT_READABLE.template,
+    messages.DAMAGED.template,
 )
 
 
@@ -64,35 +64,13 @@ class _Failure(NamedTuple):
     """Whether every file of that server will have it."""
 
 
-def is_remote(path: str) -> bool:
-    """Whether a raster's path leads over the network, an archive there included."""
-    return _REMOTE.search(path) is not None
-
-
-def readable_path(path: str) -> str:
-    """What GDAL reads in parts: of a plain address it would fetch the whole file first."""
-    return f"/vsicurl/{path}" if _ADDRESS.match(path) else path
-
-
-def _index_parts(path: str) -> list[str]:
-    """The first files that a raster tile index (GTI) on this machine names."""
-    with gdal_silenced():
-        try:
-            index = gdal.OpenEx(re.sub(r"^GTI:", "", path, flags=re.I), gdal.OF_VECTOR)
-            layer = index and index.GetLayer(0)
-            rows = [layer.GetNextFeature() for _ in range(min(layer.GetFeatureCount(), MOST_PROBED))] if layer else []
-            return [row.GetFieldAsString("location") for row in rows if row.GetFieldIndex("location") >= 0]
-        except RuntimeError:
-            return []
-
-
 def remote_parts(path: str) -> tuple[str, ...]:
     """What of a raster is read over the network: itself, or what VRTs and tile indexes on this machine name."""
     found = {path: None}  # in their order
     waiting = [path]
     while waiting:
         one = waiting.pop()
-        parts = [] if is_remote(one) else _index_parts(one) if _INDEX.search(one) else vrt_parts(one)
+        parts = () if is_remote(one) else vrt_parts(one)
         waiting += [part for part in dict.fromkeys(parts) if part not in found]
         found.update(dict.fromkeys(parts))
     return tuple(filter(is_remote, found))
@@ -129,17 +107,33 @@ def persistently(path: str, name: str, read: Callable[[bool], Result]) -> Result
         try:
             return read(attempt > 0)
         except RasterError as error:
-            if error.message.template not in _MAY_BE_THE_NETWORK:
+            if error.message.template not in _MAY_BE_THE_NETWORK or _wanted_no_more().is_set():
                 raise
             forget_fetched(path)
             lasting = _failure_of(path, name)
             failure = lasting or _failure_in_between(error, name)
         if delay is None or not failure.may_pass or (lasting and time.monotonic() - started > PATIENCE_S):
             break
-        time.sleep(delay)
+        if _wanted_no_more().wait(delay):
+            raise RemoteError(failure.message, failure.may_pass)
     if is_remote(path):
         _remember(path, failure)
     raise RemoteError(failure.message, failure.may_pass)
+
+
+_thread = threading.local()
+
+
+def read_until(ended: threading.Event) -> None:
+    """This thread, one that reads for others, makes no further attempts once nobody wants its results any more."""
+    _thread.ended = ended
+
+
+def _wanted_no_more() -> threading.Event:
+    if not hasattr(_thread, "ended"):
+        _thread.ended = threading.Event()
+    ended: threading.Event = _thread.ended
+    return ended
 
 
 def forget_fetched(path: str) -> None:
@@ -218,7 +212,11 @@ def _said_on_opening(path: str) -> str:
         if file is None:
             return gdal.VSIGetLastErrorMsg() or "".join(said[-1:]) or "unknown"
         try:
-            gdal.VSIFReadL(1, 1, file)
+            gdal.VSIFSeekL(file, 0, os.SEEK_END)
+            wanted = min(gdal.VSIFTellL(file), _PROBED_BYTES)
+            gdal.VSIFSeekL(file, 0, os.SEEK_SET)
+            if len(gdal.VSIFReadL(1, wanted, file) or b"") < wanted and not said:
+                return _TOO_SLOW  # GDAL makes do with what came until it lost patience
         finally:
             gdal.VSIFCloseL(file)
     except RuntimeError as error:
@@ -240,6 +238,9 @@ def _failure(said: str, name: str) -> _Failure:
         return _Failure(messages.REMOTE_FAILING(name=name, code=code), may_pass=passes)
     if "Range downloading" in said:
         return _Failure(messages.REMOTE_WITHOUT_RANGES(name=name), may_pass=False)
+    if said == _TOO_SLOW:
+        slowest = int(SETTINGS["GDAL_HTTP_LOW_SPEED_LIMIT"])
+        return _Failure(messages.REMOTE_SLOW(name=name, bytes=slowest), may_pass=True, of_host=True)
     if "CURL error" in said:
         why = said.partition("CURL error: ")[2]
         return _Failure(messages.REMOTE_SILENT(name=name, why=why), may_pass=True, of_host=True)

@@ -151,24 +151,39 @@ def detail_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
 
     Raises SettingsError for a wavelet that is not orthogonal or levels out of range.
     """
+    return _details(bands, wavelet, levels, mirrored=False)
+
+
+def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:
+    """The same without what only the periodic edges show: the bands are mirrored there, so the step from one edge to
+    the opposite one is no detail. The energies therefore don't add up to the bands', as those of ``clip_curves`` do.
+
+    Each coefficient is at the pixels that it comes from, to half of 2^r px: filters that are not symmetric lag behind,
+    the low-pass of coif3 by 2.5 px and its high-pass by as much the other way.
+    """
+    filters = filter_pair(wavelet)
+    for level, parts in enumerate(_details(bands, wavelet, levels, mirrored=True), 1):
+        low, high = (round(delay / 2**level) for delay in filters.delays_px(level))
+        yield np.stack([_moved(part, by) for part, by in zip(parts, ((high, low), (low, high), (high, high)))])
+
+
+def _details(bands: np.ndarray, wavelet: str, levels: int, mirrored: bool) -> Iterator[np.ndarray]:
     check_decomposition(wavelet, levels)
     dtype = np.float32 if np.can_cast(bands.dtype, np.float32) else np.float64
     filters = filter_pair(wavelet)
     # Details don't see a constant, but those of dmey do, which is orthogonal in name only.
     offsets = _near_means(bands) if filters.orthonormal else [float(band.mean(dtype=np.float64)) for band in bands]
-    for parts in _levels(bands, offsets, filters, levels, dtype):
+    for parts in _levels(bands, offsets, filters, levels, dtype, mirrored):
         yield parts[1:]
 
 
-def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[np.ndarray]:
-    """The same, each coefficient at the pixels that it comes from, to half of 2^r px: filters that are not symmetric
-    lag behind, the low-pass of coif3 by 2.5 px and its high-pass by as much the other way."""
-    filters = filter_pair(wavelet)
-    for level, parts in enumerate(detail_components(bands, wavelet, levels), 1):
-        low, high = (round(delay / 2**level) for delay in filters.delays_px(level))
-        yield np.stack([
-            np.roll(part, shift, (1, 2)) for part, shift in zip(parts, ((high, low), (low, high), (high, high)))
-        ])
+def _moved(part: np.ndarray, by: tuple[int, int]) -> np.ndarray:
+    """Coefficients (bands, rows, columns) so many farther down and to the right; those at the edges are repeated."""
+    for axis, shift in enumerate(by, 1):
+        if shift:
+            last = part.shape[axis] - 1
+            part = part.take(np.clip(np.arange(last + 1) - shift, 0, last), axis)
+    return part
 
 
 def _curve(own: np.ndarray, total: float, pixels: int) -> Curve:
@@ -214,11 +229,12 @@ def _exact_products(bands: np.ndarray, filters: FilterPair, levels: int, pairs: 
 
 
 def _levels(
-    bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, levels: int, dtype: type
+    bands: np.ndarray, offsets: Sequence[float], filters: FilterPair, levels: int, dtype: type,
+    mirrored: bool = False,
 ) -> Iterator[np.ndarray]:
     """For each level LL, LH, HL and HH of the bands less their offsets, (4, bands, rows / 2^r, columns / 2^r)."""
     for _ in range(levels):
-        parts = split(bands, offsets, filters, dtype)
+        parts = split(bands, offsets, filters, dtype, mirrored)
         yield parts
         bands, offsets = parts[0], [0.0] * len(bands)
 

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from itertools import cycle
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -30,7 +31,7 @@ def draw_noise(
 ) -> None:
     """The curves of one clip by band, the judged one (the noisiest) bold; see ``draw_rule``."""
     bold = noisiest_band(measured) if measured else ""
-    spare = iter(style.sources * 9)
+    spare = cycle(style.sources)
     for band, noise in measured.items():
         if noise.curve.variance == 0:
             continue

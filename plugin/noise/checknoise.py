@@ -40,14 +40,14 @@ class CheckNoise(RasterListAlgorithm):
     NAME = QT_TR_NOOP("Check random noise")
     GROUP = IMAGE_QUALITY
     HELP = QT_TR_NOOP(
-        "Says how much random noise an image has, whether film, scan or sensor. In an image with little noise the "
-        "relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) "
-        "and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the "
-        "spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. Photographs and "
-        "scans need no place on the map. "
-        "Two groups of images, of another camera, film or process, are compared; where they show the same ground "
-        "each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as "
-        "land use or scale."
+        "Measures how much random noise an image has, from film, scanner or sensor. In an image with little noise "
+        "the relative variance of the details rises from level to level; noise lifts level 1 above level 2 "
+        "(moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked "
+        "for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. The rule "
+        "compares noise with the scene; the amount beside it is the ratio of the signal to the noise. Photographs "
+        "and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; "
+        "where they show the same ground each window is measured on both, with the same pixels left out. Windows are "
+        "grouped by a field of theirs, as land use or scale."
     )
     RASTER_LISTS = (RASTERS, SECOND_GROUP)
 
@@ -86,8 +86,8 @@ class CheckNoise(RasterListAlgorithm):
             QgsProcessingParameterFeatureSink(OUTPUT, tr("Noise"), table),
             tr(
                 "One row per window, raster and band: relative variances, kurtosis of each level's details (3 for "
-                "Gaussian noise), sigma in DN, the most that grain can be, and the verdict low, uncertain, moderate or "
-                "strong."
+                "Gaussian noise), sigma in DN, the most that grain can be, the verdict low, uncertain, moderate or "
+                "strong, and beside it the amount of noise by the signal to noise ratio: little, some or much."
             ),
         )
         self.addDescribed(
@@ -146,11 +146,13 @@ class CheckNoise(RasterListAlgorithm):
             measured = group_noise.measure_requests(plan.requests, wavelet, levels, executor, ahead, run.is_cancelled)
             for done, clips in enumerate(measured, 1):
                 for clip in clips:
-                    run.write(sink, noise_summary.noise_features(clip, levels))
                     if clip.reason is not None:
                         run.tell(imagery_messages.ABOUT(what=clip.window_id, why=clip.reason))
                 results += clips
                 run.progress(done / len(plan.requests))
+        results = group_noise.pooled(results, wavelet)
+        for clip in results:
+            run.write(sink, noise_summary.noise_features(clip, levels))
         counts = noise_summary.verdict_counts(results)
         words = noise_summary.VERDICT_WORDS
         run.inform(", ".join(f"{tr(word)}: {counts[verdict]}" for verdict, word in words.items()))

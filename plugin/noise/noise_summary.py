@@ -17,6 +17,7 @@ from ..toolkit.table_fields import column_features, column_fields, number
 from ..toolkit.translation import band_title, filled, sentence, shown_number, tr
 from .measure.band_noise import SEVERITY, BandNoise, NoiseVerdict, noisiest_band
 from .measure.group_noise import ClipNoise
+from .measure.noise_amount import NoiseAmount
 
 VERDICT_WORDS = {
     NoiseVerdict.LOW: QT_TR_NOOP("low"),
@@ -26,6 +27,14 @@ VERDICT_WORDS = {
     NoiseVerdict.NOT_MEASURABLE: QT_TR_NOOP("not measurable"),
 }
 
+
+AMOUNT_WORDS = {
+    NoiseAmount.LITTLE: QT_TR_NOOP("little"),
+    NoiseAmount.SOME: QT_TR_NOOP("some"),
+    NoiseAmount.MUCH: QT_TR_NOOP("much"),
+    NoiseAmount.UNCERTAIN: QT_TR_NOOP("uncertain"),
+    NoiseAmount.NOT_MEASURABLE: QT_TR_NOOP("not measurable"),
+}
 
 CurveGroup = tuple[str, tuple[tuple[float, ...], ...]]
 """What windows that belong together are called, and their curves."""
@@ -124,7 +133,16 @@ def noise_sentence(bands: Mapping[str, BandNoise]) -> str:
         kurtosis=_number(judged.kurtosis[0], 1),
     )
     grain = _grain_words(judged)
-    return " ".join(part for part in (words, note, grain) if part)
+    return " ".join(part for part in (words, amount_words(judged), note, grain) if part)
+
+
+def amount_words(noise: BandNoise) -> str:
+    """How much noise there is, whatever the scene."""
+    word = tr(AMOUNT_WORDS[noise.amount])
+    if noise.signal_to_noise is None:
+        return filled(tr("Amount: {amount}."), amount=word)
+    words = tr("Amount: {amount}; {sigma} DN without texture, signal to noise {ratio}.")
+    return filled(words, amount=word, sigma=_number(noise.noise, 1), ratio=_number(noise.signal_to_noise, 0))
 
 
 def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
@@ -137,7 +155,7 @@ def band_lines(bands: Mapping[str, BandNoise]) -> list[str]:
                 sigma=_number(noise.sigma, 2), largest=_number(noise.largest_sigma, 1),
                 kurtosis=" / ".join(_number(value, 1) for value in noise.kurtosis),
             )
-            line = f"{line}, {numbers}"
+            line = f"{line}, {numbers}. {amount_words(noise)}"
         lines.append(line)
     return lines
 
@@ -204,6 +222,9 @@ _COLUMNS: tuple[Column[_NoiseRow], ...] = (
     Column("largest_sigma", "real", lambda row: row.noise and row.noise.largest_sigma),
     Column("grain", "real", lambda row: row.noise and row.noise.grain and row.noise.grain.size),
     Column("grain_sigma", "real", lambda row: row.noise and row.noise.grain and row.noise.grain.sigma),
+    Column("amount", "text", lambda row: (row.noise.amount if row.noise else NoiseAmount.NOT_MEASURABLE).value),
+    Column("noise_sigma", "real", lambda row: row.noise and row.noise.noise),
+    Column("signal_to_noise", "real", lambda row: row.noise and row.noise.signal_to_noise),
 )
 
 

@@ -14,6 +14,7 @@ from .measure.grain import Grain
 from .measure.group_noise import ClipNoise
 from .measure.noise_plan import GroupedImage
 from .noise_summary import (
+    AMOUNT_WORDS,
     VERDICT_WORDS,
     NoiseGroup,
     class_title,
@@ -121,24 +122,25 @@ def _windows(
         member = result.part.member
         head = [result.window_id, class_title(result.window_class), member.image.ref.name, member.group_name]
         if judged is None or judged.sigma is None:
-            figures = [""] * (levels + 4)
+            figures = [""] * (levels + 6)
             reason = result.reason or (judged.note if judged else None)
         else:
             known = ("-" if kurtosis is None else shown_number(kurtosis, 1) for kurtosis in judged.kurtosis)
             largest = "" if judged.largest_sigma is None else shown_number(judged.largest_sigma, 1)
             grain = "" if judged.grain is None else _grain(judged.grain)
             shares = (formatted(share, ".4f") for share in judged.curve.detail)
-            figures = [shown_number(judged.sigma), largest, grain, *shares]
+            ratio = "" if judged.signal_to_noise is None else shown_number(judged.signal_to_noise, 0)
+            figures = [tr(AMOUNT_WORDS[judged.amount]), ratio, shown_number(judged.sigma), largest, grain, *shares]
             figures.append("\u00a0\u00a0".join(known))
             reason = judged.note
         place = f"{window.column},\u00a0{window.row}"
         note_number = str(notes.setdefault(sentence(reason), len(notes) + 1)) if reason else ""
         rows.append([*head, tr(VERDICT_WORDS[verdict_of(result)]), band, *figures, place, note_number])
-    headings = [tr("window"), field, tr("raster"), tr("group"), tr("noise"), tr("band"), tr("sigma (DN)")]
-    headings += [tr("largest possible"), tr("grain (DN)")]
+    headings = [tr("window"), field, tr("raster"), tr("group"), tr("noise"), tr("band"), tr("amount")]
+    headings += [tr("signal to noise"), tr("sigma (DN)"), tr("largest possible"), tr("grain (DN)")]
     headings += [filled(tr("detail {level}"), level=level) for level in range(1, levels + 1)]
     headings += [tr("kurtosis by level"), tr("column, row"), tr("note")]
-    of_class, group, band_column, grain_column, note = 1, 3, 5, 8, len(headings) - 1
+    of_class, group, band_column, grain_column, note = 1, 3, 5, 10, len(headings) - 1
     left_out = set() if field else {of_class}
     left_out |= {group} if len({row[group] for row in rows}) < 2 else set()
     left_out |= {column for column in (band_column, grain_column, note) if not any(row[column] for row in rows)}

@@ -47,7 +47,7 @@ class EnhancePhoto(SeamInspectorAlgorithm):
             QgsProcessingParameterNumber(
                 SIZE, tr("Size (px)"), QgsProcessingParameterNumber.Type.Double, DEFAULT_FILTER_PX
             ),
-            tr("Side of the mean's square (odd), or standard deviation of the Gaussian; of no meaning to the others."),
+            tr("Side of the mean's square (odd), or standard deviation of the Gaussian; the others ignore it."),
         )
         self.addDescribed(QgsProcessingParameterRasterDestination(OUTPUT, tr("Enhanced photo")), tr("A GeoTIFF."))
 

@@ -107,7 +107,7 @@ class InteriorOrientation(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             common.choice(TEMPLATE_KIND, tr("Kind of mark"), KINDS),
-            tr("What is drawn to look for, in the size that the photo has it; automatic tries all."),
+            tr("The shape to look for, in the size it has on the photo; automatic tries all."),
         )
         for name, label, words, purpose in (
             (

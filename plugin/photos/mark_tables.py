@@ -8,7 +8,7 @@ from osgeo import gdal
 from qgis.core import QgsDataProvider, QgsFeature, QgsFields, QgsGeometry, QgsPointXY, QgsVectorLayer, QgsWkbTypes
 
 from ..imagery.errors import PhotoError
-from ..imagery.gdal_calls import is_endless
+from ..imagery.gdal_calls import is_endless, is_layer_file
 from ..toolkit.table_fields import attributes, feature, is_known, is_true, number, table_fields, text
 from ..toolkit.translation import sentence
 from .measure import messages
@@ -106,7 +106,7 @@ def folder_marks(folder: Path) -> list[ComparedMark]:
     for path in (one for one in sorted(folder.iterdir()) if not is_endless(str(one))):
         if path.suffix.lower() == ".xml" and path.name.startswith(MEASURES):
             made += [ComparedMark(photo, mark, place) for photo, mark, place in read_measures(path)]
-        elif path.suffix.lower() in VECTOR_ENDINGS:
+        elif path.suffix.lower() in VECTOR_ENDINGS and is_layer_file(path):
             made += _file_marks(path)
     if not made:
         raise PhotoError(messages.COMPARED_EMPTY_FOLDER(path=folder))

@@ -122,7 +122,7 @@ def _settings(job: OrientationJob, made: PhotoOrientation) -> list[tuple[str, st
         (tr("search"), filled("{mm:g} mm", mm=settings.search_mm)),
         (tr("surface"), sentence(messages.WORDS[settings.surface.value])),
         (
-            tr("farthest that a mark may be off"),
+            tr("largest distance of a mark from its place"),
             filled("{mm:.3f} mm", mm=limits.FILM_DEFORMATION * job.calibration.span),
         ),
     ]

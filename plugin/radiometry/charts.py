@@ -26,7 +26,7 @@ def histogram_figure(result: Assessment) -> Figure | None:
     if not result.histograms or not any(histogram.pixels for histogram in result.histograms.values()):
         return None
     low, high = shown = result.available or _range_of_values(result)
-    figure = new_figure(6.2, 2.7)
+    figure = new_figure(2.7, 1.7)
     axes = figure.subplots()
     spare = cycle(PAPER.sources)
     for place, (name, histogram) in enumerate(_drawn(result).items()):
@@ -46,14 +46,15 @@ def histogram_figure(result: Assessment) -> Figure | None:
     most = rules[PEAK].most if PEAK in rules else None
     if most is not None:
         reach, middle = most * (high - low), (low + high) / 2
-        axes.axvspan(middle - reach, middle + reach, color="#009e73", alpha=0.12, linewidth=0,
-                     label=tr("where the peak should lie"))
+        axes.axvspan(middle - reach, middle + reach, color="#009e73", alpha=0.12, linewidth=0)
     axes.set_xlim(low - 0.01 * (high - low), high + 0.01 * (high - low))
     axes.set_ylim(bottom=0)
-    axes.set_xlabel(tr("value (DN)"))
-    axes.set_ylabel(tr("pixels (%)"))
+    axes.set_xlabel(tr("value (DN)"), fontsize=7)
+    axes.set_ylabel(tr("pixels (%)"), fontsize=7)
+    axes.tick_params(labelsize=7)
     axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(fontsize="small", frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    if len(axes.get_lines()) > 1:
+        axes.legend(fontsize=6, frameon=False, handlelength=1)
     return figure
 
 

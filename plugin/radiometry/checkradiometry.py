@@ -49,7 +49,7 @@ class CheckRadiometry(RasterListAlgorithm):
     NAME = QT_TR_NOOP("Check radiometry")
     GROUP = IMAGE_QUALITY
     HELP = QT_TR_NOOP(
-        "Holds images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped "
+        "Checks images against the limits of a specification, by default JRC's for orthoimages in the LPIS: clipped "
         "tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, "
         "colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters "
         "are streamed in blocks. What can't be measured is said with the reason; nothing is accepted on a guess."

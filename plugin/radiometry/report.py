@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from ..imagery.errors import Message
@@ -25,7 +24,7 @@ from .words import (
     figure_words,
     found_words,
     limit_words,
-    outcome_reasons,
+    no_limit_words,
     spot_words,
     title,
 )
@@ -35,23 +34,6 @@ _STATES = {
     RadiometricOutcome.REJECTED: "bad",
     RadiometricOutcome.UNDECIDED: "open",
 }
-
-
-@dataclass(frozen=True)
-class CheckRow:
-    """One check of an image."""
-
-    name: str
-    values: Sequence[tuple[str, str]]
-    """Bands and their figures."""
-    limit: str
-    passed: str
-    """That all bands passed, or which failed; empty where nothing was judged."""
-    has_failed: bool
-    remarks: Sequence[str]
-    """What can't be measured or judged, and why."""
-    source: int
-    """Of the limit: which of the notes says it."""
 
 
 def save_radiometry_report(
@@ -96,7 +78,7 @@ def _balance_row(result: Assessment, step: float, contrast: float) -> list[str]:
 
 def _verdict(decision: RadiometricDecision) -> tuple[str, str, str]:
     """Its state, its word and its reasons."""
-    return _STATES[decision.outcome], decision_word(decision), " ".join(decision_reasons(decision))
+    return _STATES[decision.outcome], decision_word(decision).capitalize(), " ".join(decision_reasons(decision))
 
 
 def _overview(image: ImageDecision) -> list[object]:
@@ -110,51 +92,46 @@ def _overview(image: ImageDecision) -> list[object]:
 
 
 def _section(image: ImageDecision, sources: Sequence[str]) -> dict[str, object]:
-    """What the page shows of one image."""
+    """What the page shows of one image: a row for each check, a column for each band."""
     result = image.result
     by_check: dict[str, dict[str, CheckedFigure]] = {}
     for checked in result.checked_figures:
         by_check.setdefault(checked.rule.check, {})[checked.band] = checked
+    bands = list(dict.fromkeys(one.band for one in result.checked_figures if one.value is not None))
     figure = histogram_figure(result)
-    said: set[str] = set()
     return {
         "title": title(result),
-        "outcome": tr(OUTCOME_WORDS[image.outcome]),
-        "reasons": [*outcome_reasons(image), *found_words(result)],
+        "outcome": tr(OUTCOME_WORDS[image.outcome]).capitalize(),
+        "reasons": [*([no_limit_words()] if image.is_without_limit else ()), *found_words(result)],
         "available": result.available,
         "histogram": None if figure is None else svg_text(figure),
-        "checks": [_check_row(check, own, sources, said) for check, own in by_check.items()],
-    }
+        "bands": [band_words(band) for band in bands],
+        "checks": [_check_row(check, own, bands, sources) for check, own in by_check.items()],
+        "remarks": _remarks(result),
+    }  # fmt: skip
 
 
-def _check_row(check: str, own: Mapping[str, CheckedFigure], sources: Sequence[str], said: set[str]) -> CheckRow:
+def _check_row(
+    check: str, own: Mapping[str, CheckedFigure], bands: Sequence[str], sources: Sequence[str]
+) -> dict[str, object]:
+    """``source`` says which of the notes tells where the limit comes from."""
     rule = next(iter(own.values())).rule
-    failed = [band_words(checked.band) for checked in own.values() if checked.passed is False]
-    passed = tr("passed") if any(checked.passed for checked in own.values()) else ""
-    names = "" if len(failed) == len(own) else f" ({', '.join(failed)})"
-    return CheckRow(
-        tr(CHECK_WORDS[check]),
-        [(band_words(band), figure_words(rule, one.value)) for band, one in own.items() if one.value is not None],
-        limit_words(rule),
-        tr("failed") + names if failed else passed,
-        bool(failed),
-        _remarks(own, said),
-        sources.index(rule.source) + 1,
-    )
+    has_failed = any(one.passed is False for one in own.values())
+    word = tr("failed") if has_failed else tr("passed") if any(one.passed for one in own.values()) else ""
+    values = {band: figure_words(rule, one.value) for band, one in own.items() if one.value is not None}
+    return {
+        "name": tr(CHECK_WORDS[check]), "values": [values.get(band, "") for band in bands], "limit": limit_words(rule),
+        "result": word if values else tr("not measurable"), "is_reason": has_failed or any(
+            one.is_missed for one in own.values()
+        ),
+        "source": sources.index(rule.source) + 1,
+    }  # fmt: skip
 
 
-def _remarks(own: Mapping[str, CheckedFigure], said: set[str]) -> list[str]:
-    """Each reason with the bands that it concerns, where it doesn't concern all; a long one once for each image.
-
-    ``said`` holds those of the rows above, and is added to."""
-    reasons: dict[str, list[str]] = {}
-    for checked in own.values():
+def _remarks(result: Assessment) -> list[str]:
+    """Why figures can't be measured or judged, each reason once with what it concerns."""
+    reasons: dict[str, list[CheckedFigure]] = {}
+    for checked in result.checked_figures:
         if checked.reason is not None:
-            words = sentence(checked.reason)
-            shown = tr("not measurable, for the reason above") if checked.value is None and words in said else words
-            reasons.setdefault(shown, []).append(band_words(checked.band))
-    said.update(sentence(checked.reason) for checked in own.values() if checked.reason is not None)
-    return [
-        reason if len(concerned) == len(own) else f"{', '.join(concerned)}: {reason}"
-        for reason, concerned in reasons.items()
-    ]
+            reasons.setdefault(sentence(checked.reason), []).append(checked)
+    return [f"{checks_words(concerned)}: {reason}" for reason, concerned in reasons.items()]

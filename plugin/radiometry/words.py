@@ -70,12 +70,6 @@ def limit_words(rule: Rule) -> str:
     return filled(tr("at least {least}"), least=least) if least else tr("none")
 
 
-def check_words(checked: CheckedFigure) -> str:
-    """A check with its band, as "contrast (luminosity)"."""
-    words = tr(CHECK_WORDS[checked.rule.check])
-    return words if checked.band == ALL_BANDS else f"{words} ({band_words(checked.band)})"
-
-
 def checks_words(figures: Iterable[CheckedFigure]) -> str:
     """Several checks, each once, with the bands that they concern."""
     bands: dict[str, list[str]] = {}
@@ -112,28 +106,17 @@ def found_words(result: Assessment) -> Iterator[str]:
         yield filled(
             tr(
                 "Grey areas: {count}, with {pixels} px, {share:.2%} of the image; red, green and blue on them are "
-                "{red:.1f}, {green:.1f}, {blue:.1f}. Most colour has area {area}: {worst:.1%}, near {x:.2f}, {y:.2f}."
+                "{red:.1f}, {green:.1f}, {blue:.1f}. Area {area} has the most colour: {worst:.1%}, near {x:.2f}, "
+                "{y:.2f}."
             ),
             count=len(balance.tones), pixels=pixels, share=pixels / max(result.pixels, 1), red=red, green=green,
             blue=blue, area=balance.worst.number, worst=balance.worst_value, x=x, y=y,
         )  # fmt: skip
 
 
-def outcome_reasons(image: ImageDecision) -> list[str]:
-    """Why an image is accepted, rejected or undecided, sentence by sentence."""
-    said = [
-        filled(tr("{check} is {value}; the limit is {limit}."),
-            check=check_words(one), value=figure_words(one.rule, one.value or 0.0), limit=limit_words(one.rule)
-        )
-        for one in image.failed
-    ]
-    if image.missed:
-        said.append(filled(tr("Not measurable and required: {checks}."), checks=checks_words(image.missed)))
-    if image.unmeasured:
-        said.append(filled(tr("Not measurable and not required: {checks}."), checks=checks_words(image.unmeasured)))
-    if image.outcome is RadiometricOutcome.UNDECIDED and not image.missed:
-        said.append(tr("The rules set no limit that it could be held against."))
-    return said
+def no_limit_words() -> str:
+    """Why an image is undecided of which nothing is missed."""
+    return tr("The rules set no limit for it.")
 
 
 def decision_word(decision: RadiometricDecision) -> str:
@@ -151,7 +134,7 @@ def decision_reasons(decision: RadiometricDecision) -> list[str]:
         missed = checks_words(_first_of_each(one for image in undecided for one in image.missed))
         said.append(filled(tr("Not measurable and required: {checks}; in {images}."),
             images=_names(undecided), checks=missed) if missed
-            else tr("The rules set no limit that it could be held against."))  # fmt: skip
+            else no_limit_words())  # fmt: skip
     if decision.left_out:
         said.append(filled(tr("Not looked at: {count}."), count=len(decision.left_out)))
     without = [image for image in decision.images if image.unmeasured]

@@ -37,6 +37,13 @@ def distance_sentences(resolution: TargetResolution, each_band: bool = True) -> 
     """What was found, line by line: distances, what observers saw, the target's contrast, the lowest one or all."""
     words = [f"{name}: {distance_text(grd, error)}" for name, grd, error in target_distances(resolution)]
     for direction in DIRECTIONS:
+        interval = resolution.interval(direction)
+        if interval is not None and interval[0] < interval[1]:
+            low, high = (shown_number(one) for one in interval)
+            words.append(filled(
+                tr("{direction}, one group more or less: {low} to {high} cm"),
+                direction=direction_title(direction), low=low, high=high,
+            ))
         seen = resolution.seen(direction)
         if seen is not None:
             words.append(filled(

@@ -36,6 +36,7 @@ CRITERION, FULL_AMPLITUDE, GRD_OF, REVERSED = "CRITERION", "FULL_AMPLITUDE", "GR
 OUTPUT = "OUTPUT"
 GRD_ALONG, GRD_ACROSS, GRD_MEAN = "GRD_ALONG", "GRD_ACROSS", "GRD_MEAN"
 ALONG_ERROR, ACROSS_ERROR, MEAN_ERROR = "GRD_ALONG_ERROR", "GRD_ACROSS_ERROR", "GRD_MEAN_ERROR"
+RANGES = {"along": ("GRD_ALONG_LOW", "GRD_ALONG_HIGH"), "across": ("GRD_ACROSS_LOW", "GRD_ACROSS_HIGH")}
 SEEN_ALONG, SEEN_ACROSS, CONTRAST = "SEEN_ALONG", "SEEN_ACROSS", "TARGET_CONTRAST"
 
 
@@ -71,7 +72,7 @@ class MeasureResolution(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             common.real(WIDTH, tr("Width to average (pixels)"), limits.DEFAULT_BAR_WIDTH_PX, 0),
-            tr("How far either side of the line the profile is averaged; less where that is more than bars are long."),
+            tr("How far on either side of the line the profile is averaged; less where the bars are shorter."),
         )
         self.addDescribed(
             QgsProcessingParameterNumber(BAND, tr("Band"), defaultValue=0, minValue=0),
@@ -91,7 +92,8 @@ class MeasureResolution(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             common.real(REFERENCE_GRD, tr("Distance of the reference group (cm)"), limits.DEFAULT_REFERENCE_GRD_CM),
-            tr("Of the reference group, centimetres on the ground: the width of what the next line says."),
+            tr("Of the reference group, in centimetres on the ground; the next parameter says of what it is the "
+               "width."),
         )
         self.addDescribed(
             common.choice(GRD_OF, tr("Distances are widths of"), limits.DISTANCES),
@@ -138,6 +140,10 @@ class MeasureResolution(SeamInspectorAlgorithm):
             ALONG_ERROR: tr("Standard deviation along the flight (cm)"),
             ACROSS_ERROR: tr("Standard deviation across the flight (cm)"),
             MEAN_ERROR: tr("Standard deviation of the mean (cm)"),
+            RANGES["along"][0]: tr("Finest distance that may be resolved along the flight (cm)"),
+            RANGES["along"][1]: tr("Coarsest distance that may be the finest one along the flight (cm)"),
+            RANGES["across"][0]: tr("Finest distance that may be resolved across the flight (cm)"),
+            RANGES["across"][1]: tr("Coarsest distance that may be the finest one across the flight (cm)"),
             SEEN_ALONG: tr("Distance along the flight that all observers see (cm)"),
             SEEN_ACROSS: tr("Distance across the flight that all observers see (cm)"),
             CONTRAST: tr("Contrast of the target, bars to gaps"),
@@ -199,6 +205,10 @@ class MeasureResolution(SeamInspectorAlgorithm):
             ALONG_ERROR: resolution.worst_error("along"),
             ACROSS_ERROR: resolution.worst_error("across"),
             MEAN_ERROR: resolution.mean_error,
+            **{
+                name: value for direction, names in RANGES.items()
+                for name, value in zip(names, resolution.interval(direction) or (None, None))
+            },
             SEEN_ALONG: resolution.seen("along"),
             SEEN_ACROSS: resolution.seen("across"),
             CONTRAST: min(resolution.contrasts.values(), default=None),

@@ -11,6 +11,7 @@ from qgis.core import (
     QgsProcessingParameterBoolean,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterString,
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
@@ -137,8 +138,11 @@ class MinimumHeight(SeamInspectorAlgorithm):
             tr("The ground resolved distance that must not be undercut: 30 cm for optical cameras of Open Skies."),
         )
         self.addDescribed(
-            common.real(REFERENCE_HEIGHT, tr("Reference height (metres)"), None, optional=True),
-            tr("The minimum height that the results are compared with, if there is one."),
+            QgsProcessingParameterString(REFERENCE_HEIGHT, tr("Reference height (metres)"), optional=True),
+            tr(
+                "The minimum height that the results are compared with, or one for each sensor, type of image or "
+                "direction: 'DMC 2714; RC20 2015'."
+            ),
         )
         self.addDescribed(
             QgsProcessingParameterBoolean(BY_HEIGHT, tr("Keep flying heights apart"), False),
@@ -166,8 +170,8 @@ class MinimumHeight(SeamInspectorAlgorithm):
         from ..toolkit import layers
         from .measure.minimum_height import check_heights, doubts, minimum_heights
 
-        required, reference = self._limits(run)
-        check_heights(required, reference)
+        required, references = self._limits(run)
+        check_heights(required, references)
         source = run.source(OBSERVATIONS)
         names = source.fields().names()
         readings = reading_fields(names)
@@ -184,7 +188,7 @@ class MinimumHeight(SeamInspectorAlgorithm):
         if not observations:
             raise SettingsError(messages.NO_OBSERVATIONS())
         run.tell(*doubts(observations))
-        results = minimum_heights(observations, required, reference)
+        results = minimum_heights(observations, required, references)
         fields, rows = height_table(results, keys)
         sink, destination = run.sink(OUTPUT, fields)
         run.write(sink, rows)
@@ -198,8 +202,8 @@ class MinimumHeight(SeamInspectorAlgorithm):
                 run.tell(imagery_messages.ABOUT(what=name, why=result.notice).as_warning())
         return {OUTPUT: destination, HEIGHTS: passes_id, GROUP_COUNT: len(results)}
 
-    def _limits(self, run: Run) -> tuple[float, float | None]:
-        """The required distance in cm, and the reference height in m where one is given."""
-        given = run.parameters.get(REFERENCE_HEIGHT)
-        reference = run.real(REFERENCE_HEIGHT) if text(given) else None
-        return run.real(REQUIRED_GRD), reference
+    def _limits(self, run: Run) -> tuple[float, dict[str, float]]:
+        """The required distance in cm, and the reference heights in m that are given."""
+        from .measure.minimum_height import read_references
+
+        return run.real(REQUIRED_GRD), read_references(run.text(REFERENCE_HEIGHT))

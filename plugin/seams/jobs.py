@@ -4,7 +4,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor, wait
+from concurrent.futures import wait
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,6 +17,7 @@ from ..imagery.errors import Message
 from ..imagery.gdal_calls import gdal_writing
 from ..imagery.lines import find_seams
 from ..imagery.open_raster import OpenRaster
+from ..imagery.raster_pool import reading_threads
 from ..imagery.rasters import Raster, RasterRef
 from ..toolkit.background_tasks import Ahead, Cancelled, Job
 from ..toolkit.translation import filled, tr
@@ -56,7 +57,7 @@ def inspection_job(requests: Iterable[WindowRequest], count: int, measure: Measu
                     return
             return
         workers = _workers()
-        with ThreadPoolExecutor(workers, thread_name_prefix="seam-inspector") as executor:
+        with reading_threads(workers) as executor:
             results = inspect_windows(requests, executor, 2 * workers, cancelled)
             for done, result in enumerate(results, 1):
                 yield done / count, result
@@ -123,8 +124,8 @@ def time_left(seconds: float) -> str:
     if seconds < _MINUTE_S:
         return tr("less than a minute left")
     if seconds < 1.5 * _HOUR_S:
-        return filled(tr("some {count} min left"), count=round(seconds / _MINUTE_S))
-    return filled(tr("some {count} h left"), count=round(seconds / _HOUR_S))
+        return filled(tr("about {count} min left"), count=round(seconds / _MINUTE_S))
+    return filled(tr("about {count} h left"), count=round(seconds / _HOUR_S))
 
 
 MOST_CELLS = 16_000_000  # of the picture, so that it is drawn in a moment, without overviews
@@ -275,7 +276,7 @@ def _request(order: ScanOrder) -> tuple[ScanRequest, tuple[Message, ...]]:
         request, notices = scan_request(order.mosaic, order.sources, order.settings)
         return request, tuple(notices)
     features, lost = order.read_seams()
-    given = given_seams(features, order.mosaic.grid)
+    given = given_seams(features, order.mosaic.grid, paths=[one.ref.path for one in order.sources])
     request, notices = scan_request(order.mosaic, order.sources, order.settings, given)
     return request, (*(() if lost is None else (lost,)), *notices)
 
@@ -290,9 +291,8 @@ def _measured(scan: WholeScan, files: ScanFiles, cancelled: Cancelled) -> Iterat
     workers = _workers()
     request, share, told_at = scan.request, 0.0, 0.0
     told: set[str] = set()
-    with closing(PictureSoFar(files.so_far, request.mosaic, request.settings.cell_px)) as picture, ThreadPoolExecutor(
-        workers, thread_name_prefix="seam-inspector"
-    ) as executor:
+    so_far = PictureSoFar(files.so_far, request.mosaic, request.settings.cell_px)
+    with closing(so_far) as picture, reading_threads(workers) as executor:
         for step in scan.steps(executor, _AHEAD * workers, cancelled):
             if request.sources and (found := scan.block(step.key)) is not None:
                 picture.add(found)
@@ -316,7 +316,7 @@ def _gathered(scan: WholeScan, files: ScanFiles, cancelled: Cancelled) -> Iterat
         return not cancelled()
 
     workers = _workers()
-    with ThreadPoolExecutor(1 + workers, thread_name_prefix="seam-inspector") as executor:  # one puts it together
+    with reading_threads(1 + workers) as executor:  # one puts it together
         future = executor.submit(scan.result, str(files.picture), goes_on, executor, _AHEAD * workers)
         while not future.done():
             wait([future], timeout=_NEWS_S)

@@ -1,19 +1,18 @@
-"""What was found in a window, in plain words: how much detail is left, and which step of production explains it.
+"""What was found in a window, in plain words: the verdict, where how much detail was lost, by what, and what to do.
 
-Also what the verdict was taken by, as a number that orders windows by their loss.
+That is the sentence of a window; what it rests on is told apart, to who asks why.
 """
 from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..imagery.limits import MAX_SIGNIFICANT_RATIO
 from ..toolkit.translation import filled, percent, shown_number, tr
 from .measure.causes import ALONG_THE_SEAM, Cause, causes_taken
-from .measure.limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED
+from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
-from .measure.window_records import COMPOSITE, SEAM
-from .words import cause_clause, causes_words, judged_change, took_words, verdict_sentence, verdict_word
+from .measure.window_records import SEAM
+from .words import cause_clause, causes_words, judged_change, to_do, took_words, verdict_sentence, verdict_word
 
 if TYPE_CHECKING:
     from .measure.explanation import Explanation
@@ -21,42 +20,28 @@ if TYPE_CHECKING:
     from .measure.window_records import WindowRecord
 
 
-def judged_value(row: WindowRecord) -> float | None:
-    """Relative to the standard limit of a significant loss, so the smaller the worse; None where there is none.
-
-    By the seam, the lesser of what is kept along it and of the sharpness of the whole.
-    """
-    if row.reference == SEAM:
-        kept = None if row.kept_1 is None else row.kept_1 / MAX_SIGNIFICANT_KEPT
-        sharpness = None if row.sharpness is None else row.sharpness**2 / MAX_SIGNIFICANT_SHARPNESS_SQUARED
-        return min((value for value in (kept, sharpness) if value is not None), default=None)
-    ratio = row.composite_ratio if row.reference == COMPOSITE else row.ratio
-    return None if ratio is None else ratio / MAX_SIGNIFICANT_RATIO
-
-
 def judged_kept(row: WindowRecord) -> float | None:
     """kept_1 where the verdict was taken by it; None where the sharpness of the whole told the loss."""
-    if row.reference != SEAM or row.kept_1 is None or row.kept_high is None:
-        return None
-    sharpness_squared = 1.0 if row.sharpness is None else row.sharpness**2
-    by_sharpness = {
-        "significant": row.kept_high >= 1 or sharpness_squared <= MAX_SIGNIFICANT_SHARPNESS_SQUARED,
-        "reduced": row.kept_high >= 1,
-        "preserved": False,
-    }
-    return None if by_sharpness.get(row.verdict, True) else row.kept_1
+    is_told = row.verdict == "preserved" or is_lost_along_the_seam(row)
+    return row.kept_1 if row.reference == SEAM and is_told else None
 
 
 def judged_words(row: WindowRecord) -> list[str]:
     """Each number that the verdict looks at; empty where nothing was measured."""
     if row.reference == SEAM:
-        return [*_kept_words(row), *_number_words(tr("sharpness 1: {value:.2f}"), row.sharpness)]
+        lost = [] if row.loss is None else [filled(tr("loss: {area}"), area=shown_area(row.loss))]
+        return [*lost, *_kept_words(row), *_number_words(tr("sharpness 1: {value:.2f}"), row.sharpness)]
     composite = _number_words(tr("composite: {value:.2f}"), row.composite_ratio)
     return [*_number_words(tr("ratio 1: {value:.2f}"), row.ratio), *composite]
 
 
+def shown_area(area_m2: float) -> str:
+    """Square metres, with tenths where they are few."""
+    return filled(tr("{area} m²"), area=shown_number(area_m2, 0 if area_m2 >= _FEW_M2 else 1))
+
+
 def _kept_words(row: WindowRecord) -> list[str]:
-    if row.kept_1 is None:
+    if judged_kept(row) is None:
         return []
     if row.kept_low is None or row.kept_high is None:
         return _number_words(tr("kept 1: {value:.2f}"), row.kept_1)
@@ -69,6 +54,7 @@ def _number_words(text: str, value: float | None) -> list[str]:
 
 
 _TOLD_BEFORE = ("", Cause.NONE, Cause.MISSING_SOURCE)  # no sentence of their own beside the seam's
+_FEW_M2 = 10.0
 _LEAST_WIDTH_M = 0.05  # less is 0.0 m
 _LEAST_TAKEN = 0.005  # of the window's finest detail
 _MUCH_ADDED = 0.15  # of the detail beside the seam that is not the sources'
@@ -90,7 +76,7 @@ def what_happened(row: WindowRecord, found: Explanation | None) -> Happening:
     left = [cause for cause in (row.causes or row.cause).split("; ") if cause not in _TOLD_BEFORE]
     main = left[0] if left else ""
     at_seam = [cause for cause in left if cause in ALONG_THE_SEAM or _is_softened_seam(cause, found)]
-    seam = _seam_clause(at_seam, row, _is_endless(found)) + _mixing_alone(found) if at_seam else ""
+    seam = _seam_clause(at_seam, row, _is_endless(found)) if at_seam else ""
     taken = {} if found is None else {cause.value: share for cause, share in causes_taken(found.evidence)}
     took = [
         (cause, words) for cause in left
@@ -145,7 +131,7 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
         width = filled(tr("more than {width}"), width=width)
     apart = shown_number(row.misfit, 1) if Cause.MISREGISTRATION in causes and row.misfit is not None else ""
     if Cause.BLUR in causes:
-        text = tr("it is softened along the seam")
+        text = tr("the mosaic is softened along the seam")
     elif Cause.OTHER_MIXTURE in causes:
         text = tr("images are mixed by another rule than weights")
         if width:
@@ -157,7 +143,7 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
             "images {apart} px apart are feathered"
         )
         if causes[0] == Cause.MISREGISTRATION:
-            text += tr(", and most of that is their misfit")
+            text += tr(", and their misfit took most of it")
     elif Cause.FEATHERING in causes:
         text = tr("images are feathered over {width} m") if width else tr("images are feathered")
     else:
@@ -167,12 +153,12 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
     return filled(text, width=width, apart=apart)
 
 
-def _mixing_alone(found: Explanation | None) -> str:
+def _mixing_alone(found: Explanation | None) -> list[str]:
     """What the mixture would leave where the mosaic has less."""
     profile = None if found is None else found.profile
     if profile is None or profile.measure is not Measure.ENERGY or (profile.by_mixture or 0) <= profile.high:
-        return ""
-    return filled(tr(", where mixing alone would leave {percent} %"), percent=percent(profile.by_mixture or 0))
+        return []
+    return [filled(tr("Mixing alone would leave {percent} % there."), percent=percent(profile.by_mixture or 0))]
 
 
 def _besides(causes: list[str], found: Explanation | None, has_main: bool) -> str:
@@ -200,20 +186,40 @@ _SAME = 1e-6  # relative; a layer may keep fewer digits than were measured
 
 
 def window_sentence(row: WindowRecord, result: WindowResult | None = None) -> str:
-    """What was found in a window; with its result the numbers of the cause are told too.
+    """Verdict; where and how much; by what; what to do. With its result the numbers of the cause are told too.
 
     A result that is not the one in the row, as after an undo, is left aside.
     """
     if not row.verdict:
         return verdict_sentence("")
     why = explanation_of(row, result)
-    if row.verdict != _NOT_COMPARABLE:
-        found = _verdict_and_cause(row, why)
+    if row.verdict == _NOT_COMPARABLE:
+        found = row.reason or verdict_sentence(row.verdict)
+    elif row.reference == SEAM:
+        found = " ".join([verdict_sentence(row.verdict), *_by_the_seam(row, why)])
     else:
-        happened = what_happened(row, why)
-        said = [*as_sentence(happened.along_the_seam), happened.in_the_whole, happened.besides]
-        found = " ".join(filter(None, [row.reason or verdict_sentence(row.verdict), *said]))
+        found = _by_ratio(row, why)
     return filled(tr("{finding} Changed since: inspect it again."), finding=found) if row.stale else found
+
+
+def window_why(row: WindowRecord, result: WindowResult | None = None) -> list[str]:
+    """What the sentence of a window rests on, and all else that was found, a paragraph each."""
+    found = explanation_of(row, result)
+    said = []
+    if row.reference == SEAM and row.verdict:
+        happened = what_happened(row, found)
+        said = [*_interval(row), *by_mixture(found), *_mixing_alone(found), *_sharpness(row.sharpness, happened)]
+        if row.verdict == _NOT_COMPARABLE:
+            said += as_sentence(happened.along_the_seam)
+        elif row.reason and row.reason not in window_sentence(row):
+            said.append(row.reason)
+        missing = 0.0 if row.explained is None else 1 - row.explained
+        is_told = f"{100 * missing:.0f} %" in row.reason  # VERDICT_OF_THE_REST says how many, in whatever language
+        if missing > _UNEXPLAINED and not is_told:
+            text = tr("{percent} % of the pixels match none of the given sources and took no part.")
+            said.append(filled(text, percent=percent(missing)))
+        said += [happened.besides, *by_the_paper(row)]
+    return [*filter(None, said), *(cause_numbers(found) if found is not None else ())]
 
 
 def explanation_of(row: WindowRecord, result: WindowResult | None) -> Explanation | None:
@@ -251,11 +257,8 @@ def cause_numbers(found: Explanation) -> list[str]:
     return [*lines, filled(tr("mixed or unclear: {percent} % of the pixels"), percent=mixed)]
 
 
-def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
-    """The verdict, what it was taken by, and the causes."""
-    if row.reference == SEAM:
-        said = [*_by_the_seam(row, what_happened(row, found), found), *by_the_paper(row)]
-        return " ".join([verdict_sentence(row.verdict), *said])
+def _by_ratio(row: WindowRecord, found: Explanation | None) -> str:
+    """Where the verdict was taken by whole windows."""
     verdict, ratio = verdict_sentence(row.verdict), row.ratio
     because = cause_clause(row.cause, found, row.verdict in LOSSES)
     if ratio is None:
@@ -274,48 +277,74 @@ def _verdict_and_cause(row: WindowRecord, found: Explanation | None) -> str:
     return f"{verdict} {left}; {because}." if because else f"{verdict} {left}."
 
 
-def _by_the_seam(row: WindowRecord, happened: Happening, found: Explanation | None) -> list[str]:
-    """What is kept beside the seam and in the whole, what took the rest, and what could not be compared."""
-    is_blurred = row.verdict == "significant" and judged_kept(row) is None
+def is_lost_along_the_seam(row: WindowRecord) -> bool:
+    """Whether the loss that was found lies there; what is kept there says nothing where the whole is blurred badly."""
+    is_blurred = (1.0 if row.sharpness is None else row.sharpness) ** 2 <= MAX_SIGNIFICANT_SHARPNESS_SQUARED
     has_kept = row.kept_1 is not None and row.kept_low is not None and row.kept_high is not None
-    if is_blurred or not has_kept:
-        said = [] if is_blurred else [row.reason or tr("There is no seam in the window to be judged.")]
-        said += [*(_sharpness(row.sharpness, happened)), *as_sentence(happened.along_the_seam)]
-    else:
-        said = _along_the_seam(row, happened, by_mixture(found))
-    if row.reason and row.reason not in said:
-        said.append(row.reason)
-    missing = 0.0 if row.explained is None else 1 - row.explained
-    is_told = f"{100 * missing:.0f} %" in row.reason  # VERDICT_OF_THE_REST says how many, too, in whatever language
-    if missing > _UNEXPLAINED and not is_told:
-        text = tr("{percent} % of the pixels match none of the given sources and took no part.")
-        said.append(filled(text, percent=percent(missing)))
-    return [*said, happened.besides] if happened.besides else said
+    return row.verdict in LOSSES and has_kept and (row.kept_high or 0.0) < 1 and not is_blurred
 
 
-def _along_the_seam(row: WindowRecord, happened: Happening, by_what: list[str]) -> list[str]:
-    """What is kept there, where that is known, and how sharp the whole is."""
-    kept, low, high, clause = row.kept_1 or 0.0, row.kept_low or 0.0, row.kept_high or 0.0, happened.along_the_seam
-    if high < 1:
-        values = {"lost": percent(1 - kept), "least": percent(1 - high), "most": percent(1 - low)}
-        text = tr("Beside the seam {lost} % of the finest detail is lost ({least} to {most} %)")
+def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
+    """Where how much was lost and by what, and what to do about it."""
+    happened, causes = what_happened(row, found), (row.causes or row.cause).split("; ")
+    if row.verdict not in LOSSES:
+        return [_what_is_left(row, happened.along_the_seam)]
+    is_along, sharpness = is_lost_along_the_seam(row), 1.0 if row.sharpness is None else row.sharpness
+    is_whole = not is_along or sharpness < 1 - SHARPNESS_TOLERANCE
+    area = "" if row.loss is None else f" ({shown_area(row.loss)})"
+    if is_along:
+        where = tr("beside the seam")
         if row.band_width:
-            values["width"] = shown_number(row.band_width, 1)
-            text = tr(
-                "In a strip of {width} m along the seam {lost} % of the finest detail is lost ({least} to {most} %)"
-            )
-        lost = filled(text, **values) + _to_an_eye(row.visibility)
-        return [f"{lost}: {clause}." if clause else f"{lost}.", *by_what, *_rest(row.sharpness, happened)]
-    text = tr("Along the seam as much of the finest detail is left as around it ({kept} %, {low} to {high} %)")
-    if kept < _ALL_KEPT:
-        text = tr("Along the seam no loss can be told from chance: {kept} % of the finest detail is left "
-                  "({low} to {high} %)")
-    text = filled(text, kept=percent(kept), low=percent(low), high=percent(high))
-    along = f"{text}; {clause}." if clause else f"{text}."
-    if row.verdict == "reduced" and row.sharpness is not None:  # the seam is sound, so the whole is the reason
-        text = tr("The whole window lost sharpness: it has {percent} % of that of its sources.")
-        return [happened.in_the_whole or filled(text, percent=percent(row.sharpness)), along, *by_what]
-    return [along, *by_what, *_rest(row.sharpness, happened)]
+            where = filled(tr("in a strip of {width} m along the seam"), width=shown_number(row.band_width, 1))
+        text = tr("{lost} % of the finest detail is lost {where}")
+        if is_whole:
+            text = tr("{lost} % of the finest detail is lost {where}, {whole} % in the whole window")
+        said = filled(text, lost=percent(1 - (row.kept_1 or 0.0)), where=where, whole=percent(1 - sharpness**2))
+    else:
+        text = tr("{lost} % of the finest detail is lost in the whole window")
+        said = filled(text, lost=percent(1 - sharpness**2))
+    at_seam = [cause for cause in causes if cause in ALONG_THE_SEAM or _is_softened_seam(cause, found)] * is_along
+    in_whole = [cause for cause in causes if cause not in at_seam and took_words(cause, 0.0)] * is_whole
+    clauses = [happened.along_the_seam] * is_along + [
+        cause_clause(one, None if is_along else found, is_loss=False) for one in in_whole[:1]
+    ]
+    clause = "; ".join(filter(None, clauses))
+    done = [row.reason] if row.reason else [to_do(cause) for cause in (*at_seam, *in_whole) if to_do(cause)]
+    return [f"{said}{area}: {clause}." if clause else f"{said}{area}.", *done[:1]]
+
+
+def _what_is_left(row: WindowRecord, clause: str) -> str:
+    """Where no loss is sure."""
+    if row.kept_1 is None or row.kept_high is None:
+        return row.reason or tr("No change from one source to another is found in the window.")
+    text = tr("Along the seam as much of the finest detail is left as around it")
+    if row.kept_1 < _ALL_KEPT:
+        text = tr("Along the seam no loss is certain")
+    return f"{text}; {clause}." if clause else f"{text}."
+
+
+def _interval(row: WindowRecord) -> list[str]:
+    """How sure the number along the seam is, and what it means to an eye."""
+    if row.kept_1 is None or row.kept_low is None or row.kept_high is None:
+        return []
+    low, high = percent(row.kept_low), percent(row.kept_high)
+    if not is_lost_along_the_seam(row):
+        text = tr("Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).")
+        said = filled(text, kept=percent(row.kept_1), low=low, high=high)
+        return [] if row.verdict in LOSSES else [said]
+    least, most = percent(1 - row.kept_high), percent(1 - row.kept_low)
+    text = tr("The loss along the seam lies between {least} and {most} % (95 % interval).")
+    said = filled(text, least=least, most=most)
+    return [said, *_to_an_eye(row)]
+
+
+def _to_an_eye(row: WindowRecord) -> list[str]:
+    """What the loss along the seam means to an eye; one that is significant is judged by what an eye saw."""
+    if row.visibility is None or (row.visibility < 1 and row.verdict == "significant"):
+        return []
+    if row.visibility < 1:
+        return [tr("It is less than an eye just sees at 2x.")]
+    return [filled(tr("It is {times} times what an eye just sees at 2x."), times=shown_number(row.visibility, 1))]
 
 
 def by_the_paper(row: WindowRecord) -> list[str]:
@@ -358,26 +387,12 @@ def _is_thin(composite: float, kept: float) -> bool:
     return abs(1 - composite) < _THIN * (1 - kept)
 
 
-def _to_an_eye(visibility: float | None) -> str:
-    """What a loss along the seam means to an eye, to go on with in its sentence."""
-    if visibility is None:
-        return ""
-    if visibility < 1:
-        return tr(", less than an eye just sees at 2x")
-    return filled(tr(", {times} times what an eye just sees at 2x"), times=shown_number(visibility, 1))
-
-
-def _rest(sharpness: float | None, happened: Happening) -> list[str]:
-    """How sharp the window is beside its seam."""
-    if not happened.in_the_whole and sharpness is not None and abs(sharpness - 1) < _AS_SHARP:
-        return [tr("The rest is as sharp as its sources.")]
-    return _sharpness(sharpness, happened)
-
-
 def _sharpness(sharpness: float | None, happened: Happening) -> list[str]:
     """Of the whole window, with what took of it where that is known."""
     if happened.in_the_whole or sharpness is None:
         return [happened.in_the_whole] if happened.in_the_whole else []
+    if abs(sharpness - 1) < _AS_SHARP:
+        return [tr("The window is as sharp as its sources.")]
     return [filled(tr("The whole window has {percent} % of the sharpness of its sources."), percent=percent(sharpness))]
 
 

@@ -14,6 +14,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..toolkit.translation import filled, percent, shown_number, tr
 from .measure.causes import MIN_BALANCED_GAIN, Cause
+from .measure.limits import MIN_MISREGISTRATION_PX
 
 if TYPE_CHECKING:
     import numpy as np
@@ -66,7 +67,6 @@ def observer_word(observer: str) -> str:
     return words.get(observer, observer)
 
 
-MIN_SHOWN_PX = 0.05  # sources that lie less apart lie 0.0 px apart
 
 Clause = tuple[str, ...]
 """What goes on a sentence: of a loss, and of a window that lost nothing where that is put otherwise."""
@@ -98,20 +98,23 @@ class ShownCause(NamedTuple):
     shown: Callable[[float], str] = shown_number
     took: str = ""
     """What it took all over a window, ``{value}`` per cent of the finest detail."""
+    to_do: str = ""
+    """What whoever made the mosaic can do about what it took."""
 
 
 CAUSES: dict[str, ShownCause] = {
     Cause.BLUR.value: ShownCause(
         QT_TR_NOOP("blur"),
         QT_TR_NOOP("The mosaic is less sharp than its sources, beyond what tone and feathering explain."),
-        (QT_TR_NOOP("blur explains it"), QT_TR_NOOP("it is blurred")),
+        (QT_TR_NOOP("blur explains it"), QT_TR_NOOP("the mosaic is blurred")),
         (
             QT_TR_NOOP("blur to {value} % of their sharpness explains it"),
-            QT_TR_NOOP("it is blurred to {value} % of their sharpness"),
+            QT_TR_NOOP("the mosaic is blurred to {value} % of their sharpness"),
         ),
         lambda found: found.sharpness,
         percent,
         QT_TR_NOOP("blur took {value} %"),
+        to_do=QT_TR_NOOP("Leave out the filter that softened it."),
     ),
     Cause.FEATHERING.value: ShownCause(
         QT_TR_NOOP("feathering"),
@@ -121,13 +124,15 @@ CAUSES: dict[str, ShownCause] = {
             QT_TR_NOOP("feathering of images {value} px apart explains it"),
             QT_TR_NOOP("images {value} px apart are feathered"),
         ),
-        lambda found: found.misfit if (found.misfit or 0) >= MIN_SHOWN_PX else None,
+        lambda found: found.misfit if (found.misfit or 0) >= MIN_MISREGISTRATION_PX else None,
         _tenths,
+        to_do=QT_TR_NOOP("Use a hard cut there, or a narrower feather."),
     ),
     Cause.OTHER_MIXTURE.value: ShownCause(
         QT_TR_NOOP("other mixture"),
         QT_TR_NOOP("Images were mixed along the seam, and not by weights: by the darker pixel, by chance, by hand."),
         (QT_TR_NOOP("images are mixed by another rule than weights"),),
+        to_do=QT_TR_NOOP("Use a hard cut there."),
     ),
     Cause.NARROWED_HISTOGRAM.value: ShownCause(
         QT_TR_NOOP("narrowed histogram"),
@@ -153,6 +158,7 @@ CAUSES: dict[str, ShownCause] = {
         lambda found: judged_change(found).clipped,
         percent,
         QT_TR_NOOP("clipping took {value} %"),
+        to_do=QT_TR_NOOP("Stretch the grey values less."),
     ),
     Cause.COLOUR_SHIFT.value: ShownCause(
         QT_TR_NOOP("colour shift"),
@@ -168,45 +174,48 @@ CAUSES: dict[str, ShownCause] = {
         (QT_TR_NOOP("images lie {value} px apart where they meet"),),
         lambda found: found.misfit,
         _tenths,
+        to_do=QT_TR_NOOP("Register the two images before you blend them."),
     ),
     Cause.MISSING_SOURCE.value: ShownCause(
         QT_TR_NOOP("missing source"),
         QT_TR_NOOP(
             "A part of the mosaic matches no source: add the missing orthoimage, unless the mosaic was altered there."
         ),
-        (QT_TR_NOOP("a part of it matches none of these sources"),),
-        (QT_TR_NOOP("{value} % of it match none of these sources"),),
+        (QT_TR_NOOP("a part of the mosaic matches none of these sources"),),
+        (QT_TR_NOOP("{value} % of the mosaic match none of these sources"),),
         lambda found: found.evidence.missing,
         percent,
     ),
     Cause.RESAMPLED.value: ShownCause(
         QT_TR_NOOP("resampled"),
         QT_TR_NOOP("The mosaic's pixels lie between those of its sources, so they were interpolated from them."),
-        (QT_TR_NOOP("resampling explains it"), QT_TR_NOOP("it was resampled")),
+        (QT_TR_NOOP("resampling explains it"), QT_TR_NOOP("the mosaic was resampled")),
         (
             QT_TR_NOOP("resampling, {value} px off the sources' pixels, explains it"),
-            QT_TR_NOOP("it was resampled, {value} px off the sources' pixels"),
+            QT_TR_NOOP("the mosaic was resampled, {value} px off the sources' pixels"),
         ),
         lambda found: found.evidence.off_pixel,
         _tenths,
         QT_TR_NOOP("resampling took {value} %"),
+        to_do=QT_TR_NOOP("Keep the orthoimages on their own pixel grid."),
     ),
     Cause.SHARPENED.value: ShownCause(
         QT_TR_NOOP("sharpened"),
         QT_TR_NOOP("The whole mosaic was sharpened, beyond what its sources show."),
-        (QT_TR_NOOP("it was sharpened"),),
-        (QT_TR_NOOP("it was sharpened to {value} % of the sources' contrast"),),
+        (QT_TR_NOOP("the mosaic was sharpened"),),
+        (QT_TR_NOOP("the mosaic was sharpened to {value} % of the sources' contrast"),),
         lambda found: found.evidence.texture.most_transfer if found.evidence.texture else None,
         percent,
     ),
     Cause.COMPRESSED.value: ShownCause(
         QT_TR_NOOP("compressed"),
         QT_TR_NOOP("Compression with loss, block by block, changed the fine detail."),
-        (QT_TR_NOOP("it was compressed with loss"),),
-        (QT_TR_NOOP("it was compressed with loss, which changed fine detail by {value} DN"),),
+        (QT_TR_NOOP("the mosaic was compressed with loss"),),
+        (QT_TR_NOOP("the mosaic was compressed with loss, which changed fine detail by {value} DN"),),
         _noise,
         _tenths,
         QT_TR_NOOP("compression took {value} %"),
+        to_do=QT_TR_NOOP("Compress it less."),
     ),
     Cause.NOISE_ADDED.value: ShownCause(
         QT_TR_NOOP("noise added"),
@@ -230,7 +239,7 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.NONE.value: ShownCause(
         QT_TR_NOOP("none"),
-        QT_TR_NOOP("No step of production is found that took contrast away."),
+        QT_TR_NOOP("No step of production was found that took contrast away."),
         (QT_TR_NOOP("no step of production took detail away, so the sources differ in content"), ""),
     ),
     Cause.UNCLEAR.value: ShownCause(
@@ -261,6 +270,11 @@ def took_words(cause: str, share: float) -> str:
     """What a cause took all over a window; empty for one that does not."""
     text = CAUSES[cause].took if cause in CAUSES else ""
     return filled(tr(text), value=percent(share)) if text else ""
+
+
+def to_do(cause: str) -> str:
+    """What can be done about what a cause took; empty where it took nothing."""
+    return tr(CAUSES[cause].to_do) if cause in CAUSES and CAUSES[cause].to_do else ""
 
 
 def cause_clause(cause: str, found: Explanation | None, is_loss: bool) -> str:

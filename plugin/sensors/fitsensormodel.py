@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from ..imagery.errors import Message
     from ..imagery.open_raster import OpenRaster
     from .measure.adjustment import Accuracy, Adjustment
+    from .measure.polynomials import Rational
     from .measure.registry import ModelRequest
 
 MAX_CONDITION = 1e12  # float64 keeps four digits of the unknowns
@@ -139,8 +140,9 @@ class FitSensorModel(SensorAlgorithm):
         from .measure.point_checks import control_coverage, coverage_warnings
 
         image = self._image()
-        request = self._request(run, image)
-        points = self._points(run, image, request.rpc, request)
+        rpc = self._rpc(run, IMAGE_RPC, image)
+        request = self._request(run, image, rpc)
+        points = self._points(run, image, rpc, request)
         done = adjust(request, points, run.flag(ROBUST))
         box = image_box(image, points)
         coverage = control_coverage(points.image[~points.check & ~done.blunder], box)
@@ -193,20 +195,17 @@ class FitSensorModel(SensorAlgorithm):
         results.update({BIAS_COLUMN: column, BIAS_ROW: row})
         return results
 
-    def _request(self, run: Run, image: OpenRaster | None) -> ModelRequest:
+    def _request(self, run: Run, image: OpenRaster | None, rpc: Rational | None) -> ModelRequest:
         kind = registry.KINDS[run.text(MODEL)]
-        rpc = None
-        if kind.corrects_rpc:
-            rpc = self._rpc(run, IMAGE_RPC, image)
-            if rpc is None:
-                raise SensorModelError(messages.NO_RPC())
+        if kind.corrects_rpc and rpc is None:
+            raise SensorModelError(messages.NO_RPC())
         return kind.request(
             str(run.whole(ORDER)),
             run.text(BIAS),
             "xy" if run.flag(DLT_XY) else "",
             orbit_height_m=self._orbit_height_m(run, image),
             size=(float(image.columns), float(image.rows)) if image is not None else None,
-            rpc=rpc,
+            rpc=rpc if kind.corrects_rpc else None,
         )
 
     @staticmethod

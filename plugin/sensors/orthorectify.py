@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 MODEL_FILE, RPC, HEIGHT, CRS, PIXEL_SIZE, EXTENT = "MODEL_FILE", "RPC", "HEIGHT", "CRS", "PIXEL_SIZE", "EXTENT"
 RESAMPLING, FORMAT, OUTPUT = "RESAMPLING", "FORMAT", "OUTPUT"
 INTERIOR, EXTERIOR, EXTERIOR_CRS, EXTERIOR_HEIGHTS = "INTERIOR", "EXTERIOR", "EXTERIOR_CRS", "EXTERIOR_HEIGHTS"
+EXTERIOR_ANGLES = "EXTERIOR_ANGLES"
 ERROR_RMS, ERROR_MAX, UNCOVERED = "ERROR_RMS", "ERROR_MAX", "UNCOVERED"
 
 
@@ -53,21 +54,25 @@ class Orthorectify(SensorAlgorithm):
                 RPC,
                 tr("RPC file"),
                 tr(
-                    "_RPC.TXT, .RPB, RPC_*.XML (DIMAP) or .geom. Without it and without a model file: the image's own "
-                    "RPC."
+                    "_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS's text or a YAML file of orthority. Without it and "
+                    "without a model file: the image's own RPC."
                 ),
             ),
             (
                 INTERIOR,
                 tr("Interior orientation"),
-                tr("The camera of an aerial photo: a YAML file of orthority, or MicMac's AutoCal XML."),
+                tr(
+                    "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or "
+                    "MicMac write it. Empty: in the file of the exterior orientation."
+                ),
             ),
             (
                 EXTERIOR,
                 tr("Exterior orientation"),
                 tr(
                     "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, "
-                    "phi and kappa (degrees), a GeoJSON of orthority, or MicMac's Orientation XML."
+                    "phi and kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, "
+                    "Applanix, Inpho, PATB, ContextCapture, orthority or MicMac."
                 ),
             ),
         ):
@@ -80,6 +85,11 @@ class Orthorectify(SensorAlgorithm):
         self.addDescribed(
             common.choice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS),
             tr("as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."),
+            advanced=True,
+        )
+        self.addDescribed(
+            common.choice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS),
+            tr("Of a table. auto: what its header says, else degrees."),
             advanced=True,
         )
         self.addTerrain(
@@ -210,13 +220,14 @@ class Orthorectify(SensorAlgorithm):
         self, run: Run, image: OpenRaster, dem_datum: Datum, datum: Datum
     ) -> tuple[SensorModel, str, Domain, Datum]:
         from ..toolkit.layers import system_wkt
-        from .measure.frames import FrameFiles, oriented_frame
+        from .measure.oriented_frames import FrameFiles, oriented_frame
 
         interior, exterior = run.path(INTERIOR), run.path(EXTERIOR)
-        if not interior or not exterior:
+        if not exterior:
             raise SettingsError(messages.ORIENTATION_INCOMPLETE())
         wkt = system_wkt(run.crs(EXTERIOR_CRS))
-        files = FrameFiles(Path(interior), Path(exterior), wkt, datum)
+        angles = run.text(EXTERIOR_ANGLES)
+        files = FrameFiles(Path(interior) if interior else None, Path(exterior), wkt, datum, angles)
         made = oriented_frame(image, files, self._dem, dem_datum, run.real(HEIGHT))
         run.tell(*made.notices)
         return made.camera, made.wkt, made.domain, made.terrain_datum

@@ -39,10 +39,10 @@ class PlanPoints(SensorAlgorithm):
     ID = "planpoints"
     NAME = QT_TR_NOOP("Plan control points")
     HELP = QT_TR_NOOP(
-        "Tells what accuracy to expect from number, quality and spread of control points before they are measured. "
-        "For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC "
-        "or that of a nominal line scanner; the model is fitted to each and judged all over the image. A planning "
-        "figure: check points of your own say how accurate the image became."
+        "Predicts the accuracy from the number, quality and spread of control points before they are measured. For "
+        "every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or "
+        "that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a "
+        "planning figure; your own check points tell how accurate the image became."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -82,7 +82,7 @@ class PlanPoints(SensorAlgorithm):
         self.addImage()
         self.addDescribed(
             QgsProcessingParameterFile(IMAGE_RPC, tr("RPC of the image"), optional=True),
-            tr("An RPC whose geometry is taken for true. Without it and without IMAGE: a nominal line scanner."),
+            tr("An RPC whose geometry is taken as true. Without it and without IMAGE: a nominal line scanner."),
         )
         for name, label, default, least, most, text in (
             (

@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from osgeo import gdal, osr
+from osgeo import osr
 from qgis.core import (
     QgsFeature,
     QgsFields,
@@ -22,7 +22,7 @@ from qgis.core import (
 )
 
 from ..imagery.errors import Message, SensorModelError
-from ..imagery.gdal_calls import gdal_silenced
+from ..imagery.gdal_calls import FEATURES, gdal_silenced, open_dataset
 from ..toolkit.layers import features, layer_path, system_wkt
 from ..toolkit.table_fields import Attributes, attributes, feature, number, table_fields, text
 from ..toolkit.translation import sentence
@@ -49,7 +49,7 @@ def heights_wkt(layer: QgsVectorLayer) -> str:
     name = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName")
     found = None
     with gdal_silenced(), suppress(RuntimeError):
-        file = gdal.OpenEx(path, gdal.OF_VECTOR)
+        file = open_dataset(path, FEATURES)
         part = None if file is None else file.GetLayerByName(name) if name else file.GetLayer(0)
         found = part.GetSpatialRef() if part is not None else None
     return str(found.ExportToWkt(["FORMAT=WKT2_2018"])) if found is not None and _has_heights(found) else ""

@@ -102,8 +102,8 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addDescribed(
             number(TERRAIN_ERROR, tr("Error of terrain heights (metres)"), number.Type.Double, 1.0, minValue=0),
             tr(
-                "What an error of this size moves the orthoimage by is told, from the angle that the image was taken "
-                "at."
+                "The log says how far an error of this size moves the orthoimage, by the angle that the image was "
+                "taken at."
             ),
             advanced=True,
         )
@@ -155,7 +155,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         self.addNumbers({
             VIEW_ANGLE: tr("Angle of the view from the vertical, in the middle of the image (degrees)"),
             VIEW_AZIMUTH: tr("Azimuth that the image was taken from (degrees)"),
-            TERRAIN_SHIFT: tr("What the error of terrain heights moves the middle of the image by (m)"),
+            TERRAIN_SHIFT: tr("Displacement of the image's middle by the error of terrain heights (m)"),
         })
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
@@ -189,7 +189,7 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
         They are held against the image's own ``rpc`` where there is one.
         """
         from .measure.heights import with_heights
-        from .measure.point_checks import check_against_rpc, check_plausible
+        from .measure.point_checks import check_against_rpc, check_inside, check_plausible
         from .measure.points import choose_check_points
 
         share = run.real(CHECK_SHARE)
@@ -197,13 +197,15 @@ class SensorAlgorithm(SeamInspectorAlgorithm):
             raise SettingsError(messages.CHECK_SHARE_UNSOUND(share=share, most=MOST_CHECK_SHARE))
         points, with_roles, notices = self._points_given(run, image)
         run.tell(*notices)
-        check_plausible(points, (image.columns, image.rows) if image is not None else None)
+        check_plausible(points)
         if request is None or request.needs_heights:
             datum, dem_datum = height_datums(run, HEIGHTS, DEM_HEIGHTS)
             points, notices = with_heights(points, datum, self._dem, dem_datum, tr("the points"))
             run.tell(*notices)
         if not len(points):
             raise SettingsError(messages.NO_POINTS())
+        if image is not None:
+            run.tell(*check_inside(points, (image.columns, image.rows), rpc))
         if rpc is not None:
             run.tell(*check_against_rpc(points, rpc))
         if with_roles:

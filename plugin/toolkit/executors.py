@@ -1,24 +1,29 @@
 """Where windows are measured: threads of this machine, or a Dask cluster, of which is noticed when nobody is left."""
 from __future__ import annotations
 
+import asyncio
+import concurrent.futures
 import tempfile
 import time
 import zipfile
 from collections.abc import Iterator
-from concurrent.futures import CancelledError, Executor, Future, InvalidStateError
+from concurrent.futures import Executor, Future, InvalidStateError
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Event, Thread
 from typing import TYPE_CHECKING, Any, Callable
 
-from ..imagery.errors import Message, SettingsError, WorkersLostError
+from ..imagery.errors import CancelledError, Message, SettingsError, WorkersLostError
+from ..imagery.messages import CANCELLED
 from ..imagery.raster_pool import ahead_of, own_threads
 from . import messages
 
 if TYPE_CHECKING:
     from distributed import Client
 
-_ANSWER_SECONDS = 10
+_ANSWER_SECONDS = 10.0  # to the scheduler, until it is known that it is one
+_PREPARING_SECONDS = 120.0  # for all workers to take the code
+_CANCELLED_EVERY_SECONDS = 0.1  # is asked for
 _FORGET = f"""
 import sys
 for name in [name for name in sys.modules if name.partition(".")[0] == {__name__.partition(".")[0]!r}]:
@@ -36,15 +41,18 @@ if pool:
 
 
 @contextmanager
-def open_executor(scheduler: str = "") -> Iterator[tuple[Executor, int]]:
+def open_executor(
+    scheduler: str = "", is_cancelled: Callable[[], bool] = lambda: False
+) -> Iterator[tuple[Executor, int]]:
     """An executor and how many windows it should have under way.
 
     Without a ``scheduler`` (address of a Dask scheduler) the windows run in one thread per core.
 
-    Raises SettingsError when Dask is not installed or the scheduler does not answer.
+    Raises SettingsError when Dask is not installed, nothing answers, or what answers is not a scheduler;
+    CancelledError when cancelled before it is open.
     """
     if scheduler:
-        with _dask_executor(scheduler) as opened:
+        with _dask_executor(scheduler, is_cancelled) as opened:
             yield opened
         return
     with own_threads() as opened:
@@ -52,34 +60,95 @@ def open_executor(scheduler: str = "") -> Iterator[tuple[Executor, int]]:
 
 
 @contextmanager
-def _dask_executor(scheduler: str) -> Iterator[tuple[Executor, int]]:
+def _dask_executor(scheduler: str, is_cancelled: Callable[[], bool]) -> Iterator[tuple[Executor, int]]:
+    with _connected(scheduler, is_cancelled) as client:
+        preparing = _started(lambda: _prepare(client, scheduler))
+        if not _is_done(preparing, _PREPARING_SECONDS, is_cancelled):
+            raise SettingsError(messages.WORKERS_SILENT(address=scheduler, seconds=_PREPARING_SECONDS))
+        if isinstance(preparing.exception(), OSError):
+            raise SettingsError(messages.SCHEDULER_LOST(address=scheduler))
+        executor = WatchedExecutor(client, scheduler)
+        try:
+            yield executor, ahead_of(preparing.result())
+        finally:
+            executor.shutdown()
+            if client.status == "running":
+                _is_done(_started(lambda: client.run(exec, _CLOSE, on_error="ignore")), _ANSWER_SECONDS)
+
+
+@contextmanager
+def _connected(scheduler: str, is_cancelled: Callable[[], bool]) -> Iterator[Client]:
+    """A client of the scheduler. Whatever else answers, or does not, is left to itself after a time."""
     try:
         from distributed import Client
     except ImportError:
         raise SettingsError(messages.DASK_MISSING()) from None
+    connecting = _started(lambda: asyncio.run(asyncio.wait_for(_check_scheduler(scheduler), _ANSWER_SECONDS)))
+    has_answered = _is_done(connecting, _ANSWER_SECONDS, is_cancelled)
+    error = connecting.exception() if has_answered else None
+    if not has_answered or isinstance(error, asyncio.TimeoutError):
+        raise SettingsError(messages.SCHEDULER_SILENT(address=scheduler, error=f"{_ANSWER_SECONDS:.0f} s"))
+    if isinstance(error, (OSError, ValueError)):
+        raise SettingsError(messages.SCHEDULER_SILENT(address=scheduler, error=error))
+    if error is not None:  # whatever Dask makes of bytes that are none of its own
+        raise SettingsError(messages.NOT_A_SCHEDULER(address=scheduler))
     try:
         client = Client(scheduler, timeout=_ANSWER_SECONDS)
-    except (OSError, ValueError, TypeError) as error:
-        raise SettingsError(messages.SCHEDULER_SILENT(address=scheduler, error=error)) from None
-    with client:
-        threads = sum(client.nthreads().values())
-        if not threads:
-            raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=scheduler))
-        _prepare(client, scheduler)
-        executor = WatchedExecutor(client, scheduler)
+    except (OSError, ValueError) as lost:
+        raise SettingsError(messages.SCHEDULER_SILENT(address=scheduler, error=lost)) from None
+    try:
+        yield client
+    finally:
+        client.close(_ANSWER_SECONDS)
+
+
+async def _check_scheduler(address: str) -> None:
+    """Dask's own client has no limit of time for the first words. Raises whatever those of something else lead to."""
+    from distributed.comm.core import connect
+    from distributed.security import Security
+
+    comm = await connect(address, timeout=_ANSWER_SECONDS, **Security().get_connection_args("client"))
+    try:
+        await comm.write({"op": "identity", "reply": True})
+        if (await comm.read())["type"] != "Scheduler":
+            raise TypeError(address)
+    finally:
+        comm.abort()
+
+
+def _started(call: Callable[[], Any]) -> Future[Any]:
+    """A call in a thread of its own, which nobody has to wait for, not even Python at its end."""
+    future: Future[Any] = Future()
+
+    def run() -> None:
         try:
-            yield executor, ahead_of(threads)
-        finally:
-            executor.shutdown()
-            if client.status == "running":
-                client.run(exec, _CLOSE, on_error="ignore")
+            future.set_result(call())
+        except Exception as error:  # for whoever asks for the result
+            future.set_exception(error)
+
+    Thread(target=run, name="seam-inspector-cluster", daemon=True).start()
+    return future
 
 
-def _prepare(client: Client, scheduler: str) -> None:
-    """Give the workers this plugin's code, whatever they have of it; those that come later get it, too.
+def _is_done(future: Future[Any], seconds: float, is_cancelled: Callable[[], bool] = lambda: False) -> bool:
+    """Whether it is within a time. Raises CancelledError as soon as it is cancelled."""
+    last = time.monotonic() + seconds
+    while not future.done() and time.monotonic() < last:
+        if is_cancelled():
+            raise CancelledError(CANCELLED())
+        concurrent.futures.wait([future], _CANCELLED_EVERY_SECONDS)
+    return future.done()
+
+
+def _prepare(client: Client, scheduler: str) -> int:
+    """Give the workers this plugin's code, whatever they have of it; those that come later get it, too. How many
+    threads they have.
 
     A worker that is lost costs its windows' time only: Dask gives them to others.
     """
+    threads = sum(client.nthreads().values())
+    if not threads:
+        raise SettingsError(messages.SCHEDULER_WITHOUT_WORKERS(address=scheduler))
     lacking = client.run(eval, _MISSING.format(needed=_NEEDED))
     missing = sorted({name for names in lacking.values() for name in names})
     if missing:
@@ -87,6 +156,7 @@ def _prepare(client: Client, scheduler: str) -> None:
     client.run(exec, _FORGET)
     with tempfile.TemporaryDirectory() as folder:
         client.upload_file(_measuring_archive(Path(folder)))
+    return threads
 
 
 def measuring_modules(plugin: Path) -> list[Path]:
@@ -138,7 +208,7 @@ class WatchedExecutor(Executor):
         def settle(done: Future[Any]) -> None:
             try:
                 error = done.exception()
-            except CancelledError:  # by us, in which case nobody asks any more; else the scheduler is gone
+            except concurrent.futures.CancelledError:  # by us, then nobody asks any more; else the scheduler is gone
                 error = WorkersLostError(messages.SCHEDULER_LOST(address=self._address))
             self._settle(promised, error, None if error else done.result())
 

@@ -29,6 +29,8 @@ _TITLES = {
     "seam_id": QT_TR_NOOP("seam"),
     "station": QT_TR_NOOP("station (m)"),
     "length": QT_TR_NOOP("length (m)"),
+    "level": QT_TR_NOOP("piece or stretch"),
+    "state": QT_TR_NOOP("counts as"),
     "verdict": QT_TR_NOOP("verdict"),
     "paper_verdict": QT_TR_NOOP("verdict by the paper's rule"),
     "reference": QT_TR_NOOP("verdict against"),

@@ -3,9 +3,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import lru_cache
 
+from osgeo import gdal
 from qgis.core import (
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
@@ -30,6 +31,7 @@ from qgis.core import (
 
 from ..imagery import messages as imagery_messages
 from ..imagery.errors import RasterError, WindowError, WindowLayerError
+from ..imagery.gdal_calls import FEATURES, gdal_silenced, open_dataset
 from ..imagery.grids import Extent
 from ..imagery.rasters import Raster, RasterRef
 from . import messages
@@ -82,6 +84,42 @@ def layer_path(layer: QgsVectorLayer) -> str:
 def layer_address(layer: QgsVectorLayer) -> str:
     """What a vector layer is read from, for people: no passwords, and no fields of one in memory."""
     return tr("temporary layer") if layer.providerType() == "memory" else str(layer.publicSource())
+
+
+_HOLDS_NOTES = ".gpkg"  # of the formats of files that layers are kept in, that which has a place for them
+
+
+def layer_notes(layer: QgsVectorLayer, domain: str) -> dict[str, str]:
+    """What ``write_layer_notes`` wrote beside the rows of a layer; empty where nothing is."""
+    uri = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
+    path = str(uri.get("path") or "")
+    if layer.providerType() != "ogr" or not path.lower().endswith(_HOLDS_NOTES):
+        keys = [key for key in layer.customPropertyKeys() if key.startswith(f"{domain}/")]
+        return {key.partition("/")[2]: str(layer.customProperty(key)) for key in keys}
+    with gdal_silenced(), suppress(RuntimeError):
+        dataset = open_dataset(path, FEATURES)
+        table = str(uri.get("layerName") or "")
+        found = dataset and (dataset.GetLayerByName(table) if table else dataset.GetLayer(0))
+        return dict(found.GetMetadata(domain)) if found else {}
+    return {}
+
+
+def write_layer_notes(place: QgsVectorLayer | str, domain: str, notes: Mapping[str, str], table: str = "") -> None:
+    """Write words beside the rows of a layer in memory, or of a file that is closed; other formats have no place for
+    them. ``table``: of a file with several."""
+    if isinstance(place, QgsVectorLayer):
+        for name, value in notes.items():
+            place.setCustomProperty(f"{domain}/{name}", value)
+        return
+    path, _, named = place.partition("|layername=")
+    if not path.lower().endswith(_HOLDS_NOTES):
+        return
+    with gdal_silenced(), suppress(RuntimeError):
+        dataset = open_dataset(path, FEATURES, gdal.OF_UPDATE)
+        table = table or named
+        layer = dataset and (dataset.GetLayerByName(table) if table else dataset.GetLayer(0))
+        if layer:
+            layer.SetMetadata(dict(notes), domain)
 
 
 def system_wkt(crs: QgsCoordinateReferenceSystem) -> str:

@@ -1,7 +1,7 @@
 """What a user can be told of layers, lists of rasters, background tasks, Dask and charts."""
 from __future__ import annotations
 
-from ..imagery.errors import WARNING, Message
+from ..imagery.errors import INFO, WARNING, Message
 
 # layers
 NOT_A_RASTER_LAYER = Message("{name} is not a raster layer; choose a raster.")
@@ -15,8 +15,13 @@ WINDOW_EMPTY = Message("The window has no outline; draw it anew.")
 WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangle.")
 WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
 WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it anew as a rectangle.")
+WINDOWS_RENUMBERED = Message("{count} windows had no number of their own and were given the next free ones.", WARNING)
+WINDOWS_RESHAPED = Message(
+    "The rectangle around the outline is measured where a window is not a rectangle along the mosaic's axes: {count}.",
+    WARNING,
+)
 # numbers
-NOT_A_SYSTEM = Message("'{parameter}' is {value}, which is no coordinate reference system; choose one.")
+NOT_A_SYSTEM = Message("'{parameter}' is {value}, which is not a coordinate reference system; choose one.")
 NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
 NUMBER_TOO_LARGE = Message("'{parameter}' is {value:g}; give a whole number between -{most} and {most}.")
 # lists of rasters
@@ -28,26 +33,42 @@ DASK_MISSING = Message(
     "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty."
 )
 SCHEDULER_SILENT = Message(
-    "The Dask scheduler at {address} does not answer ({error}); check the address or leave it empty."
+    "The Dask scheduler at {address} does not answer ({error}); check the address, of which the port mostly is 8786, "
+    "or leave it empty."
+)
+NOT_A_SCHEDULER = Message(
+    "What answers at {address} is not a Dask scheduler; check the address, of which the port mostly is 8786, or leave "
+    "it empty."
 )
 SCHEDULER_WITHOUT_WORKERS = Message("The Dask scheduler at {address} has no workers; start some or leave it empty.")
 SCHEDULER_LOST = Message("The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.")
 WORKERS_LOST = Message(
     "The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again."
 )
+WORKERS_SILENT = Message(
+    "The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; start them anew, then run "
+    "this again."
+)
 WORKERS_WITHOUT_PACKAGES = Message(
     "The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as "
     "'pip install .' in the plugin's folder does (GDAL as osgeo comes from the system), or leave the scheduler empty."
 )
+# one or many windows
+OF_A_WINDOW = Message("Window {window}: {what}", INFO)
+OF_WINDOWS = Message("In {count} windows ({windows}): {what}", INFO)
+OF_WINDOWS_SUCH_AS = Message("In {count} windows ({windows}), such as {window}: {what}", INFO)
 # outputs and charts
 OUTPUT_IS_INPUT = Message("'{output}' would be written over {path}, which belongs to an input; choose another file.")
 OUTPUTS_ARE_ONE = Message(
     "'{first}' and '{second}' would be written to the same file, {path}; give each a file of its own."
 )
-OUTPUT_NAMES_NO_FILE = Message("'{output}' is to be written to {path}, which is no file on a disk; choose a file.")
+OUTPUT_NAMES_NO_FILE = Message("'{output}' is to be written to {path}, which is not a file on a disk; choose a file.")
 OUTPUT_IN_USE = Message("{path} is being written by another program; close it there, or choose another file.")
 TABLE_BEGINS_WRONG = Message(
     "'{output}' can't be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name."
+)
+NAME_MISREAD = Message(
+    "'{output}' can't be {path}: QGIS takes '{found}' in the path of a layer for something else; choose another name."
 )
 LAYER_NOT_WRITTEN = Message("{path} can't be written; make room on the disk, or choose another folder.")
 LAYER_IN_PART = Message(

@@ -6,6 +6,8 @@ from typing import Any
 
 from qgis.core import QgsProject
 
+from ..imagery.documents import json_document
+
 _SCOPE = "SeamInspector"
 
 
@@ -13,7 +15,7 @@ def load_settings(project: QgsProject, key: str) -> dict[str, Any]:
     """What the project keeps under a key; empty where it keeps nothing, or what can't be understood."""
     text, known = project.readEntry(_SCOPE, key)
     try:
-        stored = json.loads(text) if known and text else {}
+        stored = json_document(text) if known and text else {}
     except ValueError:
         return {}
     return stored if isinstance(stored, dict) else {}

@@ -18,6 +18,8 @@ from .version_differences import field
 if TYPE_CHECKING:
     from ..imagery.records import Column, Result  # with numpy, which is not loaded when QGIS starts
 
+LARGEST_WHOLE = 2**31 - 1
+"""That a field of whole numbers holds."""
 _NO = ("0", "0.0", "false", "no", "off", "f", "n", "")
 
 

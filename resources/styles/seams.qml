@@ -1,6 +1,6 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
 <qgis labelsEnabled="1" styleCategories="Symbology|Labeling|MapTips" version="3.22.16-Białowieża">
-  <renderer-v2 forceraster="0" enableorderby="0" attr="verdict" referencescale="-1" type="categorizedSymbol" symbollevels="1">
+  <renderer-v2 forceraster="0" enableorderby="0" attr="if(coalesce(attribute('level'), 'piece') = 'stretch', NULL, &quot;verdict&quot;)" referencescale="-1" type="categorizedSymbol" symbollevels="1">
     <categories>
       <category label="significant loss" value="significant" render="true" symbol="0"/>
       <category label="reduced" value="reduced" render="true" symbol="1"/>

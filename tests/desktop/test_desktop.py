@@ -36,7 +36,7 @@ def test_operators_walk(
     assert report["sentence"].startswith(("Significant loss.", "Reduced."))
     told = "% of the finest detail is lost", "% of the sharpness of its sources"
     assert any(text in report["sentence"] for text in told)
-    assert "besides: " in report["sentence"].lower()  # and the causes
+    assert "besides: " in report["why"].lower()  # and all causes
     assert len(report["table"]) == len(report["verdicts"])
     assert report["table"][0][1] == report["verdicts"][0]
     assert "visible" in report["table"][0]

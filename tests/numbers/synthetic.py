@@ -106,13 +106,23 @@ def wavedec(band: np.ndarray, wavelet: str, levels: int) -> list[Any]:
 
 
 def placed_wavedec(band: np.ndarray, wavelet: str, levels: int) -> list[Any]:
-    """The same, each detail moved by whole coefficients to where the points of an image show in it."""
-    coarse, *details = wavedec(band, wavelet, levels)
-    placed = []
-    for level, parts in zip(range(levels, 0, -1), details):
+    """The same of a band that goes on as in a mirror at every level, each detail moved by whole coefficients to where
+    the points of an image show in it."""
+    coarse, placed = without_mean(band), []
+    for level in range(1, levels + 1):
+        around = np.pad(coarse, 64, mode="symmetric")
+        parts = pywt.dwt2(around, wavelet, "periodization")
+        coarse, details = (np.asarray(part)[..., 32:-32, 32:-32] for part in parts)
         shifts = np.rint(-_lags_px(wavelet, level) / 2**level).astype(int)
-        placed.append(tuple(np.roll(part, tuple(shift), (0, 1)) for part, shift in zip(parts, shifts)))
-    return [coarse, *placed]
+        placed.append(tuple(_moved(part, shift) for part, shift in zip(details, shifts)))
+    return [coarse, *reversed(placed)]
+
+
+def _moved(part: np.ndarray, shift: np.ndarray) -> np.ndarray:
+    """Down and to the right; the edges are repeated."""
+    most = int(np.abs(shift).max())
+    moved = np.roll(np.pad(part, most, mode="edge"), tuple(shift), (0, 1))
+    return moved[most : most + part.shape[0], most : most + part.shape[1]]
 
 
 @lru_cache

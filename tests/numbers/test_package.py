@@ -73,7 +73,8 @@ def test_it_holds_what_is_committed_and_the_compiled_translations(clone: Path, p
     ignored = {line.split(": ")[0] for line in told if line.endswith(": set")}
     wanted = {name for name in names if name not in ignored and name.split("/")[0] not in folders}
     with zipfile.ZipFile(package) as found:
-        assert set(found.namelist()) == {f"seam_inspector/{name}" for name in wanted | {TRANSLATION}}
+        assert set(found.namelist()) == {f"seam_inspector/{name}" for name in wanted | {TRANSLATION, "COMMIT"}}
+        assert found.read("seam_inspector/COMMIT").decode().strip() == git(clone, "rev-parse", "HEAD").strip()
         assert found.testzip() is None
         assert {one.external_attr >> 16 for one in found.infolist()} == {0o100644}
         for name in wanted:

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import sqlite3
 from pathlib import Path
 from typing import Any
@@ -41,12 +42,12 @@ def places(folder: Path, ending: str) -> dict[str, str]:
         f"{folder}/file.txt/x.{ending}": "Not a directory",
         f"{folder}/loop.{ending}": "symbolic links",
         f"{folder}/{'x' * 260}.{ending}": "name too long",
-        f"{folder}/a\0b.{ending}": "is no file on a disk",
-        f"/vsizip/{folder}/a.zip/x.{ending}": "is no file on a disk",
-        f"/vsicurl/http://127.0.0.1:9/x.{ending}": "is no file on a disk",
+        f"{folder}/a\0b.{ending}": "is not a file on a disk",
+        f"/vsizip/{folder}/a.zip/x.{ending}": "is not a file on a disk",
+        f"/vsicurl/http://127.0.0.1:9/x.{ending}": "is not a file on a disk",
         "/dev/null": "not permitted",
         "/dev/full": "not permitted",
-        " ": "is no file on a disk",
+        " ": "is not a file on a disk",
     }
 
 
@@ -62,7 +63,7 @@ def test_what_can_not_be_written_is_refused_first(name: str, tmp_path: Path, cap
         is_raster = isinstance(output, QgsProcessingParameterRasterDestination)
         refused = places(folder, "tif" if is_raster else "gpkg")
         if is_raster:
-            refused |= dict.fromkeys(["postgres:dbname=x", "ogr:dbname='x.gpkg'", "http://x/y.tif"], "no file on")
+            refused |= dict.fromkeys(["postgres:dbname=x", "ogr:dbname='x.gpkg'", "http://x/y.tif"], "not a file on")
         before = sorted(folder.rglob("*"))
         for path, words in refused.items():
             assert_refused(name, words, **{output.name(): path})
@@ -90,6 +91,32 @@ def test_a_name_that_no_table_can_have(tmp_path: Path) -> None:
         words = "none in a GeoPackage begins with"
         assert_refused("inspectwindows", words, OUTPUT=str(tmp_path / f"{name.replace('/', '')}.gpkg"))
     assert not list(tmp_path.iterdir())
+
+
+def test_a_name_that_qgis_reads_otherwise(tmp_path: Path) -> None:
+    """A disk has room for them, and QGIS would write another file, or none."""
+    for name, part in (("a|b.shp", "|"), ("a\\b.csv", "\\"), ("a:b.geojson", ":"), ("a%20b.gpkg", "%20")):
+        words = re.escape(f"can't be {tmp_path}/{name}: QGIS takes '{part}'")
+        assert_refused("inspectwindows", words, OUTPUT=str(tmp_path / name))
+    assert not list(tmp_path.iterdir())
+
+
+def test_names_with_other_signs_are_names(scene: Scene, tmp_path: Path) -> None:
+    for name in ("ä, b;c=d 100% #1?.gpkg", "a%20b.shp", "it's.gpkg"):
+        found = inspected(scene, OUTPUT=str(tmp_path / name))
+        assert found.complaint is None
+        assert len(found.rows()) == 6
+        assert (tmp_path / name).exists()
+
+
+@pytest.mark.parametrize("value", [1e300, -1e300, 2.0**31, 1e-300])
+def test_a_number_that_no_field_of_ours_holds_costs_no_layer(scene: Scene, tmp_path: Path, value: float) -> None:
+    """It is no confidence, and no reason to make room on the disk."""
+    given = windows(SHARP, confidence=("double", [value]), observer=("string", ["visible"]))
+    log = Log()
+    found = inspected(scene, log, WINDOWS=given, OUTPUT=str(tmp_path / "made.gpkg"))
+    assert not log.errors
+    assert [(row["confidence"], row["observer"]) for row in found.rows()] == [(None, "visible")]
 
 
 def test_a_database_that_others_write_is_left_to_them(tmp_path: Path) -> None:

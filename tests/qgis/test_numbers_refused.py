@@ -8,12 +8,11 @@ from typing import Any
 import pytest
 from qgis.core import QgsProcessingParameterNumber
 
+from fuzz.calls import MODELS
 from tests.qgis.runs import algorithm, assert_refused, run_unchecked
 from tests.qgis.test_provider import NAMES
 
 pytestmark = pytest.mark.usefixtures("provider")
-
-MODELS = {"inspect_mosaic"}  # their steps refuse what they are given
 
 
 @pytest.mark.parametrize("name", [name for name in NAMES if name not in MODELS])
@@ -29,7 +28,7 @@ def test_numbers_that_are_none_are_refused(name: str) -> None:
 @pytest.mark.parametrize(("name", "parameter"), [("orthorectify", "CRS"), ("fitsensormodel", "GCPS_CRS")])
 def test_a_reference_system_that_there_is_not_is_not_taken_for_none(name: str, parameter: str) -> None:
     for value in ("EPSG:99999999", "nonsense"):
-        assert_refused(name, f"is {value}, which is no coordinate reference system", **{parameter: value})
+        assert_refused(name, f"is {value}, which is not a coordinate reference system", **{parameter: value})
     complaint = str(run_unchecked(name, **{parameter: ""}).complaint)
     assert "reference system" not in complaint
 

@@ -109,8 +109,8 @@ REPORTS: dict[Report, str] = {
     orientation: "root mean square of the residuals",
     sensor_model: "",
     sensor_comparison: "",
-    acceptance: "rejected",
-    acceptance_of_many: "rejected",
+    acceptance: "Rejected",
+    acceptance_of_many: "Rejected",
 }
 """How each is made, and what of its result the first page has to say; what the report makes up by itself is empty."""
 
@@ -165,3 +165,14 @@ def test_a_report_is_fit_for_paper(
             assert max(lines, key=lambda word: word.bottom).height < HEADING, f"page {number} ends in a heading"
         else:
             assert len(lines) > 6, "the last page has hardly anything on it"
+
+
+def test_three_sheets_of_radiometry_fit_a_page(
+    provider: QgsProcessingProvider, given: dict[str, Any], tmp_path: Path
+) -> None:
+    rasters = [write_raster(tmp_path / f"sheet_{one}.tif", orthoimage((300, 300))) for one in range(9)]
+    made("checkradiometry", tmp_path / "report.html", RASTERS=rasters, READY_RULES="jrc_lpis_each_band")
+    pages = print_page(tmp_path / "report.html", tmp_path)
+    of_sheets = [page.text for page in pages if page.text.count(tr("check")) and "sheet_" in page.text][1:-1]
+    assert len(pages) <= 2 + 9 / 3
+    assert all(len({one for one in range(9) if f"sheet_{one}.tif:" in text}) >= 3 for text in of_sheets)

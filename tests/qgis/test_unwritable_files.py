@@ -7,25 +7,30 @@ from typing import Any
 import pytest
 from qgis.core import QgsProcessingProvider
 
+from fuzz.calls import MODELS
 from tests.qgis.acceptance.seam_scenes import seams
 from tests.qgis.runs import Log, algorithm, assert_sentence, run
 from tests.qgis.scenes import BLURRED, SHARP, windows
 
 ENDINGS = {  # else a page
     "CHART": "png", "PARAMETERS": "json", "MODEL_FILE": "json", "RPC": "txt", "WORLD_FILE": "wld", "QUALITY": "xml",
+    "VRT": "vrt",
 }  # fmt: skip
 
 WITH_IMAGE = {"RPC_IMAGE"}  # a copy of an image, and there is none here
+
+ALL_THERE_IS = {"report", "mendseams"}  # whose files are what they are run for
 
 MEASURED = {"acceptmosaic": "DEFECTS"}  # else OUTPUT
 
 
 def measurements(given: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    """What the algorithms measure; 'report' measures nothing, its page is all there is."""
+    """What the algorithms measure that could lack a file."""
     points = {"GCPS": given["gcps"], "HEIGHTS": "ellipsoid", "CHECK_SHARE": 0.2}
     judged = windows(SHARP, BLURRED, ratio_1=("double", [0.9, 0.4]), observer=("string", ["invisible", "visible"]))
     return {
         "acceptmosaic": {"SEAMS": [seams([0.5, 0.9])]},
+        "checkdelivery": {"FOLDER": str(Path(given["mosaic"]).parent)},
         "checknoise": {"RASTERS": given["sources"]},
         "checkradiometry": {"RASTERS": given["sources"]},
         "calibratethreshold": {"WINDOWS": judged},
@@ -45,12 +50,12 @@ def files(name: str) -> list[str]:
 
 def test_no_algorithm_is_forgotten(provider: QgsProcessingProvider, given: dict[str, Any]) -> None:
     with_files = {one.name() for one in provider.algorithms() if files(one.name())}
-    assert with_files == {*measurements(given), "report"}
+    assert with_files == {*measurements(given), *ALL_THERE_IS, *MODELS - {"inspect_mosaic"}}
 
 
 @pytest.mark.usefixtures("provider")
-@pytest.mark.parametrize("name", ["acceptmosaic", "checknoise", "checkradiometry", "calibratethreshold",
-                                  "measureresolution", "interiororientation", "fitsensormodel",
+@pytest.mark.parametrize("name", ["acceptmosaic", "checkdelivery", "checknoise", "checkradiometry",
+                                  "calibratethreshold", "measureresolution", "interiororientation", "fitsensormodel",
                                   "comparesensormodels"])  # fmt: skip
 def test_a_file_that_can_not_be_written_costs_nothing(name: str, given: dict[str, Any], tmp_path: Path) -> None:
     log, asked = Log(), {}

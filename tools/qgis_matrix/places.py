@@ -12,6 +12,14 @@ REPOSITORY = Path(__file__).resolve().parents[2]
 TOOLS = Path(__file__).resolve().parent
 PICTURES = "output/matrix/pictures"
 """Where the tests leave theirs, in the checkout that ran."""
+DEBIAN_FOR_QT6 = "trixie"
+"""Whose libraries a QGIS on Qt 6 is built against; no Debian has one."""
+_ON_QT6 = "/opt/qgis6"
+_OF_QT6 = {
+    "PATH": f"{_ON_QT6}/bin:/usr/local/bin:/usr/bin:/bin",
+    "LD_LIBRARY_PATH": f"{_ON_QT6}/lib",
+    "PYTHONPATH": f"/checkout/build/plugins:{_ON_QT6}/share/qgis/python:{_ON_QT6}/share/qgis/python/plugins",
+}
 
 
 class PlaceError(Exception):
@@ -50,32 +58,35 @@ class Chroot:
     """Where debootstrap gets the packages; its own where empty."""
     data: str = ""
     """Folder of the real rasters; without them where empty."""
+    qgis: Path | None = None
+    """One on Qt 6 instead of Debian's: a folder or packed, as build_qgis_qt6.sh leaves it."""
 
     @property
     def name(self) -> str:
         """As the user calls it."""
-        return self.suite
+        return self.suite if self.qgis is None else "qt6"
 
     @property
     def root(self) -> Path:
         """The chroot's folder."""
-        return self.folder / self.suite
+        return self.folder / self.name
 
     def prepare(self, package: Path, log: Path) -> None:
         """Make the chroot where it is missing or made by another recipe, and copy checkout and package into it."""
         _check_root()
-        stamp, recipe = self.folder / f"{self.suite}.stamp", _recipe()
+        stamp, recipe = self.folder / f"{self.name}.stamp", _recipe() + str(self.qgis or "")
         if not stamp.exists() or stamp.read_text(encoding="utf-8") != recipe:
             self._make(log)
             stamp.write_text(recipe, encoding="utf-8")
         self._copy_checkout(package)
 
     def _make(self, log: Path) -> None:
-        print(f"{self.suite}: making {_told(self.root)}, some minutes and 3 GiB ({_told(log)})", flush=True)
+        print(f"{self.name}: making {_told(self.root)}, some minutes and 3 GiB ({_told(log)})", flush=True)
         self.folder.mkdir(parents=True, exist_ok=True)
         wheels = self.folder / "wheels"
         get = [".venv/bin/python", *"-m pip download --quiet --no-deps --dest".split(), str(wheels), _pytest_qgis()]
         make = [*_as_root(), str(TOOLS / "make_chroot.sh"), self.suite, str(self.root), str(wheels), self.mirror]
+        make += [str(self.qgis)] if self.qgis else []
         with open(log, "wb") as output:
             for command in (get, make):
                 done = subprocess.run(command, cwd=REPOSITORY, stdout=output, stderr=subprocess.STDOUT, check=False)
@@ -106,12 +117,21 @@ class Chroot:
             ln -s ../.. /checkout/build/plugins/seam_inspector
             tar -xf - -C /checkout
         """
+        if self.qgis is not None:  # a 3.4x on Qt 6 loads no other plugin; QGIS 4 asks for qgisMaximumVersion alone
+            unpack += f"""
+            cd /checkout
+            sed -i '/^\\[general\\]/a supportsQt6=True' metadata.txt
+            ln -s . seam_inspector
+            zip -q {package.relative_to(REPOSITORY)} seam_inspector/metadata.txt
+            rm seam_inspector
+            """
         subprocess.run([*self._inside(), "sh", "-euc", unpack], input=packed.stdout, check=True)
 
     def python(self, arguments: Sequence[str], variables: Mapping[str, str], seconds: int) -> list[str]:
         """As ``Here.python``."""
         given = {
             "PYTHONPATH": "/checkout/build/plugins",
+            **(_OF_QT6 if self.qgis else {}),
             "QGIS_PLUGINPATH": "/checkout/build/plugins",
             **({"SEAM_INSPECTOR_DATA": "/data"} if self.data else {}),
             **variables,

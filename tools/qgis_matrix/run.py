@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Union
 
 from tools.make_package import make_package
-from tools.qgis_matrix.places import PICTURES, REPOSITORY, Chroot, Here, PlaceError
+from tools.qgis_matrix.places import DEBIAN_FOR_QT6, PICTURES, REPOSITORY, Chroot, Here, PlaceError
 
 Place = Union[Here, Chroot]
 OUTPUT = REPOSITORY / "output" / "matrix"
@@ -95,20 +95,30 @@ def main() -> int:
     OUTPUT.mkdir(parents=True, exist_ok=True)
     package, rows = make_package(REPOSITORY / "build"), []
     for suite in wanted.suites.split():
-        folder = Path(wanted.chroots).resolve()
-        place = Here() if suite == "here" else Chroot(suite, folder, wanted.mirror, data if Path(data).is_dir() else "")
-        rows.append(run_place(place, package, wanted.full))
+        rows.append(run_place(_place(suite, wanted, data if Path(data).is_dir() else ""), package, wanted.full))
     print("\n" + table(rows))
     return int(any(row.failed for row in rows))
 
 
+def _place(suite: str, wanted: argparse.Namespace, data: str) -> Place:
+    if suite == "here":
+        return Here()
+    qgis = wanted.qt6.resolve() if suite == "qt6" else None
+    return Chroot(DEBIAN_FOR_QT6 if qgis else suite, Path(wanted.chroots).resolve(), wanted.mirror, data, qgis)
+
+
 def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--suites", default="here trixie sid", help="'here' and names of Debian's releases")
+    parser.add_argument("--suites", default="here trixie sid", help="'here', 'qt6', and names of Debian's releases")
+    parser.add_argument("--qt6", type=Path, help="folder or tarball of a QGIS on Qt 6, for the suite qt6")
     parser.add_argument("--chroots", default=str(REPOSITORY / "build" / "chroots"), help="their folder")
     parser.add_argument("--mirror", default="", help="of Debian; debootstrap knows one")
     parser.add_argument("--full", action="store_true", help="all tests")
-    return parser.parse_args()
+    wanted = parser.parse_args()
+    if "qt6" in wanted.suites.split() and not (wanted.qt6 and wanted.qt6.exists()):
+        parser.error("No Debian has a QGIS on Qt 6: name its folder or tarball by QT6=, as "
+                     "tools/qgis_matrix/build_qgis_qt6.sh makes one.")  # fmt: skip
+    return wanted
 
 
 def run_place(place: Place, package: Path, full: bool) -> Row:
@@ -121,7 +131,7 @@ def run_place(place: Place, package: Path, full: bool) -> Row:
         print(f"{place.name}: {error}", flush=True)
         row.failed = True
         return row
-    title = "qgis-" + ".".join(row.versions["QGIS"].split(".")[:2])
+    title = "-".join(["qgis", ".".join(row.versions["QGIS"].split(".")[:2]), *(["qt6"] if place.name == "qt6" else [])])
     for step in STEPS:
         passed, told = _run_step(place, step, package, full, OUTPUT / f"{title}-{step.name}.log")
         row.results[step.name] = told

@@ -8,10 +8,19 @@ from pathlib import Path
 
 from ...imagery.documents import RuleObject, read_rules, ready_rules
 from ...imagery.errors import SettingsError
+from ...imagery.seam_totals import STANDARD_LEAST_KEPT
 from . import messages
-from .sampling_plans import DEFAULT_LEVEL, INSPECTION_LEVELS, NORMAL, SEVERITIES, SHARE_AQLS, aql_word
+from .sampling_plans import (
+    DEFAULT_LEVEL,
+    INSPECTION_LEVELS,
+    LIMITING_QUALITIES,
+    NORMAL,
+    SEVERITIES,
+    SHARE_AQLS,
+    word_of,
+)
 
-STANDARD_KEPT = 0.7  # of the finest detail's variance: seam_profile.md, where a piece is called significant
+STANDARD_KEPT = STANDARD_LEAST_KEPT  # of the finest detail's variance: where a piece is called significant
 STANDARD_FAILED_SHARE = 0.02  # Beeldmateriaal Nederland: 2 % may deviate if it is not contiguous
 STANDARD_LONGEST_M = 50.0  # what 'not contiguous' is taken to mean: half a standard window of 100 m (Pyka 2010)
 STANDARD_MEASURED_SHARE = 0.9  # of the metres: with less the rest could turn any share of 2 % round five times over
@@ -30,16 +39,19 @@ KEY_OF_LIMIT = {KEPT: "least", MEASURED_SHARE: "least", FAILED_SHARE: "most", LO
 
 @dataclass(frozen=True)
 class SamplingRule:
-    """Single sampling by attributes as ISO 2859-1 plans it."""
+    """Single sampling by attributes as ISO 2859-1 plans it, or ISO 2859-2 for an isolated lot."""
 
     aql: str
-    """Acceptance quality limit as the standard writes it: nonconforming pieces per hundred."""
+    """Acceptance quality limit as the standard writes it: nonconforming pieces per hundred; empty for an isolated
+    lot."""
     inspection_level: str
     """``S-1``..``S-4``, ``I``, ``II`` or ``III``."""
     severity: str
     """``normal``, ``tightened`` or ``reduced``."""
     source: str
     """Where the plan comes from."""
+    lq: str = ""
+    """Limiting quality of an isolated lot as the standard writes it: nonconforming pieces per hundred."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +92,12 @@ class AcceptanceRules:
 
     def limit(self, check: str) -> float | None:
         """Of a check; None where there is none."""
-        return next((rule.limit for rule in self.rules if rule.check == check), None)
+        rule = self.rule(check)
+        return None if rule is None else rule.limit
+
+    def rule(self, check: str) -> AcceptanceRule | None:
+        """Of a check; None where there is none."""
+        return next((rule for rule in self.rules if rule.check == check), None)
 
 
 def limit_rules(
@@ -165,11 +182,17 @@ def _limit(one: RuleObject, check: str) -> float:
 
 
 def _sampling(one: RuleObject) -> SamplingRule:
-    one.allow(("check", "aql", "level", "severity", "source"))
-    aql = aql_word(one.content.get("aql"))
-    if aql is None or aql not in SHARE_AQLS:
-        given, known = one.content.get("aql"), ", ".join(SHARE_AQLS)
-        raise SettingsError(messages.RULES_AQL_UNKNOWN(place=one.place, name=one.file, aql=given, known=known))
+    is_isolated = "lq" in one.content
+    one.allow(("check", "lq", "source") if is_isolated else ("check", "aql", "level", "severity", "source"))
+    key, known = ("lq", LIMITING_QUALITIES) if is_isolated else ("aql", SHARE_AQLS)
+    word = word_of(one.content.get(key), known)
+    if word is None:
+        given = one.content.get(key)
+        raise SettingsError(messages.RULES_QUALITY_UNKNOWN(
+            place=one.place, name=one.file, key=key.upper(), value=given, known=", ".join(known)
+        ))  # fmt: skip
+    if is_isolated:
+        return SamplingRule("", "", "", one.source(), word)
     level = one.word("level", INSPECTION_LEVELS) if "level" in one.content else DEFAULT_LEVEL
     severity = one.word("severity", SEVERITIES) if "severity" in one.content else NORMAL
-    return SamplingRule(aql, level, severity, one.source())
+    return SamplingRule(word, level, severity, one.source())

@@ -1,37 +1,51 @@
-"""The decision on a delivery by its rules."""
+"""The decision on a delivery by its rules.
+
+What decides are sums of whole pieces. A rule is kept or broken where nothing that is not known could turn it round:
+
+- Shares of the measured metres stand for all of them where as much was measured as the rules ask for. With less a share
+  is too large only where it would be so with all else sound, and kept where it would be with all else lost.
+- Pieces count by what they kept, also those whose interval holds the limit. Where the limit of a sum lies within what
+  these intervals leave open, it can't be told.
+- Layers that lack seams that their scan had can't be accepted.
+"""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import reduce
 
 import numpy as np
 
 from ...imagery.errors import Exceeding, Message, SettingsError
+from ...imagery.seam_totals import PieceState
 from ...imagery.statistics import Interval
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
-from .decision import DecidedPiece, Decision, FailureRun, MetreFigures, Observers, RuleOutcome
+from .cut_failures import cut_failures
+from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, Observers, RuleOutcome
 from .delivery import Delivery
 from .failure_runs import failure_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
     failed_interval,
     is_unclear,
+    known_within,
     metre_figures,
     observers,
-    piece_state,
     seen_state,
     sheet_figures,
+    state_of,
     windows_over,
 )
 
 _WIDE = 2  # pieces: what is seen in a window that spans more is hardly about the piece in its middle
+_NAMED = 3  # layers that a sentence names
 
 
 def decide(
     delivery: Delivery, rules: AcceptanceRules, lot_size: int | None = None, seed: int = 0, by_observer: bool = False
 ) -> Decision:
-    """Accept or reject a delivery.
+    """Accept a delivery, reject it, or say what would decide it.
 
     ``lot_size``: pieces of the whole lot where a plan decides; None: those that are given. ``seed``: of the sample that
     is drawn then. ``by_observer``: pieces fail by what operators saw in their windows, not by what they kept. Raises
@@ -40,43 +54,154 @@ def decide(
     seen = observers(delivery.windows)
     if by_observer and seen is None:
         raise SettingsError(messages.NO_WINDOW_JUDGED(count=len(delivery.windows)))
-    least_kept = None if by_observer else rules.least_kept
     windows = list(windows_over(delivery))
     states = [
-        seen_state(over) if least_kept is None else piece_state(piece, least_kept)
+        seen_state(over) if by_observer else state_of(piece, rules.least_kept)
         for piece, over in zip(delivery.pieces, windows)
     ]
     lot = None if rules.sampling is None else sampled_lot(delivery, states, rules.sampling, lot_size, seed)
-    runs = failure_runs(delivery.pieces, states, delivery.unit_m, least_kept)
+    runs = failure_runs(delivery.pieces, states, delivery.unit_m)
     of_run = {number: run.number for run in runs for number in run.pieces}
     pieces = tuple(
         DecidedPiece(
-            piece, state, least_kept is not None and is_unclear(piece, least_kept), of_run.get(piece.number),
-            lot is None or piece.number in lot.pieces, over,
+            piece, state,
+            not by_observer and state in (PieceState.PASSED, PieceState.FAILED) and is_unclear(piece, rules.least_kept),
+            of_run.get(piece.number), lot is None or piece.number in lot.pieces, over,
         )
         for piece, state, over in zip(delivery.pieces, states, windows)
     )  # fmt: skip
     whole, sheets = metre_figures(pieces, runs), sheet_figures(delivery, pieces, runs)
-    outcomes = [_outcome(rule, _value(rule.check, whole)) for rule in rules.rules]
+    longest = [pieces[number] for number in runs[0].pieces] if runs else []
+    outcomes = _Ruling(whole, pieces, longest, rules).outcomes()
+    sheet_outcomes: list[AcceptanceOutcome | None] = [None] * len(sheets)
+    if lot is None and not delivery.is_part:
+        sheet_outcomes = [*_sheet_outcomes(sheets, pieces, rules)]
     if delivery.is_part:
         outcomes = [_of_sample(outcome) for outcome in outcomes]
         whole, *sheets = (replace(one, longest_failure_m=None) for one in (whole, *sheets))
     if lot is not None:
         outcomes.insert(0, lot.rule_outcome)
-    interval = failed_interval(pieces, runs)
-    accepted = all(outcome.passed is True for outcome in outcomes)
+    outcome = outcome_of(outcomes)
+    lacking = [*_lacking(delivery, rules)]
+    if lacking and outcome is AcceptanceOutcome.ACCEPTED:
+        outcome = AcceptanceOutcome.UNDECIDED
+    interval = failed_interval(pieces)
     sentences = (
-        _decision_sentence(rules, outcomes, accepted),
+        _headline(rules, outcomes, outcome, by_observer, lacking),
+        *(_would_decide(whole, pieces, outcomes, delivery) if outcome is AcceptanceOutcome.UNDECIDED else ()),
+        *_layers(delivery),
         *_figures(whole, interval, runs, rules),
+        *_cut(delivery, runs),
         *_sample_sentences(delivery, lot is not None),
         *(() if lot is None else lot.notices),
         *(_by_observer(delivery) if by_observer else ()),
         *_observers_sentences(seen),
     )
     return Decision(
-        accepted, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), interval, pieces, runs,
-        None if lot is None else lot.outcome, seen, by_observer,
+        outcome, sentences, rules, delivery, tuple(outcomes), whole, tuple(sheets), tuple(sheet_outcomes), interval,
+        pieces, runs, None if lot is None else lot.outcome, seen, by_observer,
     )  # fmt: skip
+
+
+def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
+    """A broken rule rejects, whatever else is unknown; one that can't be told leaves the decision open."""
+    passed = [one.passed for one in outcomes]
+    if False in passed:
+        return AcceptanceOutcome.REJECTED
+    return AcceptanceOutcome.UNDECIDED if None in passed else AcceptanceOutcome.ACCEPTED
+
+
+def _lacking(delivery: Delivery, rules: AcceptanceRules) -> Iterator[Message]:
+    """What is missing of the delivery, so that it can't be accepted."""
+    if delivery.lacking_m:
+        yield messages.SEAMS_LACK(metres=delivery.lacking_m)
+    least = rules.limit(MEASURED_SHARE)
+    for layer in delivery.layers:
+        if least is not None and layer.unexplained > 1 - least:
+            yield messages.MOSAIC_LACKS(name=layer.name, share=layer.unexplained, limit=1 - least)
+
+
+def _sheet_outcomes(
+    sheets: Sequence[MetreFigures], pieces: Sequence[DecidedPiece], rules: AcceptanceRules
+) -> Iterator[AcceptanceOutcome | None]:
+    """Of each sheet by its own metres; pieces over a border are looked at in the sheet of their middle."""
+    of_sheet: dict[str, list[DecidedPiece]] = {}
+    for one in pieces:
+        of_sheet.setdefault(one.piece.sheet, []).append(one)
+    for sheet in sheets:
+        own = of_sheet.get(sheet.name, [])
+        yield outcome_of(_Ruling(sheet, own, own, rules).outcomes()) if own else None
+
+
+@dataclass(frozen=True, eq=False)
+class _Ruling:
+    """Figures that are held against the rules."""
+
+    figures: MetreFigures
+    pieces: Sequence[DecidedPiece]
+    longest: Sequence[DecidedPiece]
+    """Those of its longest failure, or all."""
+    rules: AcceptanceRules
+
+    def outcomes(self) -> list[RuleOutcome]:
+        """Of the rules in their order, those of sampling apart."""
+        return [self._outcome(rule) for rule in self.rules.rules]
+
+    def _outcome(self, rule: AcceptanceRule) -> RuleOutcome:
+        figures = self.figures
+        if not figures.measured_m:
+            value = figures.measured_share if rule.check == MEASURED_SHARE else None
+            return RuleOutcome(
+                rule.check, value, rule.limit, rule.is_least, None, rule.source, messages.NOTHING_WAS_MEASURED()
+            )
+        value, low, high = {
+            MEASURED_SHARE: self._measured, FAILED_SHARE: self._failed, LONGEST_FAILURE: self._longest,
+        }[rule.check]()
+        passes = {rule.passes(low), rule.passes(high)}
+        passed = passes.pop() if len(passes) == 1 else None
+        if rule.check == MEASURED_SHARE:  # with less the delivery is neither good nor bad
+            passed = passed or None
+        sentence = _rule_sentence(rule, value, low, high, passed)
+        return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence, low, high)
+
+    def _measured(self) -> tuple[float, float, float]:
+        value = self.figures.measured_share
+        return value, value, value
+
+    def _failed(self) -> tuple[float, float, float]:
+        """The share, and between what it may lie."""
+        figures, within = self.figures, known_within(self.pieces, self.rules.least_kept)
+        least = self.rules.rule(MEASURED_SHARE)
+        enough = least is None or least.passes(figures.measured_share)
+        open_m, of_m = (0.0, figures.measured_m) if enough else (figures.not_measured_m, figures.judged_m)
+        low, high = max(figures.failed_m - within, 0.0), min(figures.failed_m + within, figures.measured_m)
+        return figures.failed_m / figures.measured_m, low / of_m, min((high + open_m) / of_m, 1.0)
+
+    def _longest(self) -> tuple[float, float, float]:
+        """What passed ends it, also where its interval holds the limit."""
+        longest = self.figures.longest_failure_m or 0.0
+        failed = [one for one in self.longest if one.state is PieceState.FAILED]
+        return longest, max(longest - known_within(failed, self.rules.least_kept), 0.0), longest
+
+
+def _rule_sentence(rule: AcceptanceRule, value: float, low: float, high: float, passed: bool | None) -> Message:
+    """The outcome in words; ``passed``: None where it can't be told."""
+    limit, beyond = rule.limit, value if rule.is_least else Exceeding(value, rule.limit)
+    kept, broken, open_ = {
+        MEASURED_SHARE: (
+            messages.MEASURED_ENOUGH(value=value, limit=limit),
+            *[messages.MEASURED_TOO_LITTLE(value=beyond, limit=limit)] * 2,
+        ),
+        FAILED_SHARE: (
+            messages.SHARE_KEPT(value=value, limit=limit), messages.SHARE_EXCEEDED(value=beyond, limit=limit),
+            messages.SHARE_OPEN(value=value, limit=limit, low=low, high=high),
+        ),
+        LONGEST_FAILURE: (
+            messages.RUN_KEPT(value=value, limit=limit), messages.RUN_EXCEEDED(value=beyond, limit=limit),
+            messages.RUN_OPEN(value=value, limit=limit, low=low, high=high),
+        ),
+    }[rule.check]
+    return open_ if passed is None else kept if passed else broken
 
 
 def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
@@ -84,6 +209,77 @@ def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
     if outcome.check != LONGEST_FAILURE or outcome.passed is False:
         return outcome
     return replace(outcome, value=None, passed=None, sentence=messages.RUN_NOT_IN_SAMPLE())
+
+
+def _headline(
+    rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], outcome: AcceptanceOutcome, by_observer: bool,
+    lacking: Sequence[Message],
+) -> Message:
+    """The reasons are all rules that were kept, those that were broken, or those that can't be told."""
+    wanted = {AcceptanceOutcome.ACCEPTED: True, AcceptanceOutcome.REJECTED: False}.get(outcome)
+    reasons = [one.sentence for one in outcomes if one.passed is wanted]
+    if outcome is not AcceptanceOutcome.REJECTED:
+        reasons = [*lacking, *reasons]
+    by_tool, by_eye = {
+        AcceptanceOutcome.ACCEPTED: (messages.ACCEPTED, messages.ACCEPTED_BY_EYE),
+        AcceptanceOutcome.REJECTED: (messages.REJECTED, messages.REJECTED_BY_EYE),
+        AcceptanceOutcome.UNDECIDED: (messages.UNDECIDED, messages.UNDECIDED_BY_EYE),
+    }[outcome]
+    once = [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
+    why = reduce(lambda first, also: messages.AND(why=first, also=also), once)
+    return (by_eye if by_observer else by_tool)(rules=rules.name, why=why)
+
+
+def _would_decide(
+    whole: MetreFigures, pieces: Sequence[DecidedPiece], outcomes: Sequence[RuleOutcome], delivery: Delivery
+) -> Iterator[Message]:
+    """What to do about each thing that is open."""
+    is_open = {one.check: one for one in outcomes if one.passed is None}
+    if whole.not_measured_m and (MEASURED_SHARE in is_open or not whole.measured_m):
+        least = next((one.limit for one in outcomes if one.check == MEASURED_SHARE), 0.0)
+        wanted = max(least * whole.judged_m - whole.measured_m, 0.0)
+        yield messages.WOULD_MEASURE(wanted=wanted, lacking=whole.not_measured_m)
+    elif not whole.judged_m:
+        yield messages.WOULD_LOOK()
+    unclear = [one for one in pieces if one.is_unclear]
+    if unclear and whole.measured_m and is_open.keys() & {FAILED_SHARE, LONGEST_FAILURE} and not delivery.is_part:
+        yield messages.WOULD_TELL_APART(count=len(unclear), metres=whole.unclear_m)
+    if delivery.is_part and LONGEST_FAILURE in is_open:
+        yield messages.WOULD_GIVE_SCAN()
+    if delivery.lacking_m:
+        yield messages.WOULD_GIVE_LAYER()
+    if any(layer.unexplained for layer in delivery.layers):
+        yield messages.WOULD_GIVE_ORTHOIMAGES()
+
+
+def _layers(delivery: Delivery) -> Iterator[Message]:
+    """Whether layers are as their scan left them, and whether they were measured alike."""
+    layers = delivery.layers
+    changed = [one.name for one in layers if one.is_sealed is False]
+    if changed:
+        yield messages.LAYERS_CHANGED(count=len(changed), names=_first_names(changed))
+    if layers and all(one.is_sealed for one in layers):
+        yield messages.LAYERS_SEALED(count=len(layers))
+    for one in layers:
+        if one.unexplained >= TOLD_UNEXPLAINED:
+            place = one.settings.get("unexplained_at", "")
+            yield messages.SCAN_UNEXPLAINED(name=one.name, share=one.unexplained, place=place)
+        if one.settings.get("seams") == "found":
+            yield messages.SEAMS_FOUND(name=one.name)
+    for name in dict.fromkeys(name for one in layers for name in one.settings):
+        values = list(dict.fromkeys(one.settings[name] for one in layers if name in one.settings))
+        if len(values) > 1 and name in COMPARED_SETTINGS:
+            yield messages.SETTINGS_DIFFER(setting=name, values=_first_names(values))
+
+
+TOLD_UNEXPLAINED = 0.03
+"""Of a mosaic without an orthoimage behind it: where the scan tells it, too."""
+COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
+"""What makes figures of one layer differ from those of another."""
+
+
+def _first_names(names: Sequence[str]) -> str:
+    return ", ".join(names[:_NAMED]) + (" ..." if len(names) > _NAMED else "")
 
 
 def _sample_sentences(delivery: Delivery, by_plan: bool) -> Iterator[Message]:
@@ -94,43 +290,6 @@ def _sample_sentences(delivery: Delivery, by_plan: bool) -> Iterator[Message]:
             yield messages.SAMPLE_ONLY()
 
 
-def _value(check: str, whole: MetreFigures) -> float | None:
-    if check == MEASURED_SHARE:
-        return whole.measured_share
-    return whole.failed_share if check == FAILED_SHARE else whole.longest_failure_m
-
-
-def _outcome(rule: AcceptanceRule, value: float | None) -> RuleOutcome:
-    passed = None if value is None else rule.passes(value)
-    if value is None:
-        sentence = messages.NOTHING_WAS_MEASURED()
-    else:
-        limit, beyond = rule.limit, value if rule.is_least else Exceeding(value, rule.limit)
-        kept, broken = {
-            FAILED_SHARE: (
-                messages.SHARE_KEPT(value=value, limit=limit), messages.SHARE_EXCEEDED(value=beyond, limit=limit)
-            ),
-            LONGEST_FAILURE: (
-                messages.RUN_KEPT(value=value, limit=limit), messages.RUN_EXCEEDED(value=beyond, limit=limit)
-            ),
-            MEASURED_SHARE: (
-                messages.MEASURED_ENOUGH(value=value, limit=limit),
-                messages.MEASURED_TOO_LITTLE(value=beyond, limit=limit),
-            ),
-        }[rule.check]
-        sentence = kept if passed else broken
-    return RuleOutcome(rule.check, value, rule.limit, rule.is_least, passed, rule.source, sentence)
-
-
-def _decision_sentence(rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], accepted: bool) -> Message:
-    """The reasons are all rules that were kept, or those that were not."""
-    reasons = [outcome.sentence for outcome in outcomes if accepted or outcome.passed is not True]
-    why = reasons[0]
-    for also in reasons[1:]:
-        why = messages.AND(why=why, also=also)
-    return messages.ACCEPTED(rules=rules.name, why=why) if accepted else messages.REJECTED(rules=rules.name, why=why)
-
-
 def _figures(
     whole: MetreFigures, interval: Interval | None, runs: Sequence[FailureRun], rules: AcceptanceRules
 ) -> Iterator[Message]:
@@ -139,13 +298,23 @@ def _figures(
             failed=whole.failed_m, measured=whole.measured_m, share=interval.value, low=interval.low, high=interval.high
         )
     if runs and whole.longest_failure_m is not None:
-        yield from _lengths(whole, runs, rules)
+        longest, (x, y) = runs[0], runs[0].place
+        yield messages.LONGEST_WHERE(metres=longest.length_m, x=x, y=y, sheets=", ".join(longest.sheets))
+    if whole.no_detail_m:
+        yield messages.WITHOUT_DETAIL(metres=whole.no_detail_m, all=whole.total_m)
     if whole.not_measured_m:
-        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.total_m)
+        yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m)
     if whole.unclear_m:
         yield messages.UNCLEAR(metres=whole.unclear_m, limit=rules.least_kept)
     if rules.least_kept <= 0:
         yield messages.NOTHING_IS_ASKED()
+
+
+def _cut(delivery: Delivery, runs: Sequence[FailureRun]) -> Iterator[Message]:
+    """A sample is cut everywhere."""
+    if not delivery.is_part and (cut := cut_failures(delivery, runs)):
+        numbers = _first_names([str(run.number) for run in cut])
+        yield messages.CUT_AT_EDGES(count=len(cut), metres=sum(run.length_m for run in cut), numbers=numbers)
 
 
 def _by_observer(delivery: Delivery) -> Iterator[Message]:
@@ -157,35 +326,12 @@ def _by_observer(delivery: Delivery) -> Iterator[Message]:
         yield messages.WINDOWS_WIDER_THAN_PIECES(side=side, piece=piece)
 
 
-def _lengths(whole: MetreFigures, runs: Sequence[FailureRun], rules: AcceptanceRules) -> Iterator[Message]:
-    """Where the longest failure is, and how sure lengths are."""
-    longest, (x, y) = runs[0], runs[0].place
-    yield messages.LONGEST_WHERE(metres=longest.length_m, x=x, y=y, sheets=", ".join(longest.sheets))
-    within = sum(run.within_m**2 for run in runs) ** 0.5
-    if not within:
-        return
-    yield messages.ENDS_ESTIMATED(longest=longest.within_m, all=within)
-    for rule in rules.rules:
-        if rule.check == LONGEST_FAILURE and abs(longest.length_m - rule.limit) <= longest.within_m:
-            yield messages.LONGEST_UNCLEAR(
-                low=longest.length_m - longest.within_m, high=longest.length_m + longest.within_m, limit=rule.limit
-            )
-        if rule.check == FAILED_SHARE and abs(whole.failed_m - rule.limit * whole.measured_m) <= within:
-            low, high = (max(whole.failed_m + side * within, 0.0) / whole.measured_m for side in (-1, 1))
-            yield messages.SHARE_UNCLEAR(low=low, high=min(high, 1.0), limit=rule.limit)
-
-
 def _observers_sentences(seen: Observers | None) -> Iterator[Message]:
-    both, tool = (None, None) if seen is None else (seen.both, seen.with_tool)
-    if both is not None and both.kappa is not None:
-        yield messages.OBSERVERS_AGREE(
-            count=both.count, agreed=both.agreed, kappa=both.kappa.value, low=both.kappa.low, high=both.kappa.high
-        )
-    elif both is not None:
-        yield messages.OBSERVERS_WITHOUT_KAPPA(count=both.count, agreed=both.agreed)
-    if tool is not None and tool.kappa is not None:
-        yield messages.TOOL_AGREES(
-            count=tool.count, agreed=tool.agreed, kappa=tool.kappa.value, low=tool.kappa.low, high=tool.kappa.high
-        )
-    elif tool is not None:
-        yield messages.TOOL_WITHOUT_KAPPA(count=tool.count, agreed=tool.agreed)
+    for found, agree, without_kappa in () if seen is None else (
+        (seen.both, messages.OBSERVERS_AGREE, messages.OBSERVERS_WITHOUT_KAPPA),
+        (seen.with_tool, messages.TOOL_AGREES, messages.TOOL_WITHOUT_KAPPA),
+    ):
+        if found is not None and (kappa := found.kappa) is not None:
+            yield agree(count=found.count, agreed=found.agreed, kappa=kappa.value, low=kappa.low, high=kappa.high)
+        elif found is not None:
+            yield without_kappa(count=found.count, agreed=found.agreed)

@@ -7,18 +7,22 @@ from enum import Enum
 import numpy as np
 
 from ...imagery.errors import Message
+from ...imagery.seam_totals import PieceState
 from ...imagery.statistics import Agreement, Interval
 from .acceptance_rules import AcceptanceRules
-from .delivery import DeliveredPiece, Delivery, SeenWindow, part_of_line
+from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .sampling_plans import OperatingCharacteristic, SamplingPlan
 
 
-class PieceState(Enum):
-    """What became of a piece."""
+class AcceptanceOutcome(Enum):
+    """What is decided. The values are words of the outputs."""
 
-    PASSED = "passed"
-    FAILED = "failed"
-    NOT_MEASURED = "not_measured"
+    ACCEPTED = "accepted"
+    """Every rule is kept."""
+    REJECTED = "rejected"
+    """A rule is broken, whatever else is unknown."""
+    UNDECIDED = "undecided"
+    """None is broken as far as can be told, and of one at least it can't be told."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,9 +32,9 @@ class DecidedPiece:
     piece: DeliveredPiece
     """As it was delivered."""
     state: PieceState
-    """Passed, failed or not measured."""
+    """Passed, failed, not measured, or on ground without detail."""
     is_unclear: bool
-    """Its 95 % interval holds the limit, so that nobody can tell on which side of it the piece is."""
+    """It was measured, and its 95 % interval holds the limit: it counts by its value."""
     run: int | None
     """The failure without a break it belongs to, by its ``FailureRun.number``; None where it did not fail."""
     is_sampled: bool
@@ -41,29 +45,7 @@ class DecidedPiece:
     @property
     def is_measured(self) -> bool:
         """Whether it passed or failed."""
-        return self.state is not PieceState.NOT_MEASURED
-
-
-@dataclass(frozen=True)
-class FailedPart:
-    """The part of a piece that a failure takes, as shares of its length along its line."""
-
-    piece: int
-    """Its number."""
-    start: float
-    stop: float
-    is_turned: bool = False
-    """Whether the failure runs against its line."""
-
-    @property
-    def share(self) -> float:
-        return self.stop - self.start
-
-    def turned(self, is_turned: bool = True) -> FailedPart:
-        """The same part, counted from the line's other end."""
-        if not is_turned:
-            return self
-        return FailedPart(self.piece, 1 - self.stop, 1 - self.start, not self.is_turned)
+        return self.state in (PieceState.PASSED, PieceState.FAILED)
 
 
 @dataclass(frozen=True)
@@ -73,17 +55,15 @@ class FailureRun:
     number: int
     """1 for the longest."""
     length_m: float
-    """From where it begins to where it ends inside of its pieces, as far as these tell."""
+    """Of its pieces together."""
     pieces: tuple[int, ...]
     """The pieces' numbers, in the order in which they follow each other."""
+    turned: tuple[bool, ...]
+    """Of each piece whether the failure runs against its line."""
     sheets: tuple[str, ...]
     """That it lies in."""
     place: tuple[float, float]
     """A point half-way along it, in the delivery's reference system."""
-    parts: tuple[FailedPart, ...]
-    """What it takes of its pieces, and of those that passed at its ends, in its order."""
-    within_m: float
-    """Half the 95 % interval of its length; 0 where nothing tells."""
 
 
 @dataclass(frozen=True)
@@ -98,19 +78,26 @@ class MetreFigures:
     """Pieces that failed."""
     total_m: float
     """Of all seams."""
+    no_detail_m: float
+    """Of the pieces on ground without detail, which has nothing to lose: no part of what is judged."""
     measured_m: float
     """Of the pieces that could be measured."""
     failed_m: float
-    """Of the failed parts of those."""
+    """Of those that failed."""
     unclear_m: float
     """In pieces of which the interval holds the limit, failed or passed."""
     longest_failure_m: float | None
     """Of the pieces in it alone; None where they are a sample."""
 
     @property
+    def judged_m(self) -> float:
+        """Of the pieces on ground with detail: what shares are of."""
+        return self.total_m - self.no_detail_m
+
+    @property
     def not_measured_m(self) -> float:
-        """Of the pieces that could not be measured."""
-        return self.total_m - self.measured_m
+        """Of those that could not be measured."""
+        return self.judged_m - self.measured_m
 
     @property
     def failed_share(self) -> float | None:
@@ -119,8 +106,8 @@ class MetreFigures:
 
     @property
     def measured_share(self) -> float:
-        """Of all seams, 0 to 1."""
-        return self.measured_m / self.total_m if self.total_m else 0.0
+        """Of the seams on ground with detail, 0 to 1."""
+        return self.measured_m / self.judged_m if self.judged_m > 0 else 0.0
 
 
 @dataclass(frozen=True)
@@ -141,6 +128,10 @@ class RuleOutcome:
     """Where the limit comes from."""
     sentence: Message
     """The outcome in words."""
+    low: float | None = None
+    """The smallest that the value may be, by what is not known; None where nothing is told of that."""
+    high: float | None = None
+    """The largest one."""
 
 
 @dataclass(frozen=True)
@@ -171,10 +162,10 @@ class Observers:
 class Decision:
     """What is done with a delivery, and why."""
 
-    accepted: bool
-    """Whether all rules are kept."""
+    outcome: AcceptanceOutcome
+    """Accepted, rejected or undecided."""
     sentences: tuple[Message, ...]
-    """The decision with its risk first, then its reasons, then what could not be measured or told."""
+    """The decision with its reasons first, then what would decide it where it is undecided, then what it rests on."""
     rules: AcceptanceRules
     """By which it was taken."""
     delivery: Delivery
@@ -185,6 +176,8 @@ class Decision:
     """The metres of all sheets together."""
     sheets: tuple[MetreFigures, ...]
     """In the order of ``Delivery.sheets``; one without seams has no pieces."""
+    sheet_outcomes: tuple[AcceptanceOutcome | None, ...]
+    """Of each sheet by itself, by the same limits; None for one without seams, or where a sample decides."""
     failed_share: Interval | None
     """Of the measured metres, with its 95 % interval; None where nothing was measured."""
     pieces: tuple[DecidedPiece, ...]
@@ -197,6 +190,11 @@ class Decision:
     """None without windows."""
     by_observer: bool = False
     """Whether pieces failed by what operators saw, whatever they kept."""
+
+    @property
+    def accepted(self) -> bool | None:
+        """None where it is undecided."""
+        return {AcceptanceOutcome.ACCEPTED: True, AcceptanceOutcome.REJECTED: False}.get(self.outcome)
 
     @property
     def failed(self) -> tuple[DecidedPiece, ...]:
@@ -218,7 +216,7 @@ class Defect:
     sheets: tuple[str, ...]
     length_m: float
     lines: tuple[np.ndarray, ...]
-    """(n, 2) x and y of what it takes of each piece, in the delivery's reference system."""
+    """(n, 2) x and y of each piece, in the delivery's reference system."""
     place: tuple[float, float]
     """A point half-way along it."""
     worst: DecidedPiece
@@ -241,10 +239,8 @@ def _defect(decision: Decision, run: FailureRun) -> Defect:
     worst = min(pieces, key=_kept)
     widths = [one.piece.band_width_m for one in pieces if one.piece.band_width_m is not None]
     windows = _windows([worst, *pieces])
-    vertices = (decision.pieces[part.piece].piece.vertices for part in run.parts)
-    lines = [part_of_line(line, part.start, part.stop) for line, part in zip(vertices, run.parts)]
     return Defect(
-        run.number, run.sheets, run.length_m, tuple(lines), run.place, worst,
+        run.number, run.sheets, run.length_m, tuple(one.piece.vertices for one in pieces), run.place, worst,
         max(widths, default=None), next((one.cause for one in windows if one.cause), ""),
         tuple(dict.fromkeys(words for one in windows for words in (one.remark, one.remark_2) if words)),
     )  # fmt: skip

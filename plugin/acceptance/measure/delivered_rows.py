@@ -14,12 +14,14 @@ from ...imagery.errors import Message, SeamInspectorWarning, SettingsError
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.lines import points_at, vertex_stations
 from ...imagery.reference_systems import is_geographic, metres_per_unit, transform_points, utm_wkt
+from ...imagery.seam_totals import STRETCH, PieceState, RowTotals, SeamTotals
 from . import messages
-from .delivery import DeliveredPiece, Delivery, in_order
+from .delivery import DeliveredLayer, DeliveredPiece, Delivery, in_order
 from .failure_networks import TOUCHING
 from .measured_pieces import NO_VERDICT
 
 MOST_KEPT = 3.0  # a seam that was sharpened keeps more than 1; shares of three times that are none
+_LACKING_M = 0.05  # below it lengths are rounded
 _OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
 
 
@@ -42,9 +44,13 @@ class LayerDoubts:
     """That stand where numbers should."""
     lengths: list[tuple[float, float]] = field(default_factory=list)
     """In the field and along the line, metres, where they differ."""
+    along: dict[str, list[tuple[float, float]]] = field(default_factory=dict)
+    """Stations and lengths by seam, metres."""
+    totals: RowTotals = field(default_factory=RowTotals)
+    """Of all rows, as their scan counted them."""
 
     def see_kept(self, written: str, kept: float | None, verdict: str = "") -> float | None:
-        """What counts of a piece's ``kept_1``, as it is ``written`` and as a number: nothing below 0."""
+        """What counts of a piece's ``kept_1``, as it is ``written`` and as a number: nothing that is no share."""
         if kept is None:
             if written and written.lower() not in ("nan", "inf", "-inf"):
                 self.words.append(written)
@@ -52,7 +58,7 @@ class LayerDoubts:
         self.kept.append(kept)
         if verdict != NO_VERDICT:
             self.claimed.append(kept)
-        return kept if kept >= 0 else None
+        return kept if 0 <= kept <= MOST_KEPT else None
 
     def see_length(self, length: float, line: float) -> None:
         """A length from the field, beside that of the line."""
@@ -60,8 +66,12 @@ class LayerDoubts:
             self.lengths.append((length, line))
 
     def piece(self, sheet: str, row: SeamRow, line: np.ndarray, drawn_m: float) -> DeliveredPiece | None:
-        """A row's piece; None where it has no line or no length. ``line``: its (n, 2) vertices, ``drawn_m`` long."""
+        """A row's piece; None where it has no line or no length, or is a stretch of pieces. ``line``: its (n, 2)
+        vertices, ``drawn_m`` long."""
         self.rows += 1
+        self.totals.add(row)
+        if _text(row.get("level")) == STRETCH:
+            return None
         length = _number(row.get("length"))
         if length is None or length <= 0:
             length = drawn_m
@@ -74,10 +84,34 @@ class LayerDoubts:
         kept = self.see_kept(_text(row.get("kept_1")), _number(row.get("kept_1")), verdict)
         station, low, high, width = (_number(row.get(name)) for name in ("station", *_NUMBERS))
         left, right, left_date, right_date = (_text(row.get(name)) for name in _SIDES)
+        seam_id = _text(row.get("seam_id"))
+        if seam_id and station is not None:
+            self.along.setdefault(f"{sheet}\t{seam_id}", []).append((station, length))
         return DeliveredPiece(
-            0, sheet, _text(row.get("seam_id")), station, length, kept, low, high, width, verdict,
-            _text(row.get("reason")), line, left, right, left_date, right_date,
+            0, sheet, seam_id, station, length, kept, low, high, width, verdict, _text(row.get("reason")), line, left,
+            right, left_date, right_date, has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
+            visibility=_number(row.get("visibility")),
         )  # fmt: skip
+
+    def layer(self, metadata: Mapping[str, str]) -> DeliveredLayer:
+        """What it is, by what its scan wrote beside its rows."""
+        own, scanned = self.totals.totals, SeamTotals.of_metadata(metadata)
+        settings = {name: value for name, value in metadata.items() if scanned and name not in scanned.metadata}
+        if scanned is None:
+            return DeliveredLayer(self.sheet, None, sum(self._gaps()), settings, own.digest)
+        lacking = scanned.metres - own.metres
+        return DeliveredLayer(
+            self.sheet, own.digest == scanned.digest, lacking if lacking > _LACKING_M else 0.0, settings,
+            own.digest,
+        )  # fmt: skip
+
+    def _gaps(self) -> Iterator[float]:
+        """Between the stations of pieces that should follow each other, metres."""
+        for pieces in self.along.values():
+            pieces.sort()
+            for (station, length), (following, _) in zip(pieces, pieces[1:]):
+                if (gap := following - station - length) > length / 2:
+                    yield gap
 
     def told(self) -> Iterator[Message]:
         """Raises SettingsError where the layer's ``kept_1`` are no shares."""
@@ -103,6 +137,7 @@ _PLACES = (0.1, 0.3, 0.5, 0.7, 0.9)  # of a piece: away from its ends, where oth
 _NEAR = 1.2  # steps: two lines that lie a step apart, with points at every step
 _NEIGHBOURS = 12
 _MOST_POINTS = 2000  # of one piece
+_PIECES_AT_ONCE = 5000  # whose points are held
 
 
 def without_copies(pieces: Sequence[DeliveredPiece]) -> tuple[list[DeliveredPiece], int]:
@@ -127,20 +162,22 @@ def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> tuple[floa
     """
     typical = float(np.median([piece.length_m for piece in pieces]))
     step = TOUCHING * typical
-    points, owners, asked, askers = [], [], [], []
-    for number, piece in enumerate(pieces):
-        along = vertex_stations(piece.vertices * unit_m)
-        count = int(min(np.ceil(along[-1] / step) + 1, _MOST_POINTS))
-        points.append(points_at(piece.vertices * unit_m, along, np.linspace(0, along[-1], count)))
-        owners.append(np.full(count, number))
-        asked.append(points_at(piece.vertices * unit_m, along, np.array(_PLACES) * along[-1]))
-        askers.append(np.full(len(_PLACES), number))
-    owner, asker = np.concatenate(owners), np.concatenate(askers)
-    _, near = cKDTree(np.concatenate(points)).query(
-        np.concatenate(asked), _NEIGHBOURS, distance_upper_bound=_NEAR * step
-    )
-    near_owner = np.append(owner, -1)[near]
-    others = np.array([len({*row} - {-1, own}) for row, own in zip(near_owner.tolist(), asker.tolist())])
+    lines = [(piece.vertices * unit_m, vertex_stations(piece.vertices * unit_m)) for piece in pieces]
+    asked = np.concatenate([points_at(line, along, np.array(_PLACES) * along[-1]) for line, along in lines])
+    asker = np.repeat(np.arange(len(pieces)), len(_PLACES))
+    others = np.zeros(len(asked), int)
+    for first in range(0, len(lines), _PIECES_AT_ONCE):
+        some = lines[first : first + _PIECES_AT_ONCE]
+        counts = [int(min(np.ceil(along[-1] / step) + 1, _MOST_POINTS)) for _, along in some]
+        tree = cKDTree(np.concatenate([
+            points_at(line, along, np.linspace(0, along[-1], count)) for (line, along), count in zip(some, counts)
+        ]))  # fmt: skip
+        within = ((asked > tree.mins - _NEAR * step) & (asked < tree.maxes + _NEAR * step)).all(axis=1)
+        _, near = tree.query(asked[within], _NEIGHBOURS, distance_upper_bound=_NEAR * step)
+        owner = np.append(np.repeat(np.arange(first, first + len(some)), counts), -1)
+        found = np.sort(owner[near])
+        is_first = np.diff(found, prepend=-2) != 0
+        others[within] += (is_first & (found != -1) & (found != asker[within, np.newaxis])).sum(axis=1)
     lengths = np.array([piece.length_m for piece in pieces])
     too_many = lengths[asker] / len(_PLACES) * others / (others + 1)
     if too_many.sum() < typical / 2:
@@ -172,6 +209,7 @@ def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery
     unit_m = metres_per_unit(wkt, 0.0)[0]
     pieces: list[DeliveredPiece] = []
     told: list[Message] = []
+    layers: list[DeliveredLayer] = []
     for sheet, rows in given.items():
         if rows and not any("kept_1" in row for row in rows):
             raise SettingsError(messages.LAYER_WITHOUT_KEPT(name=sheet))
@@ -181,21 +219,36 @@ def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery
             if (piece := doubts.piece(sheet, row, line, drawn_m)) is not None:
                 pieces.append(piece)
         told += doubts.told()
-    delivery, doubled = united_delivery(pieces, wkt, unit_m)
+        layers.append(doubts.layer({}))
+    delivery, doubled = united_delivery(pieces, wkt, unit_m, layers=layers)
     for notice in [*told, *doubled]:
         warnings.warn(str(notice), SeamInspectorWarning, stacklevel=2)
     return delivery
 
 
 def united_delivery(
-    pieces: Sequence[DeliveredPiece], wkt: str, unit_m: float, lot_size: int | None = None
+    pieces: Sequence[DeliveredPiece], wkt: str, unit_m: float, lot_size: int | None = None,
+    layers: Sequence[DeliveredLayer] = (),
 ) -> tuple[Delivery, list[Message]]:
-    """The pieces of all sheets in order, each once, and what is told of those that lie on each other."""
+    """The pieces of all sheets in order, each once, and what is told of those that lie on each other or lack."""
     once, copies = without_copies(in_order(pieces))
     told = [messages.PIECES_TWICE(count=copies)] if copies else []
     if doubled := overlap(once, unit_m):
         told.append(messages.SEAMS_OVERLAP(metres=doubled[0], sheets=", ".join(doubled[1])))
-    return Delivery(in_order(once), wkt, unit_m, lot_size=lot_size), told
+    found = Delivery(in_order(once) if copies else tuple(once), wkt, unit_m, lot_size=lot_size, layers=tuple(layers))
+    if found.lacking_m:
+        told += [messages.LAYER_LACKS_SEAMS(name=one.name, metres=one.lacking_m) for one in layers if one.lacking_m]
+    return found, told
+
+
+def with_settings(delivery: Delivery, scans: Sequence[Mapping[str, str]]) -> Delivery:
+    """What pictures of losses say of how seams were measured, for the layers that don't say it themselves; one for all
+    of these, or one for each layer in their order."""
+    if not scans or len(scans) not in (1, len(delivery.layers)):
+        return delivery
+    every = [*scans] * len(delivery.layers) if len(scans) == 1 else scans
+    layers = (replace(one, settings=one.settings or said) for one, said in zip(delivery.layers, every))
+    return replace(delivery, layers=tuple(layers))
 
 
 def _vertices(row: SeamRow) -> np.ndarray:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -56,7 +56,10 @@ class DeliveredPiece:
     """As the how-manieth of its sample it was drawn, from 1; None where the layer is no sample."""
     scan: str = ""
     """What ``seam_id`` numbers the seams of, where that is not the sheet: a scan of many sheets."""
-
+    visibility: float | None = None
+    """The loss in just noticeable differences of contrast at 2x; None where the scan says nothing of it."""
+    has_detail: bool = True
+    """False on ground that has nothing to lose, as the scan says."""
     sheet_parts: tuple[SheetPart, ...] = ()
     """In order, from end to end, where the piece crosses borders of sheets; empty: all of it lies in ``sheet``."""
 
@@ -85,15 +88,6 @@ class DeliveredPiece:
         x, y = self.vertices.T
         along = _along(self.vertices)
         return float(np.interp(share * along[-1], along, x)), float(np.interp(share * along[-1], along, y))
-
-
-def part_of_line(vertices: np.ndarray, start: float, stop: float) -> np.ndarray:
-    """From one share of its length to another."""
-    along = _along(vertices)
-    metres = along[-1] * np.array([start, stop])
-    inner = vertices[(along > metres[0]) & (along < metres[1])]
-    ends = np.stack([np.interp(metres, along, values) for values in vertices.T], axis=1)
-    return np.concatenate([ends[:1], inner, ends[1:]])
 
 
 def _along(vertices: np.ndarray) -> np.ndarray:
@@ -151,6 +145,31 @@ class SheetOutline:
     name: str
     rings: tuple[np.ndarray, ...]
     """(n, 2) x and y each, in the delivery's reference system."""
+    findings: tuple[str, ...] = ()
+    """What 'Check a delivery' found wrong with its file, in words."""
+
+
+@dataclass(frozen=True)
+class DeliveredLayer:
+    """A layer that pieces were read from."""
+
+    name: str
+    is_sealed: bool | None
+    """Whether its rows are those that the scan left; None where it does not say."""
+    lacking_m: float
+    """Metres that the scan had, or that lie between stations, and the layer does not have."""
+    settings: Mapping[str, str]
+    """How its seams were measured, as far as the layer says."""
+    digest: str = ""
+    """SHA-256 of its rows, as ``SeamTotals`` has it."""
+
+    @property
+    def unexplained(self) -> float:
+        """Share of its mosaic that follows none of the orthoimages, in which no seam is found; 0 where nothing says."""
+        try:
+            return float(self.settings.get("unexplained", 0))
+        except ValueError:
+            return 0.0
 
 
 @dataclass(frozen=True)
@@ -169,6 +188,15 @@ class Delivery:
     """Pieces of the lot that the pieces are a sample of; None where they are no sample."""
     outlines: tuple[SheetOutline, ...] = ()
     """Of the sheets where they were given."""
+    is_checked: bool = False
+    """Whether the outlines come from a check of the files: those without findings are complete."""
+    layers: tuple[DeliveredLayer, ...] = ()
+    """That the pieces were read from, in the order in which they were given."""
+
+    @property
+    def lacking_m(self) -> float:
+        """Metres that are known to be missing; a sample lacks what was not drawn."""
+        return 0.0 if self.is_part else sum(one.lacking_m for one in self.layers)
 
     @property
     def sampled_numbers(self) -> tuple[int, ...] | None:
@@ -187,3 +215,16 @@ class Delivery:
         """Their names in order: those with seams, and those whose outlines were given."""
         own = {name for one in self.pieces for name in one.sheets}
         return tuple(sorted(own | {one.name for one in self.outlines}, key=in_words))
+
+    def sheet_rings(self) -> dict[str, list[np.ndarray]]:
+        """The closed rings of each sheet, (n, 2) x and y each: as given, or the box around its seams."""
+        rings = {one.name: [*one.rings] for one in self.outlines if one.rings}
+        boxed: dict[str, list[np.ndarray]] = {}
+        for piece in self.pieces:
+            boxed.setdefault(piece.sheet, []).append(piece.vertices)
+        for name in self.sheets:
+            if name not in rings and name in boxed:
+                left, bottom, right, top = extent_of(boxed[name])
+                corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]
+                rings[name] = [np.array(corners)]
+        return rings

@@ -27,19 +27,11 @@ class PiecePlaces:
         touching = cKDTree(self._ends.reshape(-1, 2)).query_pairs(self._tolerance_m)
         joined = [(one, other) for one, other in touching if one // 2 != other // 2]
         self._places = _united([*self._along_seams(), *joined], 2 * len(pieces)).reshape(-1, 2).tolist()
-        self._at: dict[int, list[int]] = defaultdict(list)
-        for number, places in enumerate(self._places):
-            for place in places:
-                self._at[place].append(number)
 
     def of(self, number: int) -> tuple[int, int]:
         """Where a piece begins and ends."""
         start, stop = self._places[number]
         return start, stop
-
-    def at(self, place: int) -> Sequence[int]:
-        """The pieces that begin or end there."""
-        return self._at[place]
 
     def joined(self, failed: Iterable[int], unknown: Iterable[int]) -> dict[int, tuple[int, int]]:
         """The places of failed pieces, the same for two where no more than a typical piece of unknown ones lies

@@ -8,16 +8,16 @@ import numpy as np
 
 from ...imagery.errors import Message, SettingsError
 from ...imagery.lines import Seam, points_at, vertex_stations
+from ...imagery.seam_totals import PieceState
 from . import messages
 from .acceptance_rules import SAMPLING, SamplingRule
-from .decision import PieceState, PlanOutcome, RuleOutcome
+from .decision import PlanOutcome, RuleOutcome
 from .delivery import DeliveredPiece, Delivery
-from .measured_pieces import piece_state
-from .sampling_plans import SamplingPlan, single_sampling_plan
+from .measured_pieces import state_of
+from .sampling_plans import OperatingCharacteristic, SamplingPlan, isolated_lot_plan, single_sampling_plan
 from .sampling_risks import (
     RiskPlan,
     StatedRisk,
-    allowed_at_aql,
     intraclass_correlation,
     operating_characteristic,
     plan_by_risk,
@@ -34,10 +34,10 @@ def plan_of_risk(
     """By stated risks. ``correlation``: None to estimate it from what the pieces kept, where a scan measured them."""
     seams = [piece.seam for piece in pieces]
     if correlation is None:
-        states = [piece_state(piece, least_kept) for piece in pieces]
+        states = [state_of(piece, least_kept) for piece in pieces]
         known = [
             (state is PieceState.FAILED, seam) for state, seam in zip(states, seams)
-            if state is not PieceState.NOT_MEASURED
+            if state in (PieceState.PASSED, PieceState.FAILED)
         ]  # fmt: skip
         correlation = intraclass_correlation(*zip(*known)) if known else None
         correlation = STANDARD_CORRELATION if correlation is None else correlation
@@ -83,6 +83,29 @@ def risk_sentences(found: RiskPlan, risk: StatedRisk) -> Iterator[Message]:
         )
 
 
+def rule_plan(lot_size: int, rule: SamplingRule) -> SamplingPlan:
+    """Of the standard that a rule names. Raises SettingsError for a lot of fewer than two items."""
+    if rule.lq:
+        return isolated_lot_plan(lot_size, rule.lq)
+    return single_sampling_plan(lot_size, rule.aql, rule.inspection_level, rule.severity)
+
+
+def plan_sentence(plan: SamplingPlan, risks: OperatingCharacteristic) -> Message:
+    """The standard, and what is risked; of a whole lot nothing is."""
+    if plan.is_whole_lot:
+        return messages.WITHOUT_SAMPLE(standard=plan.standard, lot=plan.lot_size)
+    good, bad = round(risks.good_quality * plan.lot_size), round(risks.limiting_quality * plan.lot_size)
+    if plan.lq is not None:
+        return messages.BY_LQ(
+            standard=plan.standard, lot=plan.lot_size, bad=bad, lq=plan.lq, consumers=risks.consumers_risk, good=good,
+            share=risks.good_quality, producers=risks.producers_risk,
+        )
+    return messages.BY_AQL(
+        standard=plan.standard, lot=plan.lot_size, letter=plan.code_letter, good=good, aql=plan.aql,
+        producers=risks.producers_risk, bad=bad, limiting=risks.limiting_quality, consumers=risks.consumers_risk,
+    )
+
+
 @dataclass(frozen=True)
 class SampledLot:
     """What a plan looks at and decides."""
@@ -100,15 +123,16 @@ def sampled_lot(
     """Draw the sample, or take that which the layers are, and count.
 
     Where the sample is drawn here, pieces that could not be measured are no part of what it is drawn from, as far as
-    the rules let so much be left out. Of a sample that was drawn before they might be failures.
+    the rules let so much be left out. Of a sample that was drawn before they might be failures. On ground without
+    detail there are no items.
     """
     given = delivery.sampled_numbers
-    measured = [number for number, state in enumerate(states) if state is not PieceState.NOT_MEASURED]
+    measured = [number for number, state in enumerate(states) if state in (PieceState.PASSED, PieceState.FAILED)]
     here = len(states if given is None else given)
     if lot_size is not None and lot_size < here:
         raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=lot_size, given=here))
     size = lot_size or delivery.lot_size or (len(measured) if given is None else here)
-    plan = single_sampling_plan(max(size, 1), rule.aql, rule.inspection_level, rule.severity)
+    plan = rule_plan(max(size, 1), rule)
     used_seed: int | None = None
     if given is not None:
         sample = list(given[: plan.sample_size])
@@ -133,20 +157,13 @@ def _rule_outcome(outcome: PlanOutcome, rule: SamplingRule, missing: int) -> Rul
     plan, failed = outcome.plan, outcome.nonconforming
     most = plan.rejection_number - 1
     passed = False if failed > most else True if failed + missing <= most else None
-    curve = outcome.characteristic
-    if passed:
-        sentence = messages.PLAN_KEPT(
-            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=plan.aql,
-            letter=plan.code_letter, allowed=allowed_at_aql(plan), producers=curve.producers_risk,
-            bad=round(curve.limiting_quality * plan.lot_size), limiting=curve.limiting_quality,
-            consumers=curve.consumers_risk,
-        )  # fmt: skip
-    elif passed is None:
+    if passed is None:
         sentence = messages.PLAN_LACKS_PIECES(needed=plan.sample_size, given=outcome.inspected)
     else:
-        sentence = messages.PLAN_EXCEEDED(
-            nonconforming=failed, inspected=outcome.inspected, limit=most, lot=plan.lot_size, aql=plan.aql,
-            letter=plan.code_letter, allowed=allowed_at_aql(plan), producers=curve.producers_risk,
+        told = plan_sentence(plan, outcome.characteristic)
+        sentence = (
+            messages.PLAN_KEPT(nonconforming=failed, inspected=outcome.inspected, limit=most, plan=told) if passed
+            else messages.PLAN_EXCEEDED(nonconforming=failed, inspected=outcome.inspected, limit=most, plan=told)
         )  # fmt: skip
     return RuleOutcome(SAMPLING, float(failed), float(most), False, passed, rule.source, sentence)
 

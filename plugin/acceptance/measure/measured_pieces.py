@@ -1,29 +1,26 @@
-"""Whether each piece passed, failed, or could not be measured; and the metres of each kind."""
+"""What each piece counts as, and the metres of each kind."""
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Sequence
-from types import SimpleNamespace
+import math
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 
 import numpy as np
 from scipy import stats
 
-from ...imagery.statistics import DECIDED, INVISIBLE, VISIBLE, Interval, agreement
-from .decision import DecidedPiece, FailureRun, MetreFigures, Observers, PieceState
+from ...imagery.seam_totals import PieceState, failing_chance, holds, piece_state
+from ...imagery.statistics import DECIDED, INVISIBLE, NORMAL_95, VISIBLE, Interval, agreement
+from .decision import DecidedPiece, FailureRun, MetreFigures, Observers
 from .delivery import DeliveredPiece, Delivery, SeenWindow
 from .sampling_risks import cluster_members
 
 NO_VERDICT = "not_comparable"  # the scan's word
 
 
-def piece_state(piece: DeliveredPiece, least_kept: float) -> PieceState:
-    """By what it kept: less than the least fails, exactly as much passes.
-
-    Where the scan has no verdict, its interval being too wide, the piece counts only if the whole interval lies on one
-    side of the limit.
-    """
-    if piece.kept_1 is None or (piece.verdict == NO_VERDICT and is_unclear(piece, least_kept, True)):
-        return PieceState.NOT_MEASURED
-    return PieceState.FAILED if piece.kept_1 < least_kept else PieceState.PASSED
+def state_of(piece: DeliveredPiece, least_kept: float) -> PieceState:
+    """By what it kept and what the scan says of it."""
+    if not piece.has_detail:
+        return PieceState.NO_DETAIL
+    return piece_state(piece.kept_1, piece.kept_low, piece.kept_high, least_kept, piece.verdict != NO_VERDICT)
 
 
 def seen_state(windows: Sequence[SeenWindow]) -> PieceState:
@@ -36,23 +33,26 @@ def seen_state(windows: Sequence[SeenWindow]) -> PieceState:
     return {VISIBLE: PieceState.FAILED, INVISIBLE: PieceState.PASSED}.get(word, PieceState.NOT_MEASURED)
 
 
-def is_unclear(piece: DeliveredPiece, least_kept: float, without_interval: bool = False) -> bool:
-    """Whether its interval holds the limit; ``without_interval``: what is said where it has none."""
-    if piece.kept_low is None or piece.kept_high is None:
-        return without_interval
-    return piece.kept_low < least_kept <= piece.kept_high
+def is_unclear(piece: DeliveredPiece, least_kept: float) -> bool:
+    """Whether its interval holds the limit."""
+    low, high = piece.kept_low, piece.kept_high
+    return low is not None and high is not None and holds(low, high, least_kept)
+
+
+def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
+    """Half the 95 % interval of the metres of some pieces that failed, as their intervals let pieces lie on the other
+    side of the limit; m. Each is as likely to keep less than the least as its own interval says."""
+    squares = (
+        one.piece.length_m**2 * chance * (1 - chance) for one in pieces if one.is_unclear
+        for chance in [failing_chance(one.piece.kept_1, one.piece.kept_low, one.piece.kept_high, least_kept)]
+    )
+    return NORMAL_95 * math.fsum(squares) ** 0.5
 
 
 def metre_figures(pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun]) -> MetreFigures:
-    """Of the whole delivery."""
-    states = [one.state for one in pieces]
-    measured = [one for one in pieces if one.is_measured]
-    return MetreFigures(
-        "", len(pieces), states.count(PieceState.FAILED), sum(one.piece.length_m for one in pieces),
-        sum((one.piece.length_m for one in measured), 0.0), sum((run.length_m for run in runs), 0.0),
-        sum((one.piece.length_m for one in measured if one.is_unclear), 0.0),
-        max((run.length_m for run in runs), default=0.0),
-    )  # fmt: skip
+    """Of the whole delivery: sums of pieces."""
+    longest = max((run.length_m for run in runs), default=0.0)
+    return _figures("", pieces, [(one, one.piece.length_m) for one in pieces], longest)
 
 
 def sheet_figures(
@@ -62,38 +62,40 @@ def sheet_figures(
 
     A piece over a border counts in the sheet of its middle, its metres where they lie.
     """
-    sums = {
-        sheet: SimpleNamespace(
-            piece_count=0, failed_count=0, total_m=0.0, measured_m=0.0, failed_m=0.0, unclear_m=0.0,
-            longest_failure_m=0.0,
-        )
-        for sheet in delivery.sheets
-    }  # fmt: skip
+    counted: dict[str, list[DecidedPiece]] = {sheet: [] for sheet in delivery.sheets}
+    parts: dict[str, list[tuple[DecidedPiece, float]]] = {sheet: [] for sheet in counted}
+    longest = dict.fromkeys(counted, 0.0)
     for one in pieces:
-        sums[one.piece.sheet].piece_count += 1
-        sums[one.piece.sheet].failed_count += one.state is PieceState.FAILED
+        counted[one.piece.sheet].append(one)
         for part in one.piece.in_sheets:
-            metres, own = one.piece.length_m * (part.stop - part.start), sums[part.sheet]
-            own.total_m += metres
-            own.measured_m += metres if one.is_measured else 0.0
-            own.unclear_m += metres if one.is_measured and one.is_unclear else 0.0
+            parts[part.sheet].append((one, one.piece.length_m * (part.stop - part.start)))
     for run in runs:
         here, metres = "", 0.0
         for sheet, length in _in_sheets(run, delivery):
             here, metres = sheet, length if sheet != here else metres + length
-            sums[sheet].failed_m += length
-            sums[sheet].longest_failure_m = max(sums[sheet].longest_failure_m, metres)
-    return [MetreFigures(sheet, **vars(own)) for sheet, own in sums.items()]
+            longest[sheet] = max(longest[sheet], metres)
+    return [_figures(sheet, counted[sheet], parts[sheet], longest[sheet]) for sheet in counted]
+
+
+def _figures(
+    name: str, counted: Sequence[DecidedPiece], parts: Sequence[tuple[DecidedPiece, float]], longest_m: float
+) -> MetreFigures:
+    """``parts``: pieces and how many metres of each."""
+    metres = {state: math.fsum(length for one, length in parts if one.state is state) for state in PieceState}
+    failed = metres[PieceState.FAILED]
+    return MetreFigures(
+        name, len(counted), sum(one.state is PieceState.FAILED for one in counted), math.fsum(metres.values()),
+        metres[PieceState.NO_DETAIL], metres[PieceState.PASSED] + failed, failed,
+        math.fsum(length for one, length in parts if one.is_unclear), longest_m,
+    )  # fmt: skip
 
 
 def _in_sheets(run: FailureRun, delivery: Delivery) -> Iterator[tuple[str, float]]:
     """Sheets and metres, as they follow each other along a run."""
-    for part in run.parts:
-        piece = delivery.pieces[part.piece]
-        for sheet in reversed(piece.in_sheets) if part.is_turned else piece.in_sheets:
-            share = min(part.stop, sheet.stop) - max(part.start, sheet.start)
-            if share > 0:
-                yield sheet.sheet, share * piece.length_m
+    for number, is_turned in zip(run.pieces, run.turned):
+        piece = delivery.pieces[number]
+        for part in reversed(piece.in_sheets) if is_turned else piece.in_sheets:
+            yield part.sheet, (part.stop - part.start) * piece.length_m
 
 
 _TOOL_WORDS = {"significant": VISIBLE, "reduced": INVISIBLE, "preserved": INVISIBLE}  # docs/desk/judging.md
@@ -121,13 +123,10 @@ def observers(windows: Sequence[SeenWindow]) -> Observers | None:
 CONFIDENCE = 0.95
 
 
-def failed_interval(pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun]) -> Interval | None:
+def failed_interval(pieces: Sequence[DecidedPiece]) -> Interval | None:
     """The share of failed metres of the pieces that were measured; None where nothing was."""
-    shares = [0.0] * len(pieces)
-    for part in (part for run in runs for part in run.parts):
-        shares[part.piece] += part.share
     measured = [
-        (one.piece.length_m, share, one.piece.seam) for one, share in zip(pieces, shares) if one.is_measured
+        (one.piece.length_m, float(one.state is PieceState.FAILED), one.piece.seam) for one in pieces if one.is_measured
     ]  # fmt: skip
     return failed_share_interval(*zip(*measured)) if measured else None
 

@@ -5,7 +5,7 @@ from ...imagery.errors import INFO, WARNING, Message
 
 # an index of sheets
 SHEETS_WITHOUT_NAMES = Message(
-    "The layer of sheets says nowhere what they are called; it needs one of the fields {fields}."
+    "The layer of sheets does not name them; it needs one of the fields {fields}."
 )
 SHEETS_ELSEWHERE = Message(
     "No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system."
@@ -13,18 +13,20 @@ SHEETS_ELSEWHERE = Message(
 SHEET_WITHOUT_PLACE = Message("The outline of the sheet {name} has coordinates that are no numbers; draw it again.")
 PIECES_OFF_SHEETS = Message("{count} pieces of seam lie in none of the sheets and keep their layer's name.", WARNING)
 # a file with rules
-TWO_RULES_FOR_CHECK = Message("{name} has two rules for '{check}' ({place} is the second); leave one.")
-RULES_WITHOUT_KEPT = Message("{name} says nowhere what a piece must keep; add a rule with the check 'kept'.")
+TWO_RULES_FOR_CHECK = Message("{name} has two rules for '{check}' ({place} is the second); keep one.")
+RULES_WITHOUT_KEPT = Message("{name} does not say what a piece must keep; add a rule with the check 'kept'.")
 RULES_DECIDE_NOTHING = Message(
     "{name} has nothing to decide by; add a rule 'failed_share', 'longest_failure' or 'sampling'."
 )
 RULES_LIMIT_MISSING = Message("{place} in {name}: the check '{check}' needs '{key}'; give it.")
 RULES_NO_SHARE = Message("{place} in {name}: '{key}' is {limit:g} and a share is at most 1; write 2 % as 0.02.")
-RULES_AQL_UNKNOWN = Message("{place} in {name}: the AQL '{aql}' is none of the standard's; known are {known}.")
+RULES_QUALITY_UNKNOWN = Message(
+    "{place} in {name}: the {key} '{value}' is none of the standard's; known are {known}."
+)
 RULES_AND_PARAMETER = Message(
     "{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out."
 )
-TWO_RULES = Message("The ready rules '{ready}' and the rules in {name} are given; leave one of the two.")
+TWO_RULES = Message("Both the ready rules '{ready}' and the rules in {name} are given; choose one of them.")
 RULES_SAY_NOTHING = Message("nothing of it", INFO)
 # plans of sampling
 LOT_EMPTY = Message("There are no pieces of seam to plan an inspection of; choose layers with lines.")
@@ -41,7 +43,7 @@ RISK_OUT_OF_RANGE = Message(
     "The producer's risk is {producers:g} % and the consumer's {consumers:g} %; both have to lie between 0 and 100."
 )
 QUALITIES_TOO_NEAR = Message(
-    "No plan tells {good:g} % from {bad:g} % with these risks; take them farther apart, or larger risks."
+    "No plan tells {good:g} % from {bad:g} % with these risks; set them farther apart, or allow larger risks."
 )
 COUNT_NOT_POSITIVE = Message("A sample of {count} pieces was asked for; give 1 or more.")
 WINDOWS_WITHOUT_MOSAIC = Message("Windows are placed on the mosaic's pixels; give MOSAIC, or take pieces as the unit.")
@@ -55,17 +57,15 @@ SHEET_FIELD_MISSING = Message("No layer of seams has the field {field}; choose o
 PIECES_OFF_MOSAIC = Message("{count} pieces do not lie on the mosaic and are no part of the lot.", WARNING)
 ALL_OFF_MOSAIC = Message("None of the seams lies on the mosaic; check the reference systems of both.")
 PLANNED_BY_STANDARD = Message(
-    "{size} of {lot} pieces are inspected and up to {acceptance} may fail (ISO 2859-1, level {level}, AQL {aql}, code "
-    "letter {letter}): of lots with {allowed} failing pieces, the AQL, {producers:.1%} are rejected, of those with "
-    "{bad} ({limiting:.1%}) {consumers:.1%} are accepted.", INFO
+    "{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).", INFO
 )
 PLANNED_BY_RISK = Message(
     "{size} of {lot} pieces are inspected and up to {acceptance} may fail: with {good:.2%} failing pieces a lot is "
     "rejected with {producers:.1%}, with {bad:.2%} accepted with {consumers:.1%}.", INFO
 )
 PLANNED_FOR_LIKENESS = Message(
-    "Pieces of one seam are alike by {correlation:.2f}, which makes the sample {effect:.2f} times as large; the risks "
-    "are those of a production that such lots come from.", INFO
+    "Pieces of one seam are correlated ({correlation:.2f}), which makes the sample {effect:.2f} times as large; the "
+    "risks are those of a production that such lots come from.", INFO
 )
 RISKS_NOT_KEPT = Message(
     "The lot is too small for risks of {producers:.1%} and {consumers:.1%}: not even all {lot} pieces keep both, since "
@@ -74,35 +74,51 @@ RISKS_NOT_KEPT = Message(
 SAMPLE_LARGER_THAN_GIVEN = Message(
     "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING
 )
-PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic tells what that is worth.", INFO)
+PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic tells the risks.", INFO)
 # the decision: {why} and {also} are reasons from below
 ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
 REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
+UNDECIDED = Message("Undecided by '{rules}': {why}.", INFO)
+ACCEPTED_BY_EYE = Message("Accepted by the observers' verdicts and '{rules}': {why}.", INFO)
+REJECTED_BY_EYE = Message("Rejected by the observers' verdicts and '{rules}': {why}.", INFO)
+UNDECIDED_BY_EYE = Message("Undecided by the observers' verdicts and '{rules}': {why}.", INFO)
 AND = Message("{why}; {also}", INFO)
 SHARE_KEPT = Message("{value:.2%} of the measured metres failed and {limit:.2%} may", INFO)
 SHARE_EXCEEDED = Message("{value:.2%} of the measured metres failed and only {limit:.2%} may", INFO)
+SHARE_OPEN = Message(
+    "{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is "
+    "not known", INFO
+)
 RUN_KEPT = Message("the longest failure without a break is {value:.1f} m and {limit:.1f} m may be", INFO)
 RUN_EXCEEDED = Message("the longest failure without a break is {value:.1f} m and only {limit:.1f} m may be", INFO)
+RUN_OPEN = Message(
+    "the longest failure without a break is {value:.1f} m and {limit:.1f} m may be, but it may be {low:.1f} to "
+    "{high:.1f} m by the intervals of its pieces", INFO
+)
 MEASURED_ENOUGH = Message("{value:.1%} of the metres were measured and {limit:.1%} have to be", INFO)
 MEASURED_TOO_LITTLE = Message(
-    "only {value:.1%} of the metres were measured and {limit:.1%} have to be, so it can't be told", INFO
+    "only {value:.1%} of the metres were measured and {limit:.1%} have to be, so it can't be decided", INFO
 )
-NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be told", INFO)
-PLAN_KEPT = Message(
-    "{nonconforming} of {inspected} inspected pieces failed and {limit} may (ISO 2859-1, lot of {lot}, code letter "
-    "{letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with "
-    "{bad} ({limiting:.1%}) {consumers:.1%} are accepted)", INFO
+NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
+MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may", INFO)
+SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
+PLAN_KEPT = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})", INFO)
+PLAN_EXCEEDED = Message("{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})", INFO)
+BY_AQL = Message(
+    "{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, "
+    "{producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted", INFO
 )
-PLAN_EXCEEDED = Message(
-    "{nonconforming} of {inspected} inspected pieces failed and only {limit} may (ISO 2859-1, lot of {lot}, code "
-    "letter {letter}; of lots with {allowed} failing pieces, the AQL of {aql}, {producers:.1%} are rejected)", INFO
+BY_LQ = Message(
+    "{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, "
+    "{consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected", INFO
 )
+WITHOUT_SAMPLE = Message("{standard}, all of the lot of {lot} inspected", INFO)
 PLAN_BETWEEN = Message(
     "As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is "
     "accepted, and the next one is inspected normally.", WARNING
 )
 PLAN_LACKS_PIECES = Message(
-    "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be told", INFO
+    "the plan needs a sample of {needed} pieces and {given} were measured, so it can't be decided", INFO
 )
 # what the decision rests on
 SHARE_INTERVAL = Message(
@@ -116,42 +132,76 @@ UNCLEAR = Message(
     "{metres:.1f} m can't be told apart from the limit of {limit:g}: their 95 % intervals hold it.", INFO
 )
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
-ENDS_ESTIMATED = Message(
-    "Where failures begin and end inside the pieces is estimated from what these kept: the longest is known to some "
-    "{longest:.0f} m, all failed metres to some {all:.0f} m.", INFO
+CUT_AT_EDGES = Message(
+    "{count} failures, {metres:.1f} m, end at the edge of a sheet where no seam goes on (no. {numbers}): they may be "
+    "longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.", WARNING
 )
-LONGEST_UNCLEAR = Message(
-    "The longest failure, {low:.0f} to {high:.0f} m, can't be told apart from the limit of {limit:.1f} m; scan with a "
-    "shorter PIECE to know it better.", WARNING
+WITHOUT_DETAIL = Message(
+    "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
+    "judged.", INFO
 )
-SHARE_UNCLEAR = Message(
-    "The failed share, {low:.2%} to {high:.2%} of the measured metres, can't be told apart from the limit of "
-    "{limit:.2%}; scan with a shorter PIECE to know it better.", WARNING
+# what would decide what is undecided
+WOULD_MEASURE = Message(
+    "What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the "
+    "orthoimages beside them, scan with a longer PIECE, or judge windows there by eye (JUDGE observer); the field "
+    "'reason' of the seams says why each was not measured.", WARNING
+)
+WOULD_LOOK = Message(
+    "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING
+)
+WOULD_TELL_APART = Message(
+    "What would decide it: a verdict on the pieces whose intervals hold the limit ({count} pieces, {metres:.0f} m). "
+    "Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.", WARNING
+)
+WOULD_GIVE_SCAN = Message("What would decide it: the layers of the whole scan, not a sample of their pieces.", WARNING)
+WOULD_GIVE_ORTHOIMAGES = Message(
+    "What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.",
+    WARNING
+)
+WOULD_GIVE_LAYER = Message(
+    "What would decide it: the layers of seams as their scans wrote them, without features taken away.", WARNING
+)
+# the layers that are decided on
+LAYERS_SEALED = Message("The layers of seams are as their scans left them ({count}).", INFO)
+LAYERS_CHANGED = Message(
+    "Layers of seams that were changed since their scan: {count} ({names}); the decision is on what they hold now.",
+    WARNING
+)
+SETTINGS_DIFFER = Message(
+    "The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.",
+    WARNING
+)
+LAYER_FILTERED = Message(
+    "{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them."
+)
+LAYER_LACKS_SEAMS = Message(
+    "{name} lacks {metres:.0f} m of seam: what its scan had, or what lies between the stations of its pieces.", WARNING
 )
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
 NOTHING_IS_ASKED = Message(
-    "A piece fails when it keeps less than 0, which none can: what was measured passes whatever it kept.", WARNING
+    "A piece fails when it keeps less than 0, which none can, so every measured piece passes.", WARNING
 )
 SAMPLE_GIVEN = Message(
     "The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the "
     "longest failure of the delivery is can't be told from it.", INFO
 )
 SAMPLE_ONLY = Message(
-    "The limits are for all metres of a delivery, and here they speak of the sample alone; decide by the plan that it "
-    "was drawn for, or give the layers of the scan.", WARNING
+    "The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was "
+    "drawn for, or give the layers of the scan.", WARNING
 )
 RUN_NOT_IN_SAMPLE = Message("how long the longest failure is can't be told from a sample", INFO)
 # observers
 BY_OBSERVER = Message("Pieces failed where the operator saw a loss in their window, whatever they kept.", INFO)
-NO_JUDGED_WINDOWS = Message("The operators' words are in the windows; give WINDOWS, or judge by the tool.")
+NO_JUDGED_WINDOWS = Message("The operators' verdicts are in the windows; give WINDOWS, or judge by the tool.")
 NO_WINDOW_JUDGED = Message(
-    "None of the {count} windows was judged; judge them in the dock and save the edits of their layer, or judge by the "
+    "None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the "
     "tool."
 )
 WINDOWS_NO_POLYGONS = Message("{name} holds no windows; choose polygons that were inspected or judged.")
 WINDOWS_SAY_NOTHING = Message(
-    "The windows in {name} were neither inspected nor judged: they lend the failures no cause and no remark.", WARNING
+    "The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.",
+    WARNING,
 )
 WINDOWS_WIDER_THAN_PIECES = Message(
     "The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen "
@@ -162,7 +212,7 @@ OBSERVERS_AGREE = Message(
     "{high:.2f}.", INFO
 )
 OBSERVERS_WITHOUT_KAPPA = Message(
-    "Both operators judged {count} windows and agreed on {agreed}; one of them said one word only, so there is no "
+    "Both operators judged {count} windows and agreed on {agreed}; one of them gave one verdict only, so there is no "
     "kappa.", INFO
 )
 TOOL_AGREES = Message(
@@ -170,8 +220,8 @@ TOOL_AGREES = Message(
     "to {high:.2f}.", INFO
 )
 TOOL_WITHOUT_KAPPA = Message(
-    "The operator judged {count} windows and the tool agreed on {agreed}; one of them said one word only, so there is "
-    "no kappa.", INFO
+    "The operator judged {count} windows and the tool agreed on {agreed}; one of them gave one verdict only, so "
+    "there is no kappa.", INFO
 )
 # layers
 NO_LAYERS = Message("No layer of seams is given; choose the layers 'Seams' of one or more scans.")
@@ -184,7 +234,7 @@ LAYERS_EMPTY = Message("The layers of seams are empty; choose those of a scan th
 LAYER_WITHOUT_CRS = Message("{name} has no coordinate reference system; set it in the layer's properties.")
 PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({count}).", WARNING)
 PIECES_TWICE = Message(
-    "{count} pieces of seam are given twice, the same line that kept the same; they count once.", WARNING
+    "{count} pieces of seam are given twice, the same line with the same figures; they count once.", WARNING
 )
 SEAMS_OVERLAP = Message(
     "{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.", WARNING
@@ -193,17 +243,17 @@ KEPT_NO_SHARES = Message(
     "kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86."
 )
 KEPT_NO_NUMBERS = Message(
-    "kept_1 of {count} pieces of {name} is no number ('{value}', say; a decimal point is a point); they count as not "
-    "measured.", WARNING
+    "kept_1 of {count} pieces of {name} is not a number (such as '{value}'; write decimals with a point); they count "
+    "as not measured.", WARNING
 )
 KEPT_NEGATIVE = Message("kept_1 of {count} pieces of {name} is below 0; they count as not measured.", WARNING)
 KEPT_LARGE = Message(
-    "kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); check whether they are shares.",
-    WARNING,
+    "kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so "
+    "check whether they are shares.", WARNING,
 )
 LENGTHS_DIFFER = Message(
-    "The field length of {count} pieces of {name} says something else than their lines (at worst {length:g} m, and "
-    "{line:.1f} m along the line); the field counts, so check whether it holds metres.", WARNING
+    "The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m "
+    "along the line); the field counts, so check whether it holds metres.", WARNING
 )
 PLACES_IN = Message("The layers are in degrees; places and lengths are told in {system}.", INFO)
 NOT_TRANSFORMED = Message(
@@ -211,7 +261,7 @@ NOT_TRANSFORMED = Message(
 )
 LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
-AQL_UNKNOWN = Message("The AQL {aql} is none of the standard's; known are {known}.")
+QUALITY_UNKNOWN = Message("The {parameter} {value} is none of the standard's; known are {known}.")
 WORD_UNKNOWN = Message("{parameter} is '{value}'; known are {known}.")
 
 
@@ -229,14 +279,38 @@ LOSS_NOT_OF_SCAN = Message(
     "{name} was not written by a scan as its picture of losses and is left out; choose the scan's LOSS.", WARNING
 )
 SCAN_UNEXPLAINED = Message(
-    "{name}: the scan found no orthoimage behind {share:.0%} of the mosaic. Seams there are in no figure unless "
-    "seamlines were given; scan again with the orthoimages that are missing.", WARNING
+    "{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are "
+    "in no figure and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING
 )
 SEAMS_FOUND = Message(
-    "{name}: the scan found the seams in the pixels, not all of which show theirs where a feather is wide. With the "
-    "producer's SEAMLINES metres and lengths are those of all seams.", WARNING
+    "{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "
+    "SEAMLINES to measure all of them.", WARNING
 )
-MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, no mosaic; no picture is cut from it.", WARNING)
+RADIOMETRY_NO_TABLE = Message(
+    "{name} is not a table of 'Check radiometry'; choose the output 'Radiometry' of a run of it."
+)
+MOSAIC_IS_LOSS = Message("{name} is a scan's picture of losses, not a mosaic; no pictures are cut from it.", WARNING)
 PAPER_STOPPED = Message(
     "The run was stopped: the failures have no pictures, and there is neither report nor XML.", WARNING
 )
+DIGESTS_STOPPED = Message("The run was stopped: there is neither report nor XML.", WARNING)
+SHEETS_NOT_WRITTEN = Message(
+    "The layer of decided sheets can't be written; choose another folder, and close the file where it is open."
+)
+# the files of a delivery; what is found at a sheet goes into tables
+NO_DELIVERY = Message("Neither a folder nor sheets are given; choose where the delivery lies, or its index.")
+NO_SHEETS = Message("{folder} holds no rasters and no sheets are given; choose the folder of the delivery.")
+CHECK_STOPPED = Message("The check was stopped; nothing is written.", WARNING)
+SHEET_FINDING = Message("{sheet}: {finding}.", WARNING)
+DELIVERY_CHECKED = Message("Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.", INFO)
+MOSAIC_NOT_WRITTEN = Message("{path} can't be written; choose another folder.")
+FILE_MISSING = Message("the file is missing", INFO)
+FILE_NOT_ORDERED = Message("it was not ordered", INFO)
+FILE_WITHOUT_PLACE = Message("the file does not say where it lies", INFO)
+NAME_OTHER = Message("its name {name} does not match {pattern}", INFO)
+PIXEL_OTHER = Message("its pixels are {pixel:.4g} m instead of {wanted:.4g} m", INFO)
+SYSTEM_OTHER = Message("its reference system is another one", INFO)
+BANDS_OTHER = Message("it has {bands} bands instead of {wanted}", INFO)
+TYPE_OTHER = Message("its pixels are {kind} instead of {wanted}", INFO)
+DATA_MISSING = Message("{share:.2%} of its outline has no data", INFO)
+MISSING_UNKNOWN = Message("whether it has data everywhere can't be told", INFO)

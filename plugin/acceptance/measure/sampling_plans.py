@@ -1,9 +1,12 @@
-"""Single sampling by attributes, indexed by the acceptance quality limit: the tables of ISO 2859-1.
+"""Single sampling by attributes: the tables of ISO 2859-1 (series of lots, by AQL) and ISO 2859-2 (isolated lots).
 
 Table 1 (code letters) and tables 2-A and 2-B (normal and tightened inspection) of ISO 2859-1:1999, which are I, II-A
 and II-B of ISO 2859-1:1989 and MIL-STD-105E. Reduced inspection is table II-C of these two, which later editions have
 with other numbers. In a master table a plan depends on the sum of its row and its column alone, the first rows of two
 tables apart; so each table is one row of numbers here, by that sum, and arrows are where it has none.
+
+Table A of ISO 2859-2:1985 (procedure A: producer and consumer both regard the lot as isolated) is indexed by the
+limiting quality; its columns below 2 % are left out: no published copy was found to hold them against.
 """
 from __future__ import annotations
 
@@ -25,12 +28,21 @@ class SamplingPlan:
     """Ac: the lot is accepted up to so many nonconforming items in the sample."""
     rejection_number: int
     """Re: it is rejected from so many on."""
-    aql: float
-    """Acceptance quality limit: nonconforming items per hundred."""
+    aql: float | None
+    """Acceptance quality limit: nonconforming items per hundred; None for one of an isolated lot."""
     inspection_level: str
     severity: str
     code_letter: str
-    """Of the table's row that the plan was taken from, arrows followed."""
+    """Of the table's row that the plan was taken from, arrows followed; empty where there are no letters."""
+    lq: float | None = None
+    """Limiting quality of an isolated lot: nonconforming items per hundred with which it is hardly ever accepted."""
+
+    @property
+    def standard(self) -> str:
+        """With the edition whose numbers it has."""
+        if self.lq is not None:
+            return "ISO 2859-2:1985"
+        return "ISO 2859-1:1989" if self.severity == REDUCED else "ISO 2859-1:1999"
 
     @property
     def is_whole_lot(self) -> bool:
@@ -46,12 +58,16 @@ class OperatingCharacteristic:
     """Fractions of 1, rising."""
     accepted: tuple[float, ...]
     """The probability of acceptance at each."""
+    good_quality: float
+    """The share of nonconforming items that the AQL allows; of an isolated lot the largest one that is rejected with
+    5 % at most, or that of one item."""
     producers_risk: float
-    """Probability that a lot as good as the AQL is rejected."""
+    """Probability that a lot as good as that is rejected."""
     limiting_quality: float
-    """The smallest share of nonconforming items at which a lot is accepted with 10 % at most (LQ, LTPD)."""
+    """The smallest share of nonconforming items at which a lot is accepted with 10 % at most (LQ, LTPD); of an isolated
+    lot that of its plan, in whole items."""
     consumers_risk: float
-    """With which it is then: 10 %, or what whole items of a lot leave below."""
+    """With which it is then: 10 %, or what whole items of a lot leave below; up to 13 % for an isolated lot."""
 
 
 NORMAL, TIGHTENED, REDUCED = "normal", "tightened", "reduced"
@@ -136,13 +152,42 @@ def single_sampling_plan(
     )
 
 
-def aql_word(value: object) -> str | None:
-    """An acceptance quality limit as the standard writes it, from a number or another way to write it."""
+_SMALLEST_ISOLATED = 16  # items: the table begins there, and smaller lots are inspected whole
+_LARGEST_ISOLATED = (25, 50, 90, 150, 280, 500, 1200, 3200, 10_000, 35_000, 150_000, 500_000)
+_ISOLATED = {  # table A: sample sizes and acceptance numbers by the lot sizes
+    "2.00": "50/0 50/0 50/0 80/0 95/0 105/0 125/0 200/1 200/1 315/3 500/5 800/10 1250/18",
+    "3.15": "50/0 50/0 44/0 55/0 65/0 80/0 125/1 125/1 200/3 315/5 500/10 800/18 800/18",
+    "5.00": "28/0 28/0 34/0 38/0 42/0 50/0 80/1 125/3 200/5 315/10 500/18 500/18 500/18",
+    "8.00": "17/0 22/0 24/0 26/0 28/0 32/0 50/1 80/3 125/5 200/10 315/18 315/18 315/18",
+    "12.5": "13/0 15/0 16/0 18/0 20/0 32/1 32/1 50/3 80/5 125/10 200/18 200/18 200/18",
+    "20.0": "9/0 10/0 10/0 13/0 20/1 20/1 32/3 50/5 80/10 125/18 125/18 125/18 125/18",
+    "31.5": "6/0 6/0 8/0 13/1 13/1 20/3 32/5 50/10 80/18 80/18 80/18 80/18 80/18",
+}
+LIMITING_QUALITIES = tuple(_ISOLATED)
+"""As the standard writes them: nonconforming items per cent."""
+DEFAULT_LQ = "5.00"
+
+
+def isolated_lot_plan(lot_size: int, lq: str) -> SamplingPlan:
+    """The plan of ISO 2859-2:1985, procedure A. A sample as large as the lot or larger is the lot itself.
+
+    Raises SettingsError for a lot of fewer than two items.
+    """
+    if lot_size < MIN_LOT:
+        raise SettingsError(messages.LOT_TOO_SMALL(size=lot_size))
+    place = sum(lot_size > largest for largest in _LARGEST_ISOLATED)
+    size, acceptance = map(int, _ISOLATED[lq].split()[place].split("/"))
+    sample = lot_size if lot_size < _SMALLEST_ISOLATED else min(size, lot_size)
+    return SamplingPlan(lot_size, sample, acceptance, acceptance + 1, None, "", "", "", float(lq))
+
+
+def word_of(value: object, words: Sequence[str]) -> str | None:
+    """A quality as the standard writes it, from a number or another way to write it; None where it has none."""
     try:
         number = float(str(value))
     except ValueError:
         return None
-    return next((word for word in AQLS if float(word) == number), None)
+    return next((word for word in words if float(word) == number), None)
 
 
 def _plan(row: int, column: int, severity: str) -> tuple[int, int] | None:

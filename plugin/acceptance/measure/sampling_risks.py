@@ -19,43 +19,50 @@ from . import messages
 from .sampling_plans import OperatingCharacteristic, SamplingPlan
 
 CONSUMERS_RISK = 0.10  # ISO 2859-1:1999, 12.6: the limiting quality is that accepted with 10 %
+PRODUCERS_RISK = 0.05
 CURVE_POINTS = 101
+_LAST_DIGITS = 1e-9
 _REACH = 2.5  # times the limiting quality: where the curve ends
 
 
 def operating_characteristic(plan: SamplingPlan) -> OperatingCharacteristic:
     """Of the lot itself."""
+    good = good_items(plan) / plan.lot_size
     limiting = limiting_quality(plan)
-    consumers = float(acceptance_probability(plan, np.array([limiting]))[0])
-    end = min(1.0, _REACH * max(limiting, plan.aql / 100))
+    producers, consumers = 1 - acceptance_probability(plan, good), acceptance_probability(plan, limiting)
+    end = min(1.0, _REACH * max(limiting, (plan.aql or 0.0) / 100))
     shares = np.unique(np.rint(np.linspace(0, end, CURVE_POINTS) * plan.lot_size)) / plan.lot_size
     accepted = acceptance_probability(plan, shares)
     return OperatingCharacteristic(
-        tuple(shares.tolist()), tuple(accepted.tolist()), producers_risk(plan), limiting, consumers
+        tuple(shares.tolist()), tuple(accepted.tolist()), good, float(producers), limiting, float(consumers)
     )
 
 
-def acceptance_probability(plan: SamplingPlan, shares: np.ndarray) -> np.ndarray:
+def acceptance_probability(plan: SamplingPlan, shares: np.ndarray | float) -> np.ndarray:
     """For shares of nonconforming items, which are rounded to whole items of the lot."""
     items = np.rint(np.asarray(shares, float) * plan.lot_size)
     return stats.hypergeom.cdf(plan.rejection_number - 1, plan.lot_size, items, plan.sample_size)
 
 
-def allowed_at_aql(plan: SamplingPlan) -> int:
-    """How many items of the lot are nonconforming where it is as good as the AQL."""
+def good_items(plan: SamplingPlan) -> int:
+    """How many items of a lot are nonconforming that is as good as the AQL; of an isolated lot the most with which it
+    is rejected with 5 % at most, or one."""
+    def is_often_rejected(items: int) -> bool:
+        return bool(1 - acceptance_probability(plan, items / plan.lot_size) > PRODUCERS_RISK)
+
+    if plan.aql is None:
+        return max(_first(is_often_rejected, 0, plan.lot_size) - 1, 1)
     return int(np.floor(plan.aql / 100 * plan.lot_size + 1e-9))
 
 
-def producers_risk(plan: SamplingPlan) -> float:
-    """The probability that a lot with as many nonconforming items as the AQL allows is rejected."""
-    return float(1 - acceptance_probability(plan, np.array([allowed_at_aql(plan) / plan.lot_size]))[0])
-
-
 def limiting_quality(plan: SamplingPlan) -> float:
-    """The smallest share of nonconforming items at which a lot is accepted with a probability of 10 % at most."""
+    """The smallest share of nonconforming items at which a lot is accepted with a probability of 10 % at most; of an
+    isolated lot as many whole items as its limiting quality makes."""
     def is_rare(items: int) -> bool:
-        return bool(acceptance_probability(plan, np.array([items / plan.lot_size]))[0] <= CONSUMERS_RISK)
+        return bool(acceptance_probability(plan, items / plan.lot_size) <= CONSUMERS_RISK)
 
+    if plan.lq is not None:
+        return math.ceil(plan.lq / 100 * plan.lot_size - _LAST_DIGITS) / plan.lot_size
     return _first(is_rare, 0, plan.lot_size) / plan.lot_size  # with none the lot is accepted, with all it is not
 
 
@@ -70,7 +77,6 @@ def _first(holds: Callable[[int], bool], below: int, known: int) -> int:
 
 MOST_NUMBER = 300  # of the acceptance number: beyond it the two qualities are as good as one
 BY_RISK = "risk"
-_LAST_DIGITS = 1e-9
 _MOST_ALIKE = 1 - 1e-6
 
 

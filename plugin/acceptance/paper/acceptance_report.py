@@ -1,30 +1,40 @@
 """REPORT: the decision on paper, which an officer signs. One HTML page that prints on A4."""
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from ...imagery.seam_totals import PieceState
 from ...imagery.statistics import Agreement
 from ...toolkit.charts.figure_files import svg_text
+from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import HowMeasured, each_raster, save_page, system_name
+from ...toolkit.resources import plugin_commit
 from ...toolkit.translation import filled, formatted, shown_number, tr
 from ..measure.acceptance_rules import KEPT
-from ..measure.decision import Decision, Defect, MetreFigures, Observers, PieceState, PlanOutcome
-from .charts import STATE_COLOURS, oc_figure, seams_figure
+from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Observers, PlanOutcome
+from .charts import STATE_COLOURS, oc_figure, pale, seams_figure
 from .defect_files import DefectPicture
-from .inspection_record import InspectionRecord
+from .inspection_record import InspectionRecord, file_name
+from .proofs import CUT_PANEL, MOSAIC_PANEL
 from .words import (
+    DIGEST_STANDARD,
     NOTHING,
+    QUALITY_STANDARDS,
+    SHEET_COLOURS,
     check_word,
     failing_sentence,
     metres,
     outcome_limit,
+    outcome_title,
     outcome_value,
     outcome_word,
     paper_sentence,
-    severity_word,
+    plan_words,
     share,
+    sheet_word,
     whole_share,
 )
 
@@ -32,6 +42,14 @@ MOST_ROWS = 300
 """Of the table of failures, the longest first."""
 MOST_LAYERS = 40
 """Of seams, listed with where they were read from."""
+MOST_IMAGES = 1000
+"""Listed with their dates: some 25 pages."""
+_PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail
+OUTCOME_STATES = {
+    AcceptanceOutcome.ACCEPTED: "good", AcceptanceOutcome.REJECTED: "bad", AcceptanceOutcome.UNDECIDED: "open",
+}  # fmt: skip
+"""How the decision looks on the page."""
+_WORST_FIRST = AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED, AcceptanceOutcome.ACCEPTED
 _RULE_KEYS = ("name", "value", "limit", "result", "is_reason", "source")
 
 
@@ -41,18 +59,26 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
     kept = () if decision.by_observer else (decision.rules.kept_source,)
     sources = list(dict.fromkeys([*kept, *(one.source for one in decision.outcomes)]))
     is_sample = decision.delivery.sampled_numbers is not None
-    figure = seams_figure(decision, defects[:MOST_ROWS])
+    figure = seams_figure(decision, defects[:MOST_ROWS], record.mosaics)
+    sheet_words = [sheet_word(outcome, one) for one, outcome in zip(decision.sheets, decision.sheet_outcomes)]
     save_page(
         path,
         "acceptance",
         _how(record),
+        title=record.head.title or tr("Acceptance of an orthophoto mosaic"),
+        head=[*record.head.rows],
         verdict=_verdict(decision),
+        failing=failing_sentence(decision),
         figures=_key_figures(decision),
+        parts=[*_parts(record)],
+        radiometry=[*_radiometry_rows(record)],
         sentences=[paper_sentence(one) for one in decision.sentences[1:]],
         rules=[*_rule_rows(decision, sources)],
         sources=sources,
-        sheets=[_sheet_row(one, decision.by_observer) for one in decision.sheets],
-        whole=_sheet_row(decision.whole, decision.by_observer) if len(decision.sheets) > 1 else None,
+        sheets=[_sheet_row(*one, decision.by_observer) for one in zip(decision.sheets, sheet_words)],
+        sheets_sentence=_sheets_sentence(sheet_words),
+        whole=_sheet_row(decision.whole, "", decision.by_observer) if len(decision.sheets) > 1 else None,
+        findings=[(one.name, "; ".join(one.findings)) for one in decision.delivery.outlines if one.findings],
         map=None if figure is None else svg_text(figure),
         map_legend=_legend(decision),
         is_sample=is_sample,
@@ -61,13 +87,20 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         defect_count=len(defects),
         has_words=any(one.cause or one.remarks for one in defects[:MOST_ROWS]),
         has_images=any(one.worst.piece.left_source or one.worst.piece.right_source for one in defects[:MOST_ROWS]),
+        has_visibility=any(one.worst.piece.visibility is not None for one in defects[:MOST_ROWS]),
         pictures=_pictures(defects, pictures),
+        proofs=_proofs(defects, pictures),
         picture_count=len(pictures),
         plan=None if decision.plan is None else _plan_facts(decision.plan),
         plan_chart=None if decision.plan is None else svg_text(oc_figure(decision.plan)),
         observers=_observer_rows(decision.observers),
         layers=record.seams[:MOST_LAYERS],
         layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
+        images=[[one.path or one.name, one.date, _bytes(one.size)] for one in record.images[:MOST_IMAGES]],
+        has_image_files=any(one.path for one in record.images),
+        images_left_out=max(len(record.images) - MOST_IMAGES, 0),
+        digests=[(one.path, _bytes(one.size), one.sha256) for one in record.digests],
+        standards=[*_standards(decision, record)],
     )  # fmt: skip
 
 
@@ -78,6 +111,7 @@ def _how(record: InspectionRecord) -> HowMeasured:
         "piece_m": tr("length of a piece of seam (m)"), "corridor_m": tr("corridor (m)"),
     }  # fmt: skip
     settings = [
+        (tr("commit of the plugin"), plugin_commit()),
         (tr("rules"), decision.rules.name),
         (tr("file of the rules"), record.rules),
         (tr("which pieces fail"), failing_sentence(decision)),
@@ -93,23 +127,77 @@ def _how(record: InspectionRecord) -> HowMeasured:
 def _verdict(decision: Decision) -> tuple[str, str, str]:
     """A state, a word, and the first sentence of the decision."""
     first = paper_sentence(decision.sentences[0]) if decision.sentences else ""
-    return ("good", tr("accepted"), first) if decision.accepted else ("bad", tr("rejected"), first)
+    return OUTCOME_STATES[decision.outcome], outcome_title(decision.outcome), first
 
 
 def _key_figures(decision: Decision) -> list[tuple[str, str]]:
     whole, interval = decision.whole, decision.failed_share
-    failed = share(whole.failed_share)
+    failed = tr("of what was measured failed")
     if interval is not None:
-        failed += f" ({shown_number(100 * interval.low)} - {shown_number(100 * interval.high)}\u00a0%)"
+        ends = {"low": formatted(100 * interval.low, ".2f"), "high": formatted(100 * interval.high, ".2f") + "\u00a0%"}
+        failed = filled(tr("of what was measured failed (95 % interval: {low} to {high})"), **ends)
     longest = decision.longest_failure_m
     return [
         (metres(whole.total_m), tr("of seam") if decision.delivery.sampled_numbers is None else (
             tr("of seam in the sample"))),
-        (share(whole.measured_share, 1), tr("of it measured")),
+        (share(whole.measured_share, 1), tr("of it measured") if not whole.no_detail_m else (
+            filled(tr("measured, of the {metres} on ground with detail"), metres=metres(whole.judged_m)))),
         (metres(whole.failed_m), tr("of it failed")),
-        (failed, tr("of what was measured failed (95 % interval)")),
+        (share(whole.failed_share), failed),
         *([] if longest is None else [(metres(longest), tr("failed without a break"))]),
     ]
+
+
+def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
+    """What of the delivery was checked, what came of it, in figures, and whether it speaks against the delivery."""
+    decision, count = record.decision, len(record.decision.sheets)
+    failures = filled(tr("failures: {count}, in sheets: {sheets} of {all}"),
+        count=len(decision.runs), sheets=sum(one.failed_count > 0 for one in decision.sheets), all=count)
+    yield tr("detail kept along the seams"), outcome_title(decision.outcome), failures, decision.accepted is not True
+    found = sum(bool(one.findings) for one in decision.delivery.outlines)
+    if decision.delivery.is_checked:
+        words = filled(tr("sheets with findings: {count} of {all}"), count=found, all=count)
+        result = tr("With findings") if found else tr("No findings")
+        yield tr("completeness and form of the files"), result, words, found > 0
+    else:
+        yield tr("completeness and form of the files"), tr("Not checked"), tr("'Check a delivery' checks it"), False
+    outcomes = [one.outcome for one in record.radiometry]
+    worst = next((one for one in _WORST_FIRST if one in outcomes), None)
+    words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(outcomes),
+        rejected=outcomes.count(AcceptanceOutcome.REJECTED), open=outcomes.count(AcceptanceOutcome.UNDECIDED))
+    if worst is None:
+        yield tr("radiometry"), tr("Not checked"), tr("'Check radiometry' checks it"), False
+    else:
+        yield tr("radiometry"), outcome_title(worst), words, worst is not AcceptanceOutcome.ACCEPTED
+
+
+def _radiometry_rows(record: InspectionRecord) -> Iterator[list[str]]:
+    """Of the images that are not accepted, the worst first."""
+    for outcome in _WORST_FIRST[:2]:
+        for one in record.radiometry:
+            if one.outcome is outcome:
+                yield [one.name, outcome_title(outcome), "; ".join(one.failed_by)]
+
+
+def _sheets_sentence(verdicts: Sequence[str]) -> str:
+    """How many sheets have which verdict; empty where they have none."""
+    counts = Counter(verdicts)
+    words = [*map(outcome_title, AcceptanceOutcome), tr("No seams")]
+    return ", ".join(f"{word}: {counts[word]}" for word in words if counts[word]) if all(verdicts) else ""
+
+
+def _standards(decision: Decision, record: InspectionRecord) -> Iterator[str]:
+    """Those that the decision rests on, each with its edition."""
+    if decision.plan is not None:
+        yield decision.plan.plan.standard
+    yield from QUALITY_STANDARDS
+    if record.digests:
+        yield DIGEST_STANDARD
+
+
+def _bytes(size: int | None) -> str:
+    """In whole bytes, three by three."""
+    return "" if size is None else f"{size:,}".replace(",", "\u202f")
 
 
 def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str, object]]:
@@ -132,12 +220,11 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str,
         )))  # fmt: skip
 
 
-def _sheet_row(one: MetreFigures, by_observer: bool) -> list[str]:
+def _sheet_row(one: MetreFigures, word: str, by_observer: bool) -> list[str]:
     if not one.piece_count:
-        name = filled(tr("{sheet} (no seams)"), sheet=one.name)
-        return [name, metres(0.0), *[NOTHING] * 5, "" if by_observer else NOTHING]
+        return [one.name, word, metres(0.0), *[NOTHING] * 5, "" if by_observer else NOTHING]
     return [
-        one.name or tr("all"), metres(one.total_m), share(one.measured_share, 1), metres(one.failed_m),
+        one.name or tr("all"), word, metres(one.total_m), share(one.measured_share, 1), metres(one.failed_m),
         share(one.failed_share), metres(one.longest_failure_m), f"{one.failed_count} / {one.piece_count}",
         "" if by_observer else metres(one.unclear_m),
     ]  # fmt: skip
@@ -146,10 +233,17 @@ def _sheet_row(one: MetreFigures, by_observer: bool) -> list[str]:
 def _legend(decision: Decision) -> list[tuple[str, str]]:
     words = {
         PieceState.FAILED: tr("pieces that failed"), PieceState.PASSED: tr("pieces that passed"),
-        PieceState.NOT_MEASURED: tr("not measured"),
+        PieceState.NOT_MEASURED: tr("not measured"), PieceState.NO_DETAIL: tr("ground without detail"),
     }  # fmt: skip
     present = {one.state for one in decision.pieces}
-    return [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]
+    entries = [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]
+    if len(decision.sheets) > 1:
+        sheets = {outcome for outcome in decision.sheet_outcomes if outcome is not None}
+        entries += [
+            (pale(SHEET_COLOURS[outcome]), filled(tr("sheet: {verdict}"), verdict=outcome_title(outcome)))
+            for outcome in AcceptanceOutcome if outcome in sheets
+        ]  # fmt: skip
+    return entries
 
 
 def _defect_text(one: Defect) -> dict[str, Any]:
@@ -165,16 +259,12 @@ def _defect_text(one: Defect) -> dict[str, Any]:
         "length": metres(one.length_m),
         "kept": kept,
         "band": "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
+        "visibility": "" if piece.visibility is None else f"{formatted(piece.visibility, '.1f')}\u00a0JND",
         "cause": tr(one.cause) if one.cause else "",
-        "images": [(_file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
+        "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
         "place": [formatted(along, ".1f") for along in one.place],
         "remark": "; ".join(one.remarks),
     }
-
-
-def _file_name(path: str) -> str:
-    """Seamlines may name files with their folders, of any system."""
-    return path.replace("\\", "/").rstrip("/").rpartition("/")[2]
 
 
 def _pictures(
@@ -182,12 +272,34 @@ def _pictures(
 ) -> Iterator[tuple[DefectPicture, str]]:
     """With what is said below each."""
     for one in defects:
-        if (picture := pictures.get(one.number)) is not None:
+        if (picture := pictures.get(one.number)) is not None and picture.proof is None:
             text = _defect_text(one)
             kept = filled(tr("{kept} kept"), kept=text["kept"])
             parts = [f"{one.number}", text["sheets"], text["length"], kept]
             caption = ", ".join(part for part in parts if part)
             yield picture, f"{caption}. {_shown(picture)}"
+
+
+def _proofs(defects: Sequence[Defect], pictures: Mapping[int, DefectPicture]) -> Iterator[dict[str, Any]]:
+    """A page for each failure that is proved."""
+    for one in defects:
+        picture = pictures.get(one.number)
+        if picture is not None and picture.proof is not None:
+            proof = picture.proof
+            titles = {MOSAIC_PANEL: tr("The mosaic"), CUT_PANEL: tr("Its orthoimages, cut hard")}
+            dates = dict(_defect_text(one)["images"])
+            panels = [
+                (encoded(panel.pixels, "JPEG", _PROOF_QUALITY), panel.pixels.shape[1],
+                 titles.get(panel.kind) or _image_title(panel.name, dates))
+                for panel in proof.panels
+            ]  # fmt: skip
+            yield {"text": _defect_text(one), "picture": picture, "shown": _shown(picture), "panels": panels,
+                   "profile": proof.profile_svg}
+
+
+def _image_title(name: str, dates: Mapping[str, str]) -> str:
+    day = dates.get(name) or dates.get(name.rpartition(".")[0], "")
+    return filled(tr("Orthoimage {name}"), name=f"{name} ({day})" if day else name)
 
 
 def _shown(picture: DefectPicture) -> str:
@@ -206,16 +318,15 @@ def _shown(picture: DefectPicture) -> str:
 def _plan_facts(found: PlanOutcome) -> list[tuple[str, str]]:
     plan, risk = found.plan, found.characteristic
     facts = [
-        (tr("plan"), filled(tr("ISO 2859-1, single sampling, level {level}, {severity}, AQL {aql}"),
-            level=plan.inspection_level, severity=severity_word(plan.severity), aql=plan.aql)),
+        (tr("plan"), plan_words(plan)),
         (tr("code letter"), plan.code_letter),
         (tr("lot"), filled(tr("{count} pieces of seam"), count=plan.lot_size)),
         (tr("sample"), filled(tr("{count} pieces of seam, of which {measured} were measured"),
             count=plan.sample_size, measured=found.inspected)),
         (tr("accepted up to"), filled(tr("{count} failed pieces in the sample"), count=plan.acceptance_number)),
         (tr("found"), filled(tr("{count} failed pieces in the sample"), count=found.nonconforming)),
-        (tr("producer's risk"), filled(tr("{risk}: a delivery as good as the AQL is rejected"),
-            risk=share(risk.producers_risk, 1))),
+        (tr("producer's risk"), filled(tr("{risk}: a delivery with {quality} of failed pieces is rejected"),
+            risk=share(risk.producers_risk, 1), quality=share(risk.good_quality, 1))),
         (tr("consumer's risk"), filled(tr("{risk}: a delivery with {quality} of failed pieces is accepted"),
             risk=share(risk.consumers_risk, 1), quality=share(risk.limiting_quality, 1))),
     ]  # fmt: skip

@@ -1,22 +1,31 @@
 """Charts of a decision: where seams failed, and how a plan of sampling decides."""
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from itertools import chain
+from typing import Callable
 
 import numpy as np
 from matplotlib import patheffects
 from matplotlib.axes import Axes
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
-from ...imagery.errors import printable
-from ...imagery.reference_systems import metres_per_unit
+from ...imagery.clips import read_overview
+from ...imagery.errors import RasterError, printable
+from ...imagery.grids import Extent
+from ...imagery.rasters import Raster
+from ...imagery.reference_systems import extent_on, metres_per_unit
+from ...imagery.seam_totals import PieceState
 from ...toolkit.charts.chart_style import PAPER
 from ...toolkit.charts.figure_files import new_figure
+from ...toolkit.picture_stretch import cut_range
 from ...toolkit.translation import filled, formatted, shown_number, tr
-from ..measure.decision import Decision, Defect, PieceState, PlanOutcome
+from ..measure.decision import Decision, Defect, PlanOutcome
 from ..measure.delivery import extent_of
 from ..measure.sampling_risks import acceptance_probability
+from .words import SHEET_COLOURS
 
 _SIZE = (6.2, 3.4)  # inches
 _MOST_KEPT = 1.3  # beyond it nothing is of interest
@@ -47,14 +56,22 @@ def kept_figure(decision: Decision) -> Figure:
     return figure
 
 
-STATE_COLOURS = {PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9", PieceState.FAILED: "#d55e00"}
+STATE_COLOURS = {
+    PieceState.NO_DETAIL: "#b9bec4", PieceState.PASSED: "#57606a", PieceState.NOT_MEASURED: "#56b4e9",
+    PieceState.FAILED: "#d55e00",
+}  # fmt: skip
 """In the order in which they are drawn."""
-_WIDTHS = {PieceState.PASSED: 0.7, PieceState.NOT_MEASURED: 1.0, PieceState.FAILED: 2.2}
+_WIDTHS = {PieceState.NO_DETAIL: 0.5, PieceState.PASSED: 0.7, PieceState.NOT_MEASURED: 1.0, PieceState.FAILED: 2.2}
 _WIDTH, _MOST_HEIGHT, _LEAST_HEIGHT = 6.7, 6.2, 1.6  # inches on paper
 _STRIP = 0.35  # inches: below the map, for scale bar and north
 _MARGIN = 0.04  # of the longer side
 _FINEST_PT = 0.25  # lines are thinned to it
 _MOST_SHEET_NAMES = 60
+_BACKDROP_PX, _LEAST_BACKDROP_PX = 640, 16  # the longer side of the mosaics on the map, and of one of many
+_PALEST, _GREYS = 0.55, 31  # the darkest grey of that, and how many: more make the file larger, and nothing clearer
+_SHEET_ALPHA, _SHEET_EDGE = 0.2, "#57606a"
+_LEGEND_ALPHA = 0.35
+_TICKS, _TICK_PT, _COORDINATE_PT = 4, 3.0, 5.5  # coordinates along the longer side, their marks and letters
 _NAME_PT, _LETTER_PT = 6.0, 3.6  # a sheet's name, and how wide a letter of it is about
 _HALO = [patheffects.withStroke(linewidth=1.6, foreground="white")]
 _NAME_COLOUR, _LEAST_LETTERS = "#57606a", 12
@@ -63,11 +80,12 @@ _CROWDED_NAMES_PT = (45.0, 9.0)  # likewise of sheets
 _CROWDED_PT = (18.0, 9.0)  # across and up: numbers of failures nearer to each other than that are left out
 
 
-def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None:
-    """A sketch map: sheets, seams by what became of them, the numbers of failures. None without seams."""
+def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequence[Raster] = ()) -> Figure | None:
+    """A sketch map: the mosaics in pale grey, sheets by their verdicts, seams by what became of them, the numbers of
+    failures, coordinates along the frame. None without seams."""
     if not decision.pieces:
         return None
-    outlines = _outlines(decision)
+    outlines = decision.delivery.sheet_rings()
     xmin, ymin, xmax, ymax = extent_of([*(one.piece.vertices for one in decision.pieces), *chain(*outlines.values())])
     metres_x, metres_y = metres_per_unit(decision.delivery.wkt, (ymin + ymax) / 2)
     margin = max((xmax - xmin) * metres_x, (ymax - ymin) * metres_y, 1.0) * _MARGIN
@@ -82,17 +100,12 @@ def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None
         middle = np.array([(xmin + xmax) / 2, (ymin + ymax) / 2])
         return (points - middle) * (metres_x * scale, metres_y * scale)
 
-    named: list[np.ndarray] = []
-    for name, rings in outlines.items():
-        for ring in rings:
-            axes.plot(*placed(ring).T, color=PAPER.grid, linewidth=0.8)
-        left, _, right, top = extent_of(map(placed, rings))
-        corner = np.array([left, top])
-        is_free = all((abs(corner - other) > _CROWDED_NAMES_PT).any() for other in named)
-        if 1 < len(outlines) <= _MOST_SHEET_NAMES and is_free:
-            named.append(corner)
-            axes.text(left + 2, top - 2, _short(printable(name), (right - left - 4) / _LETTER_PT), color=_NAME_COLOUR,
-                      fontsize=_NAME_PT, ha="left", va="top", parse_math=False, path_effects=_HALO, zorder=3)
+    bounds = xmin - margin / metres_x, ymin - margin / metres_y, xmax + margin / metres_x, ymax + margin / metres_y
+    for pixels, extent in _backdrop(mosaics, bounds, decision.delivery.wkt):
+        (left, bottom), (right, top) = placed(np.array(extent).reshape(2, 2))
+        axes.imshow(pixels, extent=(left, right, bottom, top), aspect="auto", zorder=0, interpolation="bilinear")
+    _draw_coordinates(axes, placed, bounds)
+    _draw_sheets(axes, placed, decision, outlines)
     for state, colour in STATE_COLOURS.items():
         lines = [_thinned(placed(one.piece.vertices)) for one in decision.pieces if one.state is state]
         if lines:
@@ -112,32 +125,85 @@ def seams_figure(decision: Decision, defects: Sequence[Defect]) -> Figure | None
     return figure
 
 
-def _outlines(decision: Decision) -> dict[str, list[np.ndarray]]:
-    """The closed rings of each sheet: as given, or the box around its seams."""
-    rings = {one.name: [*one.rings] for one in decision.delivery.outlines if one.rings}
-    boxed: dict[str, list[np.ndarray]] = {}
-    for piece in decision.delivery.pieces:
-        boxed.setdefault(piece.sheet, []).append(piece.vertices)
-    for name in decision.delivery.sheets:
-        if name not in rings and name in boxed:
-            left, bottom, right, top = extent_of(boxed[name])
-            corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]
-            rings[name] = [np.array(corners)]
-    return rings
+def pale(colour: str) -> str:
+    """A sheet's colour as it looks on the map, for the legend."""
+    return to_hex([1 - _LEGEND_ALPHA * (1 - part) for part in to_rgb(colour)])
+
+
+def _backdrop(mosaics: Sequence[Raster], bounds: Extent, wkt: str) -> Iterator[tuple[np.ndarray, Extent]]:
+    """Pale grey pictures, (rows, columns, 3) uint8, and where they lie; none of a mosaic in another system, nor where
+    too many pixels would have to be read."""
+    for mosaic in mosaics:
+        with suppress(RasterError):
+            across = (mosaic.extent[2] - mosaic.extent[0]) / (bounds[2] - bounds[0])
+            size = max(int(_BACKDROP_PX * min(across, 1.0)), _LEAST_BACKDROP_PX)
+            is_same = np.allclose(extent_on(bounds, wkt, mosaic.wkt), bounds, atol=mosaic.grid.pixel_width)
+            found = read_overview(mosaic, bounds, size) if is_same else None
+            if found is not None:
+                block, extent = found
+                bands = block.bands[: 3 if mosaic.has_luminance else 1].astype(np.float32)
+                grey = bands.mean(axis=0)
+                low, high = cut_range([grey[block.valid]])
+                share = np.clip((grey - low) / (high - low), 0, 1)
+                shown = np.rint((_PALEST + (1 - _PALEST) * share) * _GREYS) * (255 / _GREYS)
+                shown[~block.valid] = 255
+                yield np.repeat(shown.astype(np.uint8)[..., np.newaxis], 3, axis=2), extent
+
+
+def _draw_sheets(
+    axes: Axes, placed: Callable[[np.ndarray], np.ndarray], decision: Decision, outlines: Mapping[str, list[np.ndarray]]
+) -> None:
+    """Outlines in the colours of the verdicts, and as many names as have room."""
+    states = {one.name: outcome for one, outcome in zip(decision.sheets, decision.sheet_outcomes)}
+    named: list[np.ndarray] = []
+    for name, rings in outlines.items():
+        colour = SHEET_COLOURS[states.get(name)] if len(outlines) > 1 else PAPER.quiet
+        for ring in rings:
+            axes.fill(*placed(ring).T, facecolor=(*to_rgb(colour), _SHEET_ALPHA), edgecolor=_SHEET_EDGE, linewidth=0.8)
+        left, _, right, top = extent_of(map(placed, rings))
+        corner = np.array([left, top])
+        is_free = all((abs(corner - other) > _CROWDED_NAMES_PT).any() for other in named)
+        if 1 < len(outlines) <= _MOST_SHEET_NAMES and is_free:
+            named.append(corner)
+            axes.text(left + 2, top - 2, _short(printable(name), (right - left - 4) / _LETTER_PT), color=_NAME_COLOUR,
+                      fontsize=_NAME_PT, ha="left", va="top", parse_math=False, path_effects=_HALO, zorder=3)
+
+
+def _draw_coordinates(axes: Axes, placed: Callable[[np.ndarray], np.ndarray], bounds: Extent) -> None:
+    """A frame with round coordinates along its lower and left edges."""
+    left, bottom, right, top = bounds
+    corners = placed(np.array([(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]))
+    axes.plot(*corners.T, color=PAPER.quiet, linewidth=0.6)
+    step = _round_below(max(right - left, top - bottom) / _TICKS)
+    style = {"fontsize": _COORDINATE_PT, "color": PAPER.quiet, "path_effects": _HALO, "zorder": 3}
+    for x in np.arange(np.ceil(left / step), np.floor(right / step) + 1) * step:
+        (across, foot), = placed(np.array([(x, bottom)]))
+        axes.plot([across, across], [foot, foot + _TICK_PT], color=PAPER.quiet, linewidth=0.6)
+        axes.text(across, foot + _TICK_PT, formatted(x, ".0f"), ha="center", va="bottom", **style)
+    for y in np.arange(np.ceil(bottom / step), np.floor(top / step) + 1) * step:
+        (edge, up), = placed(np.array([(left, y)]))
+        axes.plot([edge, edge + _TICK_PT], [up, up], color=PAPER.quiet, linewidth=0.6)
+        axes.text(edge + _TICK_PT, up, formatted(y, ".0f"), ha="left", va="center", rotation=90, **style)
+
+
+def _round_below(value: float) -> float:
+    """The largest of 1, 2 and 5 times a power of ten that is not above a value."""
+    decade = 10.0 ** np.floor(np.log10(value))
+    return float(max(digit * decade for digit in (1, 2, 5) if digit * decade <= value))
 
 
 def oc_figure(found: PlanOutcome) -> Figure:
     """The operating characteristic of a plan: how likely a delivery is accepted by how good it is."""
-    plan, characteristic = found.plan, found.characteristic
+    characteristic = found.characteristic
     figure = new_figure(6.2, 3.2)
     axes = figure.subplots()
     shares, accepted = _steps(found)
     axes.step(100 * shares, 100 * accepted, where="post", color=PAPER.text, linewidth=1.6)
-    aql, quality = float(plan.aql), 100 * characteristic.limiting_quality
+    good, quality = 100 * characteristic.good_quality, 100 * characteristic.limiting_quality
     for x, y, colour, words in (
-        (aql, 100 * (1 - characteristic.producers_risk), PAPER.sources[2],
-         filled(tr("AQL {aql} %: rejected in {risk} % (producer's risk)"),
-             aql=_plain(aql), risk=_plain(100 * characteristic.producers_risk))),
+        (good, 100 * (1 - characteristic.producers_risk), PAPER.sources[2],
+         filled(tr("good quality {quality} %: rejected in {risk} % (producer's risk)"),
+             quality=_plain(good), risk=_plain(100 * characteristic.producers_risk))),
         (quality, 100 * characteristic.consumers_risk, PAPER.limit,
          filled(tr("limiting quality {quality} %: accepted in {risk} % (consumer's risk)"),
              quality=_plain(quality), risk=_plain(100 * characteristic.consumers_risk))),
@@ -145,7 +211,7 @@ def oc_figure(found: PlanOutcome) -> Figure:
         axes.plot([x, x, 0], [0, y, y], color=colour, linewidth=0.9, linestyle="--")
         axes.plot([x], [y], "o", color=colour, markersize=5, label=words)
     far = 100 * shares[accepted > 0.002]
-    axes.set_xlim(0, max(float(far[-1]) if len(far) else 0.0, 1.3 * quality, 2 * aql))
+    axes.set_xlim(0, max(float(far[-1]) if len(far) else 0.0, 1.3 * quality, 2 * good))
     axes.set_ylim(0, 102)
     axes.set_xlabel(tr("failed pieces in the delivery (%)"))
     axes.set_ylabel(tr("probability of acceptance (%)"))
@@ -188,9 +254,7 @@ def _thinned(path: np.ndarray) -> np.ndarray:
 
 def _draw_scale_bar(axes: Axes, scale: float, foot: float) -> None:
     """A round length in the lower left corner, north up in the lower right one; ``foot``: of the strip for them."""
-    most = 0.25 * 72 * _WIDTH / scale
-    decade = 10.0 ** np.floor(np.log10(most))
-    metres = max(digit * decade for digit in (1, 2, 5) if digit * decade <= most)
+    metres = _round_below(0.25 * 72 * _WIDTH / scale)
     left, bottom = -36 * _WIDTH + 6, foot + 6
     axes.plot([left, left + metres * scale], [bottom, bottom], color=PAPER.text, linewidth=2.5, solid_capstyle="butt")
     words = formatted(metres / 1000, "g") + " km" if metres >= 1000 else formatted(metres, "g") + " m"

@@ -11,7 +11,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from qgis.core import QgsFeature, QgsFields, QgsGeometry, QgsLineString
+from qgis.core import QgsFeature, QgsGeometry, QgsLineString
 
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import RasterError, SettingsError
@@ -24,9 +24,11 @@ from ...imagery.records import Column
 from ...imagery.reference_systems import transform_points
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_of, ranges_with
-from ...toolkit.table_fields import column_features, column_fields
+from ...toolkit.table_fields import column_features
 from ..measure import messages
 from ..measure.decision import Defect
+from .proofs import PROOF_PX, PROOF_SIDE_M, Proof, Prover
+from .words import rounded
 
 _NAME = "defect_{}.jpg"
 
@@ -48,7 +50,7 @@ def save_pictures(folder: Path, pictures: Mapping[int, DefectPicture], paths: di
     for number, picture in pictures.items():
         path = folder / _NAME.format(f"{number:03d}")
         with whole_file(path) as unfinished:
-            unfinished.write_bytes(picture.jpeg)
+            unfinished.write_bytes(picture.with_proof())
         paths[number] = str(path)
 
 
@@ -59,8 +61,9 @@ MOST_REDUCED = 8.0
 
 _AROUND = 1.25  # of a failure's extent
 _DASH_PX, _GAP_PX = 7.0, 9.0  # of the picture: what is lost has to be seen between the dashes
-_LINE, _EDGE = (255, 214, 0), (0, 0, 0)
+_LINE, _EDGE, _FRAME = (255, 214, 0), (0, 0, 0), (255, 255, 255)
 _GUTTER_PX = 8
+_PROOF_SCALE = 2
 _HELD = 8  # open sheets
 
 
@@ -78,14 +81,28 @@ class DefectPicture:
     """What the second panel shows across; None where there is one panel."""
     is_whole: bool
     """Whether all of the failure is on it."""
+    proof: Proof | None = None
+    """The part that is framed beside its orthoimages; None where none is known."""
+    pixels: np.ndarray | None = None
+    """(rows, columns, 3) uint8: what ``jpeg`` holds."""
+
+    def with_proof(self) -> bytes:
+        """A JPEG of all: below the picture the proof's panels at 2x, mosaic, cut and orthoimages in a row."""
+        if self.proof is None or self.pixels is None:
+            return self.jpeg
+        panels = _beside([one.pixels.repeat(_PROOF_SCALE, 0).repeat(_PROOF_SCALE, 1) for one in self.proof.panels])
+        columns = max(self.pixels.shape[1], panels.shape[1])
+        rows = [np.pad(one, ((0, _GUTTER_PX), (0, columns - one.shape[1]), (0, 0)), constant_values=255)
+                for one in (self.pixels, panels)]
+        return encoded(np.ascontiguousarray(np.concatenate(rows)[:-_GUTTER_PX]), "JPEG")
 
 
 class DefectPictures:
     """Cuts pictures from the sheets of a delivery, all shown by the same range of values."""
 
-    def __init__(self, mosaics: Sequence[Raster], wkt: str) -> None:
+    def __init__(self, mosaics: Sequence[Raster], wkt: str, prover: Prover | None = None) -> None:
         """``wkt``: the failures' reference system."""
-        self._mosaics, self._wkt = mosaics, wkt
+        self._mosaics, self._wkt, self._prover = mosaics, wkt, prover
         self._open = lru_cache(_HELD)(OpenRaster)
         self._ranges: GreyRanges = {}
 
@@ -105,12 +122,25 @@ class DefectPictures:
         window, is_whole = _window(np.concatenate(lines), worst)
         windows = [window] if window.width <= PICTURE_PX else [window, _square(worst, PICTURE_PX)]
         shown = [_inside(one, mosaic) for one in windows]
-        pixels = _beside([self._panel(mosaic, one, lines) for one in shown])
+        panels = [self._panel(mosaic, one, lines) for one in shown]
+        proof = self._proof(mosaic, defect, worst)
+        if proof is not None and len(panels[-1]) == shown[-1].height:
+            part = proof.part.moved_by(-shown[-1].column, -shown[-1].row)
+            draw_frame(panels[-1], part)
+        pixels = _beside(panels)
         pixel_m = mosaic.grid.pixel_width * mosaic.grid.metres_x
         side_m, *detail_m = (one.width * pixel_m for one in shown)
         return DefectPicture(
-            encoded(pixels, "JPEG"), pixels.shape[1], side_m, detail_m[0] if detail_m else None, is_whole
-        )
+            encoded(pixels, "JPEG"), pixels.shape[1], side_m, detail_m[0] if detail_m else None, is_whole,
+            proof, pixels,
+        )  # fmt: skip
+
+    def _proof(self, mosaic: Raster, defect: Defect, worst: np.ndarray) -> Proof | None:
+        if self._prover is None:
+            return None
+        side = max(round(PROOF_SIDE_M / mosaic.ground_sample_distance), PROOF_PX)
+        window, piece = _inside(_square(worst, side), mosaic), defect.worst.piece
+        return self._prover(mosaic, mosaic.grid.window_extent(window), (piece.left_source, piece.right_source))
 
     def _panel(self, mosaic: Raster, inside: PixelWindow, lines: Sequence[np.ndarray]) -> np.ndarray:
         """(rows, columns, 3) uint8 of a window of the mosaic, the lines drawn into it."""
@@ -159,6 +189,19 @@ def _window(places: np.ndarray, worst: np.ndarray) -> tuple[PixelWindow, bool]:
     return _square((low + high) / 2 if is_whole else worst, side), is_whole
 
 
+def draw_frame(pixels: np.ndarray, window: PixelWindow) -> None:
+    """An outline of a window, in place; what lies outside is left out."""
+    left, top = max(window.column, 0), max(window.row, 0)
+    right, bottom = (min(end, size) - 1 for end, size in (
+        (window.column + window.width, pixels.shape[1]), (window.row + window.height, pixels.shape[0])
+    ))  # fmt: skip
+    for inset, colour in enumerate((_EDGE, _FRAME, _EDGE)):
+        if left + inset < right - inset and top + inset < bottom - inset:
+            rows, columns = slice(top + inset, bottom - inset + 1), slice(left + inset, right - inset + 1)
+            pixels[[top + inset, bottom - inset], columns] = pixels[rows, [left + inset]] = colour
+            pixels[rows, [right - inset]] = colour
+
+
 def _draw_dashes(pixels: np.ndarray, path: np.ndarray) -> None:
     """A dashed line along a path of (n, 2) columns and rows, in place; what lies outside is left out."""
     along = vertex_stations(path)
@@ -175,11 +218,6 @@ def _draw_dashes(pixels: np.ndarray, path: np.ndarray) -> None:
         pixels[rows[seen], columns[seen]] = colour
 
 
-def _rounded(value: float | None) -> float | None:
-    """People read this layer: no digits that mean nothing."""
-    return None if value is None else round(value, 3)
-
-
 def _coordinate(value: float) -> float:
     """To a millimetre or so, in metres as in degrees."""
     return float(f"{value:.10g}")
@@ -188,11 +226,12 @@ def _coordinate(value: float) -> float:
 DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
     Column("defect", "integer", lambda one: one.number),
     Column("sheet", "text", lambda one: ", ".join(one.sheets)),
-    Column("length", "real", lambda one: _rounded(one.length_m)),
-    Column("kept_1", "real", lambda one: _rounded(one.worst.piece.kept_1)),
-    Column("kept_low", "real", lambda one: _rounded(one.worst.piece.kept_low)),
-    Column("kept_high", "real", lambda one: _rounded(one.worst.piece.kept_high)),
-    Column("band_width", "real", lambda one: _rounded(one.band_width_m)),
+    Column("length", "real", lambda one: rounded(one.length_m)),
+    Column("kept_1", "real", lambda one: rounded(one.worst.piece.kept_1)),
+    Column("kept_low", "real", lambda one: rounded(one.worst.piece.kept_low)),
+    Column("kept_high", "real", lambda one: rounded(one.worst.piece.kept_high)),
+    Column("band_width", "real", lambda one: rounded(one.band_width_m)),
+    Column("visibility", "real", lambda one: rounded(one.worst.piece.visibility)),
     Column("cause", "text", lambda one: one.cause or None),
     Column("left_source", "text", lambda one: one.worst.piece.left_source or None),
     Column("right_source", "text", lambda one: one.worst.piece.right_source or None),
@@ -203,10 +242,6 @@ DEFECT_COLUMNS: tuple[Column[Defect], ...] = (
     Column("remark", "text", lambda one: "; ".join(one.remarks) or None),
     Column("picture", "text", lambda _: None),  # its path from the layer's folder, once there is one
 )
-
-
-def defect_fields() -> QgsFields:
-    return column_fields(DEFECT_COLUMNS)
 
 
 def defect_features(defects: Sequence[Defect], pictures: Mapping[int, str]) -> Iterator[QgsFeature]:

@@ -2,8 +2,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
     QgsProcessingException,
@@ -18,65 +19,118 @@ from ...imagery.rasters import Raster, RasterRef
 from ...toolkit.algorithms.run import Run
 from ...toolkit.pages.templates import whole_path
 from ...toolkit.reference_systems import reference_system
-from ..acceptmosaic import DEFECTS, MOST_PICTURES, QUALITY, REPORT
+from ...toolkit.table_fields import column_fields
+from ...toolkit.translation import filled, tr
 from ..measure import messages
 from ..measure.decision import Decision, Defect
-from .defect_files import DefectPicture, DefectPictures, defect_features, defect_fields, save_pictures
-from .inspection_record import InspectionRecord, described_bands, scan_settings
+from ..paper_parameters import DEFECTS, DIGESTS, MOST_PICTURES, QUALITY, REPORT, SHEETS_OUT
+from .defect_files import DEFECT_COLUMNS, DefectPicture, DefectPictures, defect_features, save_pictures
+from .digests import Digest, file_digests, mosaic_files, text_digest
+from .inspection_record import InspectionRecord, described_bands, listed_images, scan_settings, scanned_sources
+from .paper_head import stated_head
+from .rated_images import rated_images
+from .sheet_files import SHEET_COLUMNS, sheet_features
 
-TOLD_UNEXPLAINED = 0.03  # of a mosaic without an orthoimage behind it: where the scan tells it, too
+if TYPE_CHECKING:
+    from ..acceptmosaic import AcceptMosaic
+
+ScannedLoss = tuple[Raster, Mapping[str, str]]
+"""A picture of losses, and how its scan says it was measured."""
 
 
-def write(
-    run: Run, decision: Decision, refs: Sequence[RasterRef], loss_ref: RasterRef | None,
-    seams: Sequence[tuple[str, str]], windows: str, rules: str,
-) -> dict[str, Any]:
-    """Write what is wanted; what can't be written is told, and does not cost the decision.
+@dataclass(frozen=True)
+class ReadFiles:
+    """What a decision was made of, as far as it lies in files."""
 
-    ``refs``: of the mosaics; ``loss_ref``: of the picture of losses. ``seams``, ``windows`` and ``rules``: where
-    sheets, windows and rules were read from, in words for people.
-    """
-    loss, settings, bands = _loss(run, loss_ref)
+    mosaics: tuple[RasterRef, ...]
+    losses: tuple[ScannedLoss, ...]
+    """The pictures of losses."""
+    seams: tuple[tuple[str, str], ...]
+    """Sheets and where their layers were read from, in words for people."""
+    windows: str
+    """The same of the windows; empty without."""
+    rules: str
+    """The file of rules; empty without."""
+
+
+def write(run: Run, decision: Decision, read: ReadFiles, proving: AcceptMosaic) -> dict[str, Any]:
+    """Write what is wanted; what can't be written is told, and does not cost the decision."""
+    losses = read.losses
+    loss, settings = losses[0] if len(losses) == 1 else (None, next((one for _, one in losses), {}))
+    bands = () if loss is None else described_bands(loss.ref)
+    scanned = [path for one, _ in losses for path in scanned_sources(one.ref)]
     report = run.file_path(REPORT)
-    maker, mosaics = _maker(run, refs, decision) if run.parameters.get(DEFECTS) or report else (None, ())
+    mosaics = _mosaics(run, read.mosaics) if run.parameters.get(DEFECTS) or report else ()
+    images = proving.orthoimages(run, scanned, mosaics)
     record = InspectionRecord(
-        decision, tuple((sheet, whole_path(address)) for sheet, address in seams), whole_path(windows),
-        whole_path(rules), mosaics, loss, settings, bands, str(report or ""),
+        decision, tuple((sheet, whole_path(address)) for sheet, address in read.seams), whole_path(read.windows),
+        whole_path(read.rules), mosaics, loss, settings, bands, stated_head(run),
+        listed_images(decision, (whole_path(one.path) for one in images)), radiometry=rated_images(run),
+        report=str(report or ""),
     )
+    prover = proving.prover(run, decision.rules.least_kept)
+    maker = DefectPictures(mosaics, decision.delivery.wkt, prover) if mosaics else None
     pictures: dict[int, DefectPicture] = {}
     results = _write_defects(run, decision, record.defects, maker, pictures)
+    results.update(_write_sheets(run, decision))
+    if (report or run.parameters.get(QUALITY)) and run.flag(DIGESTS):
+        record = replace(record, digests=_digests(run, record, read))
 
-    def save_quality(path: Path) -> None:
-        from .quality_document import save_quality_document
+    from .acceptance_report import save_acceptance_report
+    from .quality_document import save_quality_document
 
-        save_quality_document(path, record)
-
-    def save_report(path: Path) -> None:
-        from .acceptance_report import save_acceptance_report
-
-        save_acceptance_report(path, record, pictures)
-
-    return {**results, **run.save(QUALITY, save_quality), **run.save(REPORT, save_report)}
+    return {
+        **results, **run.save(QUALITY, lambda path: save_quality_document(path, record)),
+        **run.save(REPORT, lambda path: save_acceptance_report(path, record, pictures)),
+    }
 
 
-def _loss(run: Run, ref: RasterRef | None) -> tuple[Raster | None, Mapping[str, str], tuple[str, ...]]:
-    if ref is None:
-        return None, {}, ()
+def _digests(run: Run, record: InspectionRecord, read: ReadFiles) -> tuple[Digest, ...]:
+    """Raises CancelledError where the paper is not wanted any more."""
+    run.doing(tr("Digests of the files"))
+    paths = [*mosaic_files(read.mosaics), *([record.rules] if record.rules else [])]
+    files = file_digests(paths, run.goes_on)
+    if files is None:
+        raise CancelledError(messages.DIGESTS_STOPPED())
+    layers = record.decision.delivery.layers
+    lists = [Digest(filled(tr("rows of {layer}"), layer=one.name), None, one.digest) for one in layers if one.digest]
+    if record.images:
+        rows = (f"{one.name}\t{one.path}\t{one.date}\t{'' if one.size is None else one.size}" for one in record.images)
+        lists.append(text_digest(tr("list of orthoimages"), rows))
+    return (*lists, *files)
+
+
+def _write_sheets(run: Run, decision: Decision) -> dict[str, Any]:
+    crs = reference_system(decision.delivery.wkt)
+    layout = column_fields(SHEET_COLUMNS), QgsWkbTypes.Type.MultiPolygon, crs
     try:
-        if settings := scan_settings(ref):
-            if float(settings.get("unexplained", 0)) >= TOLD_UNEXPLAINED:
-                run.tell(messages.SCAN_UNEXPLAINED(name=ref.name, share=float(settings["unexplained"])))
-            if settings.get("seams") == "found":
-                run.tell(messages.SEAMS_FOUND(name=ref.name))
-            return describe_placed(ref), settings, described_bands(ref)
-        run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
-    except RasterError as error:
-        run.tell(error.message.as_warning())
-    return None, {}, ()
+        sink, destination = run.optional_sink(SHEETS_OUT, *layout)
+    except QgsProcessingException:
+        run.tell(messages.SHEETS_NOT_WRITTEN())
+        return {}
+    if sink is None:
+        return {}
+    run.write(sink, sheet_features(decision))
+    run.style(destination, "decided_sheets")
+    return {SHEETS_OUT: destination}
 
 
-def _maker(run: Run, refs: Sequence[RasterRef], decision: Decision) -> tuple[DefectPictures | None, tuple[Raster, ...]]:
-    """What cuts the pictures, and the mosaics that it can cut them from."""
+def scanned_losses(run: Run, refs: Sequence[RasterRef]) -> list[ScannedLoss]:
+    """The pictures of losses that a scan wrote, each with what it says of how it was measured; others are told."""
+    found: list[ScannedLoss] = []
+    for ref in refs:
+        try:
+            if settings := scan_settings(ref):
+                found.append((describe_placed(ref), settings))
+            else:
+                run.tell(messages.LOSS_NOT_OF_SCAN(name=ref.name))
+        except RasterError as error:
+            run.tell(error.message.as_warning())
+    return found
+
+
+def _mosaics(run: Run, refs: Sequence[RasterRef]) -> tuple[Raster, ...]:
+    """Those that pictures can be cut from."""
     mosaics = []
     for ref in refs:
         try:
@@ -86,7 +140,7 @@ def _maker(run: Run, refs: Sequence[RasterRef], decision: Decision) -> tuple[Def
             mosaics.append(describe_mosaic(ref))
         except RasterError as error:
             run.tell(error.message.as_warning())
-    return DefectPictures(mosaics, decision.delivery.wkt) if mosaics else None, tuple(mosaics)
+    return tuple(mosaics)
 
 
 def _write_defects(
@@ -96,7 +150,7 @@ def _write_defects(
     """The layer; fills in the pictures by the failures' numbers, for the report too."""
     try:
         crs = reference_system(decision.delivery.wkt)
-        layout = defect_fields(), QgsWkbTypes.Type.MultiLineString, crs
+        layout = column_fields(DEFECT_COLUMNS), QgsWkbTypes.Type.MultiLineString, crs
         sink, destination = run.optional_sink(DEFECTS, *layout)
     except QgsProcessingException:
         run.tell(messages.DEFECTS_NOT_WRITTEN())

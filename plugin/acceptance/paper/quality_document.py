@@ -17,12 +17,12 @@ from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
 from ...toolkit.pages.templates import HowMeasured, environment, system_code, whole_path
-from ...toolkit.translation import filled, language, sentence, tr
+from ...toolkit.translation import filled, language, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import Decision, MetreFigures, PlanOutcome, RuleOutcome
 from ..measure.delivery import extent_of
 from .inspection_record import InspectionRecord
-from .words import check_word, failing_sentence, severity_word
+from .words import check_word, failing_sentence, paper_sentence, plan_words, share
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
 METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
@@ -35,6 +35,7 @@ delivery keeps to its rules is usability; how sure the figures are, and how much
 
 FULL, SAMPLE, DERIVED = "DQ_FullInspection", "DQ_SampleBasedInspection", "DQ_AggregationDerivation"
 """How a figure was found."""
+_SAMPLING = "Sampling procedures for inspection by attributes"
 _PROCEDURE = (
     "K. Pyka: The use of wavelets for evaluation of loss in radiometric quality in the orthophoto mosaicking process, "
     "2010; Seam Inspector: The seam profile"
@@ -108,7 +109,7 @@ def _acceptance(decision: Decision) -> QualityElement:
         USABILITY, "acceptance", tr("acceptance of the delivery"), tr("Whether the delivery keeps to the rules."),
         Evaluation(DERIVED, tr("All rules together: the delivery is accepted where none of them fails.")),
         conformance=Conformance(
-            decision.rules.name, " ".join(sentence(one) for one in decision.sentences), decision.accepted
+            decision.rules.name, " ".join(map(paper_sentence, decision.sentences)), decision.accepted
         ),
     )
 
@@ -161,13 +162,10 @@ def _by_sheet(
 
 def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | None) -> Iterator[QualityElement]:
     plan, characteristic = found.plan, found.characteristic
-    scheme = filled(tr(
-        "ISO 2859-1, single sampling: inspection level {level}, {severity}, AQL {aql}, code letter {letter}; "
-        "accepted up to {most} failed pieces."
-    ),
-        level=plan.inspection_level, severity=severity_word(plan.severity), aql=plan.aql, letter=plan.code_letter,
-        most=plan.acceptance_number,
-    )
+    scheme = plan_words(plan) + "; "
+    if plan.code_letter:
+        scheme += f"{tr('code letter')} {plan.code_letter}; "
+    scheme += filled(tr("accepted up to {most} failed pieces."), most=plan.acceptance_number)
     if found.seed is not None:
         scheme += " " + filled(tr("Drawn at random with the seed {seed}."), seed=found.seed)
     words = (
@@ -175,8 +173,7 @@ def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | Non
         filled(tr("{count} pieces of seam of {sheets} sheets"), count=plan.lot_size, sheets=len(decision.sheets)),
         f"{plan.sample_size} / {plan.lot_size}",
     )
-    reference = "ISO 2859-1:1999, Sampling procedures for inspection by attributes, Part 1"
-    inspected = Evaluation(SAMPLE, tr("Each piece of seam of the sample."), reference, words)
+    inspected = Evaluation(SAMPLE, tr("Each piece of seam of the sample."), f"{plan.standard}, {_SAMPLING}", words)
     yield QualityElement(
         USABILITY, rules.SAMPLING, check_word(rules.SAMPLING),
         tr("Pieces of seam in the sample that failed."),
@@ -184,10 +181,10 @@ def _sampling(decision: Decision, found: PlanOutcome, outcome: RuleOutcome | Non
     )
     yield QualityElement(
         CONFIDENCE, "sampling_risk", tr("risks of the plan of sampling"),
-        tr(
-            "Producer's risk: probability that a delivery as good as the AQL is rejected. Limiting quality: the share "
-            "of failed pieces at which a delivery is accepted with a probability of 10 % (consumer's risk)."
-        ),
+        filled(tr(
+            "Producer's risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: "
+            "the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer's risk)."
+        ), good=share(characteristic.good_quality, 1), risk=share(characteristic.consumers_risk, 1)),
         inspected,
         (Quantity((100 * characteristic.producers_risk, 100 * characteristic.limiting_quality), PER_CENT,
                   tr("producer's risk; limiting quality")),),
@@ -200,7 +197,7 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
     all_pieces = "acceptance" if decision.longest_failure_m is None else rules.LONGEST_FAILURE
     yield QualityElement(
         REPRESENTATIVITY, rules.MEASURED_SHARE, check_word(rules.MEASURED_SHARE),
-        tr("Length of seam that could be measured, by the length of all seams."), derived,
+        tr("Length of seam that could be measured, by the length of all seams on ground with detail."), derived,
         _by_sheet(decision, PER_CENT, lambda one: 100 * one.measured_share if one.piece_count else None),
         _conformance(outcomes.get(rules.MEASURED_SHARE)), about=all_pieces,
     )
@@ -236,7 +233,7 @@ def _metaquality(decision: Decision, outcomes: dict[str, RuleOutcome]) -> Iterat
 def _conformance(outcome: RuleOutcome | None) -> Conformance | None:
     if outcome is None:
         return None
-    clause = sentence(outcome.sentence)
+    clause = paper_sentence(outcome.sentence)
     return Conformance(outcome.source, f"{clause[:1].upper()}{clause[1:].rstrip('.')}.", outcome.passed)
 
 
@@ -262,8 +259,9 @@ def quality_document(record: InspectionRecord) -> str:
         language=_LANGUAGES.get(language(), "eng"),
         moment=record.made_at.isoformat(),
         sheets=sheets,
-        title=filled(tr("Acceptance of an orthophoto mosaic: {names}"), names=names),
-        sentences=[sentence(one) for one in decision.sentences],
+        title=f"{record.head.title or tr('Acceptance of an orthophoto mosaic')}: {names}",
+        head="; ".join(f"{name}: {value}" for name, value in record.head.rows),
+        sentences=[*map(paper_sentence, decision.sentences)],
         system=system_code(decision.delivery.wkt),
         extent=_in_degrees(decision),
         report=Path(record.report).name if record.report else "",
@@ -304,4 +302,8 @@ def _sources(record: InspectionRecord) -> list[str]:
     found = [f"{sheet}: {path}" for sheet, path in record.seams]
     found += [whole_path(one.ref.path) for one in record.mosaics]
     found += [one for one in (record.windows, record.rules) if one]
-    return list(dict.fromkeys(found))
+    digests = {one.path: one for one in record.digests}
+    found = [f"{one} (SHA-256 {digests.pop(one).sha256})" if one in digests else one for one in dict.fromkeys(found)]
+    found += [f"{one.path} (SHA-256 {one.sha256})" for one in digests.values()]
+    images = ((one.path or one.name, one.date) for one in record.images)
+    return found + [f"{path} ({date})" if date else path for path, date in images]

@@ -8,7 +8,8 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ...imagery.errors import Message
 from ...toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
 from ..measure import acceptance_rules as rules
-from ..measure.decision import Decision, RuleOutcome
+from ..measure.decision import AcceptanceOutcome, Decision, MetreFigures, RuleOutcome
+from ..measure.sampling_plans import SamplingPlan
 
 _CHECKS = {
     rules.KEPT: QT_TR_NOOP("least detail kept"),
@@ -17,6 +18,11 @@ _CHECKS = {
     rules.MEASURED_SHARE: QT_TR_NOOP("share of the seams that was measured"),
     rules.SAMPLING: QT_TR_NOOP("failed pieces in the sample"),
 }
+_OUTCOMES = {
+    AcceptanceOutcome.ACCEPTED: QT_TR_NOOP("Accepted"),
+    AcceptanceOutcome.REJECTED: QT_TR_NOOP("Rejected"),
+    AcceptanceOutcome.UNDECIDED: QT_TR_NOOP("Undecided"),
+}
 _SEVERITIES = {
     "normal": QT_TR_NOOP("normal inspection"),
     "tightened": QT_TR_NOOP("tightened inspection"),
@@ -24,10 +30,13 @@ _SEVERITIES = {
 }
 _SHARE = 100, 2, "\u00a0%"
 _UNITS = {
-    rules.KEPT: _SHARE, rules.FAILED_SHARE: _SHARE, rules.MEASURED_SHARE: _SHARE,
+    rules.KEPT: _SHARE, rules.FAILED_SHARE: _SHARE, rules.MEASURED_SHARE: (100, 1, "\u00a0%"),
     rules.LONGEST_FAILURE: (1, 1, "\u00a0m"), rules.SAMPLING: (1, 0, ""),
 }  # fmt: skip
 """By what a figure is multiplied, with how many decimals it is shown at least, and its unit."""
+QUALITY_STANDARDS = "ISO 19157:2013", "ISO/TS 19157-2:2016", "ISO 19115-3:2016"
+DIGEST_STANDARD = "FIPS 180-4 (SHA-256)"
+"""With their editions, on which the decision rests, its record and its digests."""
 NOTHING = "\u2013"
 """Where there is no value."""
 
@@ -42,19 +51,28 @@ def check_word(check: str) -> str:
     return tr(_CHECKS[check])
 
 
-def severity_word(severity: str) -> str:
-    """How severely a plan inspects."""
-    return tr(_SEVERITIES[severity])
+def plan_words(plan: SamplingPlan) -> str:
+    """The standard with its edition, and what the plan was looked up by."""
+    if plan.lq is not None:
+        return filled(tr("{standard}, single sampling of an isolated lot (procedure A), limiting quality {lq:g} %"),
+            standard=plan.standard, lq=plan.lq)
+    return filled(tr("{standard}, single sampling, level {level}, {severity}, AQL {aql}"), standard=plan.standard,
+        level=plan.inspection_level, severity=tr(_SEVERITIES[plan.severity]), aql=plan.aql)
+
+
+def rounded(value: float | None) -> float | None:
+    """To a thousandth: people read the layers, and more digits mean nothing."""
+    return None if value is None else round(value, 3)
 
 
 def metres(value: float | None) -> str:
-    """A length with its unit, exact to a centimetre below ten metres."""
-    return NOTHING if value is None else f"{shown_number(value, 0 if abs(value) >= 1000 else 1)}\u00a0m"
+    """A length with its unit, to a tenth as in the sentences beside it."""
+    return NOTHING if value is None else f"{formatted(value, '.1f')}\u00a0m"
 
 
 def share(value: float | None, decimals: int = 2) -> str:
     """A fraction of 1 in per cent."""
-    return NOTHING if value is None else f"{shown_number(100 * value, decimals)}\u00a0%"
+    return NOTHING if value is None else f"{formatted(100 * value, f'.{decimals}f')}\u00a0%"
 
 
 def whole_share(value: float | None) -> str:
@@ -84,6 +102,25 @@ def outcome_limit(outcome: RuleOutcome) -> str:
     scale, _, unit = _UNITS[outcome.check]
     limit = formatted(scale * outcome.limit, ".6g") + unit
     return filled(tr("at least {least}"), least=limit) if outcome.is_least else filled(tr("at most {most}"), most=limit)
+
+
+def outcome_title(outcome: AcceptanceOutcome) -> str:
+    """The decision in one word."""
+    return tr(_OUTCOMES[outcome])
+
+
+SHEET_COLOURS = {
+    AcceptanceOutcome.ACCEPTED: "#009e73", AcceptanceOutcome.REJECTED: "#d55e00",
+    AcceptanceOutcome.UNDECIDED: "#e69f00", None: "#8c959f",
+}  # fmt: skip
+"""Of sheets on the map; None for those without a verdict."""
+
+
+def sheet_word(outcome: AcceptanceOutcome | None, figures: MetreFigures) -> str:
+    """The verdict on a sheet; empty where none was taken."""
+    if not figures.piece_count:
+        return tr("No seams")
+    return "" if outcome is None else outcome_title(outcome)
 
 
 def outcome_word(passed: bool | None) -> str:

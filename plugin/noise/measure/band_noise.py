@@ -8,7 +8,7 @@ spectrum of the quiet ground (``grain``). Everything here is plain arrays and nu
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -20,6 +20,7 @@ from ...imagery.limits import LUMINANCE, has_colours
 from ...imagery.wavelets import Curve, check_decomposition, clip_curves, detail_components
 from . import messages
 from .grain import Grain, QuietGround, clipped_pixels, curve_if_white, possible_grains, quiet_ground, recognised_grain
+from .noise_amount import NoiseAmount, noise_amount, white_noise
 
 
 def inner_ranges(length: int, wavelet: str, levels: int) -> list[slice]:
@@ -75,9 +76,24 @@ class BandNoise:
     note: Message | None = None
     """Why it can't be measured, or what to take care of."""
     largest_sigma: float | None = None
-    """The most that white or correlated noise (up to 1.1 px) can be, by the quietest ground, DN; None where unknown."""
+    """The most that noise can be, grain of up to 1.35 px included, by the quietest ground, DN; None where unknown."""
     grain: Grain | None = None
     """Noise coarser than a pixel, where the quiet ground has its spectrum."""
+    noise: float | None = None
+    """Standard deviation of the noise that was told from texture, white or grain, DN."""
+    signal: float | None = None
+    """Mean of the valid pixels, DN."""
+    amount: NoiseAmount = NoiseAmount.NOT_MEASURABLE
+    """How much noise that is, whatever the scene."""
+    ground: tuple[QuietGround | None, ...] = ()
+    """The quiet ground of level 1 (finest), 2, ..., R."""
+    are_whole: bool = True
+    """Whether the values are whole numbers."""
+
+    @property
+    def signal_to_noise(self) -> float | None:
+        """Mean over standard deviation of the noise; None where there is no noise or no signal."""
+        return self.signal / self.noise if self.noise and self.signal is not None and self.signal > 0 else None
 
 
 SEVERITY = (
@@ -133,6 +149,10 @@ def measure_noise(
     sigmas: list[float] = []
     is_filled = masked is not None and bool(masked.any())
     silent = clipped_pixels(bands)
+    seen = bands[:, ~np.asarray(masked)] if is_filled else bands.reshape(len(bands), -1)
+    signals = [float(band.mean(dtype=np.float64)) for band in seen]
+    if weights:
+        signals.append(float(np.dot(weights, signals[:3])))
     if is_filled:
         silent |= np.asarray(masked)
     inner = list(zip(*(inner_ranges(length, wavelet, levels) for length in bands.shape[1:])))
@@ -153,12 +173,16 @@ def measure_noise(
             values = details.reshape(3, -1) if kept is None else details[:, kept[inner[level - 1]]]
             kurtoses[index].append(None if empty else _kurtosis(values))
     measured = {}
-    for name, curve, kurtosis, sigma, ground in zip(all_names, curves, kurtoses, sigmas, grounds):
+    for name, curve, kurtosis, sigma, ground, signal in zip(all_names, curves, kurtoses, sigmas, grounds, signals):
         if curve.variance == 0:
             verdict, note = NoiseVerdict.NOT_MEASURABLE, messages.NOISE_CONSTANT(name=raster, band=name)
             measured[name] = BandNoise(curve, tuple(kurtosis), None, verdict, note)
         else:
-            measured[name] = _judged(curve, tuple(kurtosis), sigma, ground, wavelet)
+            own = BandNoise(
+                curve, tuple(kurtosis), sigma, NoiseVerdict.UNCERTAIN, signal=signal, ground=tuple(ground),
+                are_whole=bands.dtype.kind in "iu",
+            )
+            measured[name] = judged(own, wavelet)
     if weights:
         measured = {LUMINANCE: measured[LUMINANCE], **measured}
     return measured
@@ -173,26 +197,38 @@ def noisiest_band(measured: Mapping[str, BandNoise]) -> str:
     return max(bands, key=lambda name: (SEVERITY.index(measured[name].verdict), measured[name].sigma or 0.0))
 
 
-def _judged(
-    curve: Curve, kurtosis: tuple[float | None, ...], sigma: float, ground: Sequence[QuietGround | None], wavelet: str
-) -> BandNoise:
-    """By the curve; and by the noise that the quiet ground has, or has room for, as if that were white."""
-    variances = [share * curve.variance for share in curve.detail]
+def judged(own: BandNoise, wavelet: str, alike: Sequence[BandNoise] = ()) -> BandNoise:
+    """A band with its verdicts: by the curve, and by the noise that the quiet ground has, or has room for.
+
+    ``alike``: the same band in other windows, where noise is as strong; noise is no stronger than the quietest of all
+    leaves room for. Nothing is judged where there is no sigma.
+    """
+    if own.sigma is None:
+        return own
+    variances = [share * own.curve.variance for share in own.curve.detail]
 
     def if_white(grain: Grain) -> NoiseVerdict:
         return noise_verdict(curve_if_white(variances, grain, wavelet))[0]
 
-    verdict, note = noise_verdict(curve.detail)
-    possible = possible_grains(ground, wavelet)
+    verdict, note = noise_verdict(own.curve.detail)
+    least = [
+        min((one.least for one in level if one is not None), default=None)
+        for level in zip(own.ground, *(one.ground for one in alike))
+    ]
+    possible = possible_grains(least, wavelet)
     largest = None if possible is None else max(grain.sigma for grain in possible)
-    grain = recognised_grain(ground, wavelet)
+    grain = recognised_grain(own.ground, wavelet)
     if grain is not None and SEVERITY.index(if_white(grain)) > SEVERITY.index(verdict):
         verdict, note = if_white(grain), messages.GRAIN_FOUND()
     elif verdict is NoiseVerdict.LOW and possible is None:
         verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_UNKNOWN()
     elif verdict is NoiseVerdict.LOW and any(if_white(one) is not NoiseVerdict.LOW for one in possible or ()):
         verdict, note = NoiseVerdict.UNCERTAIN, messages.GRAIN_MAY_HIDE()
-    return BandNoise(curve, kurtosis, sigma, verdict, note, largest, grain)
+    noise = max(white_noise(own.ground, own.sigma), grain.sigma if grain else 0.0)
+    amount = noise_amount(noise, own.signal or 0.0, least, wavelet, own.are_whole)
+    return replace(
+        own, verdict=verdict, note=note, largest_sigma=largest, grain=grain, noise=noise, amount=amount
+    )
 
 
 def _kurtosis(details: np.ndarray) -> float | None:

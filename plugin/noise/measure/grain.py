@@ -79,8 +79,9 @@ def clipped_pixels(bands: np.ndarray) -> np.ndarray:
 
 
 FITTED_LEVELS = 3  # levels whose spectrum tells grain from texture
-MAX_HIDDEN_PX = 1.1  # grain up to here is never called low noise; coarser one differs from texture on even ground only
-SIZES_PX = (0.0, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.35, 1.5)
+MAX_HIDDEN_PX = 1.35  # grain up to here is looked for before noise is called low; of 18 scenes' coarser one few show
+SIZES_PX = (0.0, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.35, 1.5, 1.75, 2.0)
+MAX_GRAIN_PX = 1.5  # above it, two of the three levels have none of it
 MIN_GRAIN_PX = 0.4  # below it, noise is as good as white
 MAX_MISFIT = 1.2  # standard deviations of the levels over those of grain, largest over smallest: made grain has 1.1
 MAX_UNEVENNESS = 1.15  # of quiet ground that is grain: made grain has 1.1, images without it 1.2 and more
@@ -98,17 +99,19 @@ class Grain:
     """Standard deviation of the noise, DN."""
 
 
-def possible_grains(ground: Sequence[QuietGround | None], wavelet: str) -> list[Grain] | None:
-    """For each size the strongest grain that the quietest ground of levels 1, 2, ... leaves room for.
+def possible_grains(
+    least: Sequence[float | None], wavelet: str, coarsest: float = MAX_HIDDEN_PX
+) -> list[Grain] | None:
+    """For each size up to ``coarsest`` (px) the strongest grain that the quietest ground leaves room for.
 
-    None where no level is known."""
-    known = [(level, one.least) for level, one in enumerate(ground) if one is not None]
+    ``least`` as in ``QuietGround``, of levels 1, 2, ...; None where no level is known."""
+    known = [(level, one) for level, one in enumerate(least) if one is not None]
     if not known:
         return None
     return [
-        Grain(size, min(least / math.sqrt(grain_spectrum(wavelet, len(ground), size)[level]) for level, least in known))
+        Grain(size, min(one / math.sqrt(grain_spectrum(wavelet, len(least), size)[level]) for level, one in known))
         for size in SIZES_PX
-        if size <= MAX_HIDDEN_PX
+        if size <= coarsest
     ]
 
 
@@ -118,7 +121,8 @@ def recognised_grain(ground: Sequence[QuietGround | None], wavelet: str) -> Grai
     if len(found) < FITTED_LEVELS or not all(map(_is_even, found)):
         return None
     quiet = np.array([one.quiet for one in found])
-    ratios = {size: quiet / np.sqrt(grain_spectrum(wavelet, FITTED_LEVELS, size)) for size in SIZES_PX}
+    sizes = [size for size in SIZES_PX if size <= MAX_GRAIN_PX]
+    ratios = {size: quiet / np.sqrt(grain_spectrum(wavelet, FITTED_LEVELS, size)) for size in sizes}
     size = min(ratios, key=lambda size: ratios[size].max() / ratios[size].min())
     if size < MIN_GRAIN_PX or ratios[size].max() / ratios[size].min() > MAX_MISFIT:
         return None

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Callable
 
@@ -18,7 +18,7 @@ from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster, describe
 from ...imagery.rasters import RasterRef
 from . import messages
-from .band_noise import BandNoise, measure_noise
+from .band_noise import BandNoise, judged, measure_noise
 from .noise_plan import GroupedImage, NoiseRequest, Part
 
 
@@ -116,6 +116,36 @@ def measure_requests(
                 future.cancel()
             else:
                 yield future.result()
+
+
+LIKE_BRIGHTNESS = 1.5  # means of windows that differ by less have noise as strong: photons' differs by 22 %
+
+
+def pooled(results: Sequence[ClipNoise], wavelet: str) -> list[ClipNoise]:
+    """The results judged anew, with what the windows of each image tell together.
+
+    The most that noise can be is that of the quietest ground in all windows of the image that are as bright, within a
+    factor of 1.5.
+    """
+    by_image: dict[RasterRef, list[ClipNoise]] = {}
+    for result in results:
+        by_image.setdefault(result.part.member.image.ref, []).append(result)
+
+    def alike(band: str, own: BandNoise, others: Sequence[ClipNoise]) -> list[BandNoise]:
+        found = [other.bands[band] for other in others if band in other.bands]
+        return [one for one in found if one.ground and _are_alike(own.signal, one.signal)]
+
+    return [
+        replace(result, bands={
+            band: judged(noise, wavelet, alike(band, noise, by_image[result.part.member.image.ref]))
+            for band, noise in result.bands.items()
+        })
+        for result in results
+    ]
+
+
+def _are_alike(one: float | None, other: float | None) -> bool:
+    return one is not None and other is not None and 0 < one < LIKE_BRIGHTNESS * other < LIKE_BRIGHTNESS**2 * one
 
 
 def _read(request: NoiseRequest, opened: dict[RasterRef, OpenRaster]) -> list[_Clip | Message]:

@@ -48,7 +48,7 @@ POSITION_OUTSIDE = Message(
 )
 POSITIONS_AT_ONE_PLACE = Message("The positions of '{one}' and '{other}' are at one place; move one of them.")
 POSITIONS_OFF = Message(
-    "The positions lie up to {worst:.0f} mm from where the calibration wants them; check their names and the "
+    "The positions lie up to {worst:.0f} mm from where the calibration places them; check their names and the "
     "calibration."
 )
 # a template
@@ -68,12 +68,12 @@ ARRANGEMENT_NOT_AT_POSITIONS = Message(
     "Marks were found in the photo, but not where the positions say; each was looked for on its own there.", WARNING
 )
 SCAN_ORIENTATION_ASSUMED = Message(
-    "Nothing tells how the photo lies in the scanner, so it is taken to lie upright and not mirrored; give the "
-    "positions of three marks if that is wrong.", WARNING
+    "How the photo lay in the scanner is not known, so it is taken as upright and not mirrored; give the positions "
+    "of three marks if that is wrong.", WARNING
 )
 MARK_STANDS_OUT = Message(
-    "The mark '{mark}' stands out: the others, which agree well, want it {worst:.2f} mm elsewhere; look at its "
-    "picture.", WARNING
+    "The mark '{mark}' stands out: the others, which agree well, place it {worst:.2f} mm away; look at its picture.",
+    WARNING,
 )
 NO_MARK_TRUSTED = Message(
     "No mark of {name} can be trusted ({why}); check the positions, their names and the calibration."
@@ -87,7 +87,7 @@ MARK_NO_ROOM = Message("the template is larger than the piece of the photo aroun
 MARK_TOO_WEAK = Message("the best correlation is {value:.2f} and at least {least:.2f} is asked for", WARNING)
 MARK_AMBIGUOUS = Message("two places look nearly alike, with correlations of {best:.2f} and {second:.2f}", WARNING)
 MARK_WANDERS = Message("the surface's extremum leads away from where the mark was found", WARNING)
-MARK_AT_THE_EDGE = Message("the mark lies at the edge of the photo and is not all there", WARNING)
+MARK_AT_THE_EDGE = Message("the mark lies at the edge of the photo and is cut off", WARNING)
 MARK_HALVES_DIFFER = Message(
     "parts of the mark differ by {shift:.1f} px and at most {most:.1f} px is trusted: dirt, a scratch or no "
     "mark", WARNING
@@ -99,13 +99,13 @@ MARK_UNSUPPORTED = Message(
     "needed", WARNING
 )
 MARK_TWICE = Message("it was found at the same place as '{other}'", WARNING)
-MARK_OFF = Message("it lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most", WARNING)
+MARK_OFF = Message("it lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is the most", WARNING)
 GIVEN_OFF = Message(
-    "the given place lies {worst:.2f} mm from where the other marks want it and {limit:.2f} mm is the most; check it "
-    "and its name", WARNING
+    "the given place lies {worst:.2f} mm from where the other marks place it and {limit:.2f} mm is the most; check "
+    "it and its name", WARNING
 )
 MARKS_DISAGREE = Message(
-    "the marks lie up to {worst:.2f} mm from where the calibration wants them, {limit:.2f} mm is the most, and it "
+    "the marks lie up to {worst:.2f} mm from where the calibration places them, {limit:.2f} mm is the most, and it "
     "can't be told which is wrong", WARNING
 )
 # the transformation

@@ -16,6 +16,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 from osgeo import ogr
+from scipy import stats
 
 from ...imagery.grids import PixelWindow
 from ...imagery.lines import burnt
@@ -30,6 +31,8 @@ UNIFORM_SHARE = 0.25  # the quarter of the uniform areas with the least noise: t
 _HALF = limits.AREA_PX // 2
 _PIXELS = _HALF * _HALF
 """Of a quadrant."""
+_FREE = 4 * (_PIXELS - 1)
+"""Degrees of freedom of the noise within an area."""
 _QUADRANTS = np.kron(np.eye(2).repeat(_HALF, axis=0), np.eye(2).repeat(_HALF, axis=0))
 """(pixels of an area in a row, 4): which of them belong to each quadrant; a matrix product is the fastest sum."""
 
@@ -74,7 +77,7 @@ def sample_areas(
     areas -= origins[:, np.newaxis]
     sums = (areas @ _QUADRANTS.astype(dtype)).astype(np.float64)
     squares = np.einsum("ij,ij->i", areas, areas).astype(np.float64)
-    within = np.maximum(squares - (sums**2).sum(axis=1) / _PIXELS, 0) / (4 * (_PIXELS - 1))
+    within = np.maximum(squares - (sums**2).sum(axis=1) / _PIXELS, 0) / _FREE
     between = (sums / _PIXELS).var(axis=1, ddof=1) * _PIXELS
     means = origins + sums.sum(axis=1) / (4 * _PIXELS)
     uniform = between <= MAX_QUADRANT_RATIO * within
@@ -92,7 +95,8 @@ def signal_to_noise(areas: Areas, band: int, available: ValueRange) -> float | N
     """Mean over standard deviation in a band's uniform mid-tone areas.
 
     Of the uniform areas whose mean lies in the middle half of the range, the quarter with the least noise is taken
-    (the others may be fine texture): mean of their means over the root mean square of their noise. None where there
+    (the others may be fine texture): mean of their means over the root mean square of their noise. Those with the
+    least noise are so in part by chance, which is allowed for as white noise has it (chi-square). None where there
     are fewer than eight such areas; infinite where they do not vary at all.
     """
     chosen = areas.uniform[:, band] & _is_mid_tone(areas.means[:, band], available)
@@ -100,8 +104,13 @@ def signal_to_noise(areas: Areas, band: int, available: ValueRange) -> float | N
         return None
     means, noise = areas.means[chosen, band], areas.noise[chosen, band]
     best = np.argsort(noise, kind="stable")[: max(round(UNIFORM_SHARE * len(noise)), limits.MIN_AREAS)]
-    deviation = float(np.sqrt(np.mean(noise[best] ** 2)))
+    deviation = float(np.sqrt(np.mean(noise[best] ** 2) / _by_chance(len(best) / len(noise))))
     return float(means[best].mean()) / deviation if deviation > 0 else float("inf")
+
+
+def _by_chance(share: float) -> float:
+    """Mean variance of the share of areas with the least, where all have white noise of variance 1."""
+    return float(stats.chi2.cdf(stats.chi2.ppf(share, _FREE), _FREE + 2)) / share
 
 
 def _is_mid_tone(means: np.ndarray, available: ValueRange) -> np.ndarray:

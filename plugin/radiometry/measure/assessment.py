@@ -275,6 +275,11 @@ class ImageDecision:
     unmeasured: tuple[CheckedFigure, ...]
     """Those that have a limit, are not known, and that the rules can do without."""
 
+    @property
+    def is_without_limit(self) -> bool:
+        """Whether it is undecided since no rule has a limit that it could be held against."""
+        return self.outcome is RadiometricOutcome.UNDECIDED and not self.missed
+
 
 @dataclass(frozen=True, eq=False)
 class RadiometricDecision:

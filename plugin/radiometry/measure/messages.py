@@ -4,7 +4,7 @@ from __future__ import annotations
 from ...imagery.errors import INFO, WARNING, Message
 
 # a file with rules
-RULES_CHECK_TWICE = Message("{place} in {name}: '{check}' of {band} has a rule already; leave one.")
+RULES_CHECK_TWICE = Message("{place} in {name}: '{check}' of {band} already has a rule; keep one.")
 RULES_VALUES_UNUSED = Message("{place} in {name}: 'values' belongs to clipped_low and clipped_high only.")
 RULES_BAND_UNUSED = Message("{place} in {name}: '{check}' is taken between red, green and blue and has no 'band'.")
 RULES_BAND_BAD = Message(
@@ -54,7 +54,7 @@ NO_SUCH_BAND = Message("it has no band {band}.", INFO)
 NO_SEAM_HERE = Message("no seam runs across valid pixels of it for {pixels} px or more.", INFO)
 NO_LIMIT = Message("The rules set no limit; give one in the rules file.", INFO)
 # about an image as a whole
-NOT_JUDGED = Message("{name}, what depends on the range of values is not judged: {why}", WARNING)
+NOT_JUDGED = Message("{name}: what depends on the range of values is not judged: {why}", WARNING)
 BEYOND_RANGE = Message(
     "{name}: {share:.2%} of the pixels lie beyond the range of {low:g} to {high:g} that was given, and count as "
     "clipped; check the range.", WARNING

@@ -4,6 +4,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from itertools import takewhile
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from .full_amplitudes import MIN_ALIAS_FREE_PX, PlainPlace, distance_error, with
 from .target import DIRECTIONS, GROUP, Target
 
 MIN_NYQUIST_PX = 2.0  # a bar and a gap narrower than two pixels are aliased: Shannon
+SURE = 1.96  # standard deviations: 95 %
 MIN_TARGET_CONTRAST = 5.0  # bars to gaps: Walczykowski et al. 2009, section 4
 MAX_BAR_SPACING_DIFFERENCE = 0.25  # relative, two steps of 2^(1/6): bars further off are not the group's
 MAX_TARGET_SCALE_DIFFERENCE = 0.2  # relative: more is no error of drawing or of the pixel size
@@ -37,6 +39,10 @@ class GroupResult:
     """Why it is not resolved, or what to know about it."""
     grd_error_cm: float | None = None
     """Standard deviation of the distance, from those of the amplitudes; None where there are none."""
+    may_pass: bool = False
+    """Whether its bars stand out and their share of the full amplitude may reach the criterion (95 %)."""
+    may_fail: bool = True
+    """Whether it is not resolved, or its share may lie below the criterion (95 %)."""
 
     @property
     def reading(self) -> BarReading | None:
@@ -71,6 +77,25 @@ class TargetResolution:
         """The largest distance of a direction over its bands; None unless every band resolves a group."""
         found = [value for (where, _), value in self.grd_cm.items() if where == direction]
         return None if not found or None in found else max(value for value in found if value is not None)
+
+    def interval(self, direction: str) -> tuple[float, float] | None:
+        """The finest and the coarsest distance that may be that of a direction, cm; None without a distance.
+
+        A group more or less changes the distance by a whole step.
+        """
+        worst = self.worst(direction)
+        if worst is None:
+            return None
+        ends = [self._ends(key, grd) for key, grd in self.grd_cm.items() if key[0] == direction and grd is not None]
+        return min(max(low for low, _ in ends), worst), max(worst, *(high for _, high in ends))
+
+    def _ends(self, key: tuple[str, str], grd_cm: float) -> tuple[float, float]:
+        """The same of one direction and band: down to where no group surely fails, and to where all surely pass."""
+        own = [one for one in self.results if (one.measured.line.direction, one.band) == key and one.is_judged]
+        own.sort(key=lambda one: -(one.grd_cm or 0))
+        possible = [one.grd_cm for one in takewhile(lambda one: one.may_pass, own) if one.grd_cm is not None]
+        sure = [one.grd_cm for one in takewhile(lambda one: not one.may_fail, own) if one.grd_cm is not None]
+        return min([grd_cm, *possible]), max(grd_cm, sure[-1] if sure else own[0].grd_cm or grd_cm)
 
     def seen(self, direction: str, observer: str | None = None) -> float | None:
         """Distance of the finest group that an observer tells apart, or all who judged it, before one that is not, cm.
@@ -137,15 +162,16 @@ def judge_lines(raster: Raster, measured: Sequence[MeasuredLine], target: Target
     contrasts = {} if is_backwards else _contrasts(results)  # backwards: the coarsest one is not known
     if contrasts and min(contrasts.values()) < MIN_TARGET_CONTRAST:
         notices.append(messages.TARGET_CONTRAST_LOW(contrast=min(contrasts.values()), least=MIN_TARGET_CONTRAST))
-    if target.full_amplitude == GROUP and any(_is_from_nowhere(result) for result in finest.values()):
-        notices.append(messages.NO_PLAIN_PLACE())
+    for place, notice in ((PlainPlace.NOWHERE, messages.NO_PLAIN_PLACE), (PlainPlace.GROUND, messages.PLAIN_IS_GROUND)):
+        if target.full_amplitude == GROUP and any(_is_plain_at(place, one) for one in results):
+            notices.append(notice())
     distances = {key: None if result is None else result.grd_cm for key, result in finest.items()}
     errors = {key: None if result is None else result.grd_error_cm for key, result in finest.items()}
     return TargetResolution(tuple(results), distances, errors, contrasts, tuple(notices), off_scale)
 
 
-def _is_from_nowhere(result: GroupResult | None) -> bool:
-    return result is not None and result.reading is not None and result.reading.plain is PlainPlace.NOWHERE
+def _is_plain_at(place: PlainPlace, result: GroupResult) -> bool:
+    return result.reading is not None and result.reading.plain is place
 
 
 def _contrasts(results: Sequence[GroupResult]) -> dict[str, float]:
@@ -188,12 +214,17 @@ def _line_results(measured: MeasuredLine, target: Target, scale: float | None) -
         reason = _why_unresolved(reading, target)
         aliasing = None if reason is not None else _why_aliased(reading, cycle)
         why = reason or aliasing
+        resolved, spurious = why is None, aliasing is not None
+        if resolved and band in measured.saturated:
+            why = messages.BARS_SATURATED(value=measured.saturated[band])
+        share, reach = reading.share or 0.0, SURE * (reading.share_error or 0.0)
+        may_pass = (
+            share + reach >= target.criterion and _why_unclear(reading, target) is None
+            and _why_aliased(reading, cycle) is None
+        )
+        may_fail = not resolved or share - reach < target.criterion
         error = distance_error(reading, grd, target)
-        if why is None and band in measured.saturated:
-            clipped = messages.BARS_SATURATED(value=measured.saturated[band])
-            results.append(GroupResult(measured, band, grd, True, False, clipped, error))
-        else:
-            results.append(GroupResult(measured, band, grd, why is None, aliasing is not None, why, error))
+        results.append(GroupResult(measured, band, grd, resolved, spurious, why, error, may_pass, may_fail))
     return results
 
 

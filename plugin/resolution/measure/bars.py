@@ -14,7 +14,8 @@ from ...imagery.rasters import BIT_DEPTHS, Raster
 from . import target as limits
 from .profiles import Patch, Profile, Segment, bar_profile, perpendicular_line, read_patch
 
-MIN_BAR_PROMINENCE = 0.25  # of the profile's range: half the criterion, so that bars below it are still counted
+MIN_BAR_PROMINENCE = 0.25  # of the inner bars' range: half the criterion, so that bars below it are still counted
+BARS_WITHIN = 0.5  # of a line's length: its middle holds inner bars and gaps, and no ground
 GROUND_BEYOND = 0.15  # of a line's length, beyond its ends: what lies there is ground
 GROUND_WITHIN = 0.03  # the same, before its ends
 MIN_GROUND_OFFSET = 0.15  # of the profile's range: ground nearer to the middle is neither bright nor dark
@@ -112,8 +113,9 @@ def read_bars(profile: Profile, bars: int, bright: bool | None = None) -> BarRea
     bars may be as bright as they are. Its brightness and place are those of the vertex of a parabola through its middle
     quarter of a cycle, and so are a gap's.
     """
-    drawn = _between(profile, 0, profile.length)
-    low, high = float(profile.values[drawn].min()), float(profile.values[drawn].max())
+    beside = (1 - BARS_WITHIN) / 2 * profile.length
+    inner = profile.values[_between(profile, beside, profile.length - beside)]
+    low, high = float(inner.min()), float(inner.max())
     if bright is None:
         bright = _is_bright(profile, (low + high) / 2, high - low, bars)
     sign = 1.0 if bright else -1.0
@@ -140,9 +142,9 @@ def read_bars(profile: Profile, bars: int, bright: bool | None = None) -> BarRea
     total = sum(sides)
     modulation = abs(sides[0] - sides[1]) / total if total > 0 else None
     signed = [tuple(Extreme(one.position, sign * one.value) for one in group) for group in (tops, bottoms)]
-    beside = tuple(sign * one for one in grounds if one is not None)
+    plain = tuple(sign * one for one in grounds if one is not None)
     full = height - min([*(one.value for one in bottoms), *(one for one in grounds if one is not None)])
-    return BarReading(profile, bright, signed[0], signed[1], beside, full, error, height - depth, error, modulation)
+    return BarReading(profile, bright, signed[0], signed[1], plain, full, error, height - depth, error, modulation)
 
 
 def _between(profile: Profile, low: float, high: float) -> np.ndarray:

@@ -9,7 +9,7 @@ GRD_NOT_POSITIVE = Message("The ground resolved distance is {grd} cm; give a pos
 STEP_TOO_SMALL = Message("The step from group to group is {step}; give a factor above 1, such as 1.1225.")
 CRITERION_OUT_OF_RANGE = Message("The criterion is {criterion}; give a share of the full amplitude between 0 and 1.")
 FULL_AMPLITUDE_UNKNOWN = Message("There is no full amplitude '{word}'; choose one of {known}.")
-GRD_OF_UNKNOWN = Message("A distance can't be that of '{word}'; choose one of {known}.")
+GRD_OF_UNKNOWN = Message("A distance can't be the width of '{word}'; choose one of {known}.")
 BAR_WIDTH_OUT_OF_RANGE = Message("The profile is averaged over {width} px either side; give 0 to {most}.")
 # the layer of lines
 NO_BAR_IMAGE = Message("No image of a bar target is chosen; choose one above, then draw a line across its bars.", INFO)
@@ -82,8 +82,12 @@ TARGET_CONTRAST_LOW = Message(
     "least, so the distance may be coarser than the sensor's best; haze and a low sun lower the contrast.", WARNING
 )
 NO_PLAIN_PLACE = Message(
-    "No plain place of the target tells the full amplitude, so the groups may seem better resolved than they are; draw "
-    "lines across coarser groups too.", WARNING
+    "No plain area of the target shows the full amplitude, so the groups may seem better resolved than they are; "
+    "draw lines across coarser groups too.", WARNING
+)
+PLAIN_IS_GROUND = Message(
+    "The groups tell too little of the target's contrast, so the full amplitude is taken from the ground beside the "
+    "bars; draw lines across coarser groups too, or make sure that this ground is as dark as the gaps.", WARNING
 )
 NO_LINE_MEASURED = Message(
     "None of the {count} lines shows bars that can be measured, so there is no ground resolved distance; draw each "
@@ -93,13 +97,19 @@ NO_LINE_MEASURED = Message(
 REQUIRED_GRD_IMPOSSIBLE = Message(
     "The required distance is {grd:g} cm; give a positive number of centimetres from {least:g} to {most:g}."
 )
+REFERENCE_HEIGHT_UNREADABLE = Message(
+    "'{word}' is no reference height; give metres, or a name and metres for each group, as 'DMC 2714; RC20 2015'."
+)
+REFERENCE_OF_NO_GROUP = Message(
+    "There is a reference height for {name}, but no group of passes is called so; give one of: {known}."
+)
 REFERENCE_HEIGHT_IMPOSSIBLE = Message(
     "The reference height is {height:g} m; give a positive number of metres up to {highest:g}, or leave it empty."
 )
 NO_OBSERVATIONS = Message("No row has a height and a distance to compute with; fill in 'height' and 'grd'.")
 OBSERVATIONS_LEFT_OUT = Message("Row {row} is left out: {why}", WARNING)
 OBSERVATION_EMPTY = Message("'height' or 'grd' holds no number; fill in both.", INFO)
-OBSERVATION_NO_NUMBER = Message("'{word}' is no number; give metres and centimetres.", INFO)
+OBSERVATION_NO_NUMBER = Message("'{word}' is not a number; give metres and centimetres.", INFO)
 OBSERVATION_IMPOSSIBLE = Message(
     "Height {height:g} m and distance {grd:g} cm make no minimum height; give positive numbers, metres up to "
     "{highest:g} and centimetres from {least:g} to {most:g}.", INFO

@@ -3,8 +3,9 @@ from __future__ import annotations
 
 import math
 import statistics
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from ...imagery.errors import Message, SettingsError
 from . import messages
@@ -84,12 +85,29 @@ class HeightResult:
         return None if self.reference_m is None else 100 * (self.mean_m - self.reference_m) / self.reference_m
 
 
-def check_heights(required_cm: float, reference_m: float | None) -> None:
+References = Mapping[str, float]
+"""Reference heights, m, by a word of the groups' keys; under the empty word that of all others."""
+
+
+def read_references(text: str) -> dict[str, float]:
+    """Reference heights as they are typed: ``2714``, or ``DMC 2714; RC20 2015``. Raises SettingsError."""
+    found = {}
+    for part in filter(None, map(str.strip, text.split(";"))):
+        name, _, word = part.rpartition(" ")
+        try:
+            found[name.strip(" =:")] = float(word.replace(",", "."))
+        except ValueError as error:
+            raise SettingsError(messages.REFERENCE_HEIGHT_UNREADABLE(word=part)) from error
+    return found
+
+
+def check_heights(required_cm: float, references: References) -> None:
     """Raise SettingsError for numbers that no flight has."""
     if not MIN_GRD_CM <= required_cm <= MAX_GRD_CM:
         raise SettingsError(messages.REQUIRED_GRD_IMPOSSIBLE(grd=required_cm, least=MIN_GRD_CM, most=MAX_GRD_CM))
-    if reference_m is not None and not 0 < reference_m <= MAX_HEIGHT_M:
-        raise SettingsError(messages.REFERENCE_HEIGHT_IMPOSSIBLE(height=reference_m, highest=MAX_HEIGHT_M))
+    for height in references.values():
+        if not 0 < height <= MAX_HEIGHT_M:
+            raise SettingsError(messages.REFERENCE_HEIGHT_IMPOSSIBLE(height=height, highest=MAX_HEIGHT_M))
 
 
 def doubts(observations: Iterable[Observation]) -> list[Message]:
@@ -106,17 +124,25 @@ def doubts(observations: Iterable[Observation]) -> list[Message]:
 
 
 def minimum_heights(
-    observations: Iterable[Observation], required_cm: float, reference_m: float | None = None
+    observations: Iterable[Observation], required_cm: float, references: References = MappingProxyType({})
 ) -> list[HeightResult]:
     """The minimum height of every group of passes, in the order in which the groups first come.
 
-    Raises SettingsError for a required distance or a reference that no flight has.
+    Raises SettingsError for a required distance or a reference that no flight has, or one of a group that is not there.
     """
-    check_heights(required_cm, reference_m)
+    check_heights(required_cm, references)
     groups: dict[Key, list[Observation]] = {}
     for one in observations:
         groups.setdefault(one.key, []).append(one)
-    return [_result(key, passes, required_cm, reference_m) for key, passes in groups.items()]
+    words = dict.fromkeys(word for key in groups for word in key)
+    for name in references:
+        if name and name not in words:
+            raise SettingsError(messages.REFERENCE_OF_NO_GROUP(name=name, known=", ".join(words)))
+
+    def reference(key: Key) -> float | None:
+        return next((references[word] for word in key if word and word in references), references.get(""))
+
+    return [_result(key, passes, required_cm, reference(key)) for key, passes in groups.items()]
 
 
 def _result(key: Key, passes: Sequence[Observation], required_cm: float, reference_m: float | None) -> HeightResult:

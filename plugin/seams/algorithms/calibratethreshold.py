@@ -38,12 +38,13 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     ID = "calibratethreshold"
     NAME = QT_TR_NOOP("Calibrate the threshold")
     HELP = QT_TR_NOOP(
-        "Finds the limit of a significant loss that an observer's verdicts support. For every threshold it "
-        "counts how many visible losses would be flagged and how many windows without one in vain: the ROC curve. The "
-        "threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of the smoothed "
-        "verdicts, with the range in which the true one lies by 95 %; the area under the curve (AUC) says how well the "
-        "measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie near "
-        "each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no number."
+        "Finds the limit of a significant loss that an observer's verdicts support. For every threshold it counts "
+        "how many visible losses would be flagged and how many windows without one would be flagged by mistake: the "
+        "ROC curve. The threshold to set is the one with the largest Youden index (sensitivity + specificity - 1) of "
+        "the smoothed verdicts, with the 95 % interval of the true one; the area under the curve (AUC) says how well "
+        "the measure tells both kinds apart, 0.5 being a guess, with its 95 % bootstrap interval. Windows that lie "
+        "near each other are resampled together. With fewer than 5 visible or 5 invisible verdicts there is no "
+        "number."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -52,8 +53,8 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             QgsProcessingParameterFeatureSource(WINDOWS, tr("Inspected windows"), [table]),
             tr(
                 "Windows that were inspected and judged: the field 'observer' with the words 'visible' (a loss was "
-                "seen at 2x) and 'invisible' ('unsure' is no verdict), and the measures 'kept_1', "
-                "'visibility', 'composite_ratio_1', 'contrast_1' and 'ratio_1', as far as they are there."
+                "seen at 2x) and 'invisible' ('unsure' does not count), and the measures 'kept_1', 'visibility', "
+                "'composite_ratio_1', 'contrast_1' and 'ratio_1', as far as they are there."
             ),
         )
         self.addDescribed(
@@ -66,8 +67,9 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
         self.addDescribed(
             common.choice(MEASURE, tr("Measure"), _MEASURES, default=None, optional=True),
             tr(
-                "The measure that the numbers are of: the one the windows are judged by. Not set: 'kept_1' where the "
-                "judged windows have it, else 'ratio_1'. The table and the chart hold all of them."
+                "The measure whose figures are given as outputs: the one the windows are judged by. Not set: "
+                "'kept_1' where the judged windows have it, else 'ratio_1'. The table and the chart hold all "
+                "measures."
             ),
         )
         self.addDescribed(

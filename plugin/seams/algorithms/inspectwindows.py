@@ -14,7 +14,6 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
 from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
@@ -48,9 +47,9 @@ class InspectWindows(SeamInspectorAlgorithm):
         "Measures how much local contrast a mosaic kept in each window. The mosaic and every source that meets the "
         "window are clipped and decomposed by wavelets, and what the mosaic has of its sources' finest detail beside a "
         "seam is compared with what it has of it farther off: whatever was done to the whole mosaic drops out. A loss "
-        "is significant where 70 % or less is kept along the seam, reduced where surely less than all is. The paper's "
-        "own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the detail or less against "
-        "every source is a significant loss."
+        "is significant where 70 % or less is kept along the seam, reduced where the 95 % interval lies below "
+        "all of it. The paper's own rule (Pyka 2010), by shares of variance in whole clips, is there too: half of the "
+        "detail or less against every source is a significant loss."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -148,6 +147,7 @@ class InspectWindows(SeamInspectorAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
+        from ...toolkit.algorithms.window_notices import WindowNotices
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_features, column_fields
         from ..measure.inspection import inspect_windows
@@ -167,7 +167,8 @@ class InspectWindows(SeamInspectorAlgorithm):
         drawn = WindowFeatures(windows, crs, run, carried=tuple(JUDGING_FIELDS))
 
         verdicts: Counter[Verdict] = Counter()
-        with open_executor(run.text(common.SCHEDULER)) as (executor, ahead):
+        notices = WindowNotices()
+        with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as (executor, ahead):
             # Only now, with nothing in the way of new results, are old ones overwritten.
             fields = output_fields(settings.levels, drawn.carried)
             output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
@@ -183,13 +184,11 @@ class InspectWindows(SeamInspectorAlgorithm):
                 run.write(curves, column_features(tables.CURVE_COLUMNS, tables.curves_of(result)))
                 run.write(pairs, column_features(tables.PAIR_COLUMNS, tables.pairs_of(result), result.levels))
                 run.write(profiles, column_features(tables.PROFILE_COLUMNS, tables.bins_of(result)))
-                run.tell_once(result.notices)
-                if result.judgement.reason is not None:
-                    run.tell(imagery_messages.ABOUT(what=result.window_id, why=result.judgement.reason))
+                notices.add(result.window_id, [*result.notices, result.judgement.reason])
                 verdicts[result.judgement.verdict] += 1
                 run.progress(sum(verdicts.values()) / drawn.count)
-        if drawn.renumbered:
-            run.tell(messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
+        run.tell(*notices.told())
+        run.tell(*drawn.told())
         run.inform(", ".join(f"{verdict_word(verdict.value)}: {verdicts[verdict]}" for verdict in Verdict))
         run.style(output_id, "windows")
         return {

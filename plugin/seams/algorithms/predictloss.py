@@ -15,15 +15,13 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ...imagery import messages as imagery_messages
 from ...imagery.errors import RasterError, SettingsError
-from ...toolkit import messages as toolkit_messages
+from ...toolkit import messages
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.raster_lists import WindowFeatures
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
-from ..measure import messages
 from ..measure.limits import COSINE, RAMPS
 from .block_parameters import check_sources, gathered_sources, given_sources
 
@@ -43,11 +41,11 @@ class PredictLoss(SeamInspectorAlgorithm):
     ID = "predictloss"
     NAME = QT_TR_NOOP("Predict loss by feathering")
     HELP = QT_TR_NOOP(
-        "Says before any mosaic is made how much detail feathering would cost in each window. Where two images are "
-        "blended half and half, the part of their detail that they do not share cancels: with rho the agreement of "
-        "their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose half "
-        "of their finest detail this way. The smallest ratio over the pairs of sources says where feathering will "
-        "hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower."
+        "Predicts, before any mosaic is made, how much detail feathering would cost in each window. Where two images "
+        "are blended half and half, the part of their detail that they do not share cancels: with rho the agreement "
+        "of their detail coefficients, (1 + rho) / 2 of its variance is left. Images that lie 1 px apart can lose "
+        "half of their finest detail this way. The smallest ratio over the pairs of sources says where feathering "
+        "will hurt, so that the seam can go elsewhere, the images be registered better, or the feather made narrower."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
@@ -69,7 +67,7 @@ class PredictLoss(SeamInspectorAlgorithm):
             tr(
                 "Full width, from where the one image is all to where the other is. What such a feather would leave, "
                 "in the whole window and in its own strip, stands in window_kept and strip_kept. 0 or empty: only the "
-                "middle of the feather is foretold, where both images weigh the same."
+                "middle of the feather is predicted, where both images weigh the same."
             ),
         )
         self.addDescribed(
@@ -84,7 +82,7 @@ class PredictLoss(SeamInspectorAlgorithm):
             QgsProcessingParameterFeatureSource(SEAMLINES, tr("Seamlines"), [line, polygon], optional=True),
             tr(
                 "Lines along which the images are to be joined, or polygons with such borders, where they are known. "
-                "Elsewhere the seam is assumed to run straight through the middle of its window, and what is foretold "
+                "Elsewhere the seam is assumed to run straight through the middle of its window, and the prediction "
                 "is the mean over the directions it may have."
             ),
             advanced=True,
@@ -108,6 +106,7 @@ class PredictLoss(SeamInspectorAlgorithm):
 
     def execute(self, run: Run) -> dict[str, Any]:
         from ...toolkit import layers
+        from ...toolkit.algorithms.window_notices import WindowNotices
         from ...toolkit.executors import open_executor
         from ...toolkit.table_fields import column_features, column_fields, column_values, feature
         from ..measure.inspection import in_order
@@ -119,13 +118,14 @@ class PredictLoss(SeamInspectorAlgorithm):
         levels = settings.levels
         windows = run.source(WINDOWS)
         if windows.featureCount() == 0:
-            raise SettingsError(toolkit_messages.NO_WINDOWS())
+            raise SettingsError(messages.NO_WINDOWS())
         crs, wkt = self._system(windows, run)
         sources = gathered_sources(run, self._given, crs, wkt)
         drawn = WindowFeatures(windows, crs, run)
         requests = self._requests(drawn, sources, self._seamlines(run, crs), wkt, settings)
 
         count = not_comparable = 0
+        notices = WindowNotices()
         with open_executor() as (executor, ahead):
             fields = column_fields(FORECAST_COLUMNS, levels)
             output, output_id = run.sink(OUTPUT, fields, QgsWkbTypes.Type.Polygon, crs)
@@ -137,14 +137,12 @@ class PredictLoss(SeamInspectorAlgorithm):
                 run.write(output, [feature(fields, column_values(FORECAST_COLUMNS, forecast, levels), geometry)])
                 of_pairs = ((forecast, pair) for pair in forecast.pairs)
                 run.write(pairs, column_features(FORECAST_PAIR_COLUMNS, of_pairs, levels))
-                run.tell_once(forecast.notices)
-                if forecast.reason is not None:
-                    run.tell(imagery_messages.ABOUT(what=forecast.window_id, why=forecast.reason))
+                notices.add(forecast.window_id, [*forecast.notices, forecast.reason])
                 count += 1
                 not_comparable += forecast.reason is not None
                 run.progress(count / drawn.count)
-        if drawn.renumbered:
-            run.tell(messages.WINDOWS_RENUMBERED(count=drawn.renumbered))
+        run.tell(*notices.told())
+        run.tell(*drawn.told())
         run.style(output_id, "predicted_windows")
         return {OUTPUT: output_id, PAIRS: pairs_id, WINDOW_COUNT: count, NOT_COMPARABLE_COUNT: not_comparable}
 

@@ -76,11 +76,11 @@ class Report(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             common.real(MIN_KEPT, tr("Least share kept along the seam"), MAX_SIGNIFICANT_KEPT, 0.0, optional=True),
-            tr("The limit drawn into the seam profiles: that which the windows were inspected with."),
+            tr("The limit drawn into the seam profiles: the one the windows were inspected with."),
             advanced=True,
         )
         self.addDescribed(
-            *common.max_ratio(tr("The limit drawn into the charts: that which the windows were inspected with.")),
+            *common.max_ratio(tr("The limit drawn into the charts: the one the windows were inspected with.")),
             advanced=True,
         )
         self.addDescribed(

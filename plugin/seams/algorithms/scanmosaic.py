@@ -21,6 +21,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import CancelledError, SettingsError
+from ...imagery.seam_totals import TOTALS_DOMAIN
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.outputs import output_text
@@ -54,7 +55,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
     HELP = QT_TR_NOOP(
         "Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what "
         "it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the "
-        "dock. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped "
+        "desk. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped "
         "in any way goes on where it was when it is started again with the same output."
     )
 
@@ -136,11 +137,11 @@ class ScanMosaic(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSink(WORST, tr("Worst places"), polygon, optional=True, createByDefault=True),
-            tr("Windows where least was kept, the worst first, ready for the dock and for Inspect windows."),
+            tr("Windows where least was kept, the worst first, ready for the desk and for Inspect windows."),
         )
         self.addNumbers({
             SEAM_METRES: tr("Length of all seams (metres)"),
-            FAILED_METRES: tr("Length with a significant loss (metres)"),
+            FAILED_METRES: tr("Length of the pieces that keep less than 70 % (metres)"),
             WORST_KEPT: tr("Least share kept by a piece"),
         })
 
@@ -163,7 +164,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         settings, mosaic = self._settings(run), self._mosaic
         crs = layers.mosaic_crs(mosaic)
         sources = self._sources(run, crs)
-        given = self._given_seams(run, crs)
+        given = self._given_seams(run, crs, [one.ref.path for one in sources])
         request, notices = scan_request(mosaic, sources, settings, given)
         run.tell(*notices)
         loss = self._loss(run)
@@ -190,8 +191,8 @@ class ScanMosaic(SeamInspectorAlgorithm):
             raise SettingsError(messages.NO_SOURCE_USABLE())
         return tuple(sources)
 
-    def _given_seams(self, run: Run, crs: QgsCoordinateReferenceSystem) -> GivenSeams | None:
-        """What the seamlines say; None without them."""
+    def _given_seams(self, run: Run, crs: QgsCoordinateReferenceSystem, paths: list[str]) -> GivenSeams | None:
+        """What the seamlines say; None without them. ``paths``: of the orthoimages."""
         from ...toolkit import layers
         from ..measure.scan.lines.given_seams import given_seams
         from ..tables.input_layers import seam_features
@@ -202,7 +203,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         features, lost = seam_features(
             layers.features(layer), layer.fields().names(), run.transform(layer, crs)
         )
-        found = given_seams(features, self._mosaic.grid, run.text(SOURCE_FIELD))
+        found = given_seams(features, self._mosaic.grid, run.text(SOURCE_FIELD), paths)
         run.tell(*(() if lost is None else (lost,)))
         return found
 
@@ -212,7 +213,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         from ..jobs import time_left
 
         told_at = time.monotonic()
-        with open_executor(run.text(common.SCHEDULER)) as (executor, ahead):
+        with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as (executor, ahead):
             for step in scan.steps(executor, ahead, run.is_cancelled):
                 run.tell_once(step.notices)
                 run.progress(_MEASURED * step.share)
@@ -229,6 +230,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
     def _write(self, run: Run, result: ScanResult, request: Any) -> dict[str, Any]:
         """The layers, whole on the disk when this returns. Raises SettingsError where one can't be written."""
         from ...toolkit.layers import mosaic_crs
+        from ..measure.scan.scan_result import seam_notes
         from ..tables import scan_layers
 
         crs, made = mosaic_crs(request.mosaic), {}
@@ -246,6 +248,7 @@ class ScanMosaic(SeamInspectorAlgorithm):
         for name, destination in made.items():
             if destination in lost:
                 raise SettingsError(messages.SCAN_LAYER_NOT_WRITTEN(name=name))
+        run.note(made[SEAMS], TOTALS_DOMAIN, seam_notes(result, request.settings))
         return made
 
     def _settings(self, run: Run) -> ScanSettings:

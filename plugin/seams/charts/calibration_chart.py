@@ -36,7 +36,7 @@ def _draw_roc(axes: Axes, words: Axes, found: Sequence[ThresholdCalibration], st
     axes.set_aspect("equal")
     axes.set_xlim(-0.02, 1.02)
     axes.set_ylim(-0.02, 1.02)
-    axes.set_xlabel(tr("windows flagged in vain (1 - specificity)"))
+    axes.set_xlabel(tr("windows flagged by mistake (1 - specificity)"))
     axes.set_ylabel(tr("visible losses flagged (sensitivity)"))
     axes.grid(True, color=style.grid, linewidth=0.8)
     lines = axes.plot([0, 1], [0, 1], color=style.text, linewidth=0.8, linestyle=":", label=tr("a guess"))
@@ -64,7 +64,7 @@ def _area_words(found: ThresholdCalibration) -> str:
     )
     if found.best is None:
         return f"{found.verdicts.measure}\n{area}"
-    best = filled(tr("threshold {value:g}: {hits} of {seen}, in vain {vain} of {unseen}"),
+    best = filled(tr("threshold {value:g}: {hits} of {seen}, by mistake {vain} of {unseen}"),
         value=found.best.threshold,
         hits=found.best.flagged_visible,
         seen=len(found.verdicts.visible),

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 from typing import Callable
 
-from qgis.core import Qgis, QgsApplication, QgsProject, QgsRectangle
+from qgis.core import Qgis, QgsApplication, QgsProject
 from qgis.gui import QgisInterface, QgsMapCanvas, QgsMessageBar
 from qgis.PyQt.QtCore import QObject, Qt
 from qgis.PyQt.QtGui import QIcon, QResizeEvent
@@ -16,6 +16,7 @@ from qgis.PyQt.QtWidgets import (
     QBoxLayout,
     QGridLayout,
     QHBoxLayout,
+    QMessageBox,
     QProgressBar,
     QSplitter,
     QTabWidget,
@@ -31,24 +32,23 @@ from ...toolkit.desk.tabs import DeskTab
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.desk.widgets import FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.layer_styles import load_style
-from ...toolkit.layers import transformed_box
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
+from .accepting import open_form
 from .inputs.inputs_panel import InputsPanel
 from .judge_bar import JudgeBar
 from .judging_desk import JudgingDesk
 from .keys import DeskKeys
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
-from .mosaic_scans import MosaicScans, ScanMessage, show_layer
+from .map.window_view import WindowView
+from .mosaic_scans import MosaicScans, ScanMessage, show_layer, uncover
 from .report_writer import ReportWriter
 from .session import Session
 from .swipe.swipe_action import SwipeAction
 from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
-
-_SCREEN_PIXELS = 2  # per image pixel: the paper's best viewing scale
 
 
 class InspectionDock(ToolDock):
@@ -61,13 +61,16 @@ class InspectionDock(ToolDock):
             WindowTool(self._canvas, self.session),
             "draw_window",
             tr(
-                "Click: selects the window that is there, with Shift it too; else makes a standard window, on the seam "
+                "Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam "
                 "when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another."
             ),
         )
         self.inputs = InputsPanel(self.session)
         self.windows = WindowsPanel(self.session)
-        self.judging = JudgingDesk(self.session, self.windows, self)
+        self._view = WindowView(self._canvas, self.session)
+        self.zoom_to = self._view.show
+        self.session.selectionChanged.connect(self._view.follow)
+        self.judging = JudgingDesk(self.session, self.windows, self, self._view.is_seen)
         self.judge = self.judging.bar
         self._tabs = tuple(tabs)
         self.panels = {tab.name: tab.make(self.session) for tab in self._tabs}
@@ -92,6 +95,7 @@ class InspectionDock(ToolDock):
         self._lay_out()
         self._found = FoundMessage(iface.messageBar(), self.session.open_windows, self)
         self.session.windowsFound.connect(self._found.show)
+        MosaicQuestion(self.session, self)
         self.session.progressChanged.connect(self._show_progress)
         self.session.messageRaised.connect(self._show_message)
         self.session.inputsChanged.connect(self._enable_actions)
@@ -108,25 +112,12 @@ class InspectionDock(ToolDock):
     def close_desk(self) -> None:
         super().close_desk()
         self._worst_inspector.stop()
+        self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
             self._keys, self.steps, self.reports, self.swiping, self._findings, self._found, self.scans, self.judging,
             self.lost, self._selected, self.session, self.inputs, self.windows, *self.panels.values(),
         ):  # fmt: skip
             part.close()
-
-    def zoom_to(self, fid: int) -> None:
-        """Show a window so that one image pixel covers 2 x 2 screen pixels."""
-        row, grid, layer = self.session.row(fid), self.session.mosaic_grid(), self.session.window_layer()
-        if row is None or row.extent is None or grid is None or layer is None:
-            return
-        self.session.select([fid])
-        width = self._canvas.width() / _SCREEN_PIXELS * grid.pixel_width
-        height = self._canvas.height() / _SCREEN_PIXELS * grid.pixel_height
-        view = QgsRectangle.fromCenterAndSize(QgsRectangle(*row.extent).center(), width, height)
-        shown = transformed_box(view, layer.crs(), self._canvas.mapSettings().destinationCrs())
-        if shown is not None:
-            self._canvas.setExtent(shown)
-            self._canvas.refresh()
 
     def judge_worst(self) -> None:
         """Take the worst windows of the last scan for the desk's own: inspected, and walked through, worst first."""
@@ -135,6 +126,7 @@ class InspectionDock(ToolDock):
             return
         load_style(layer, "windows")
         show_layer(QgsProject.instance(), layer)
+        uncover(QgsProject.instance(), layer)
         self.session.set_inputs(replace(self.session.inputs, windows=layer.id()))
         self.judging.model.change(order="table")
         self.windows.sort_by_number()
@@ -161,6 +153,11 @@ class InspectionDock(ToolDock):
             "SelectAll", tr("Judge the worst places"), tr("Judge the worst places of the last scan, worst first"),
             self.judge_worst,
         )  # fmt: skip
+        self.accept = self._action(
+            "FileNew", tr("Accept..."),
+            tr("Accept or reject the delivery: by its last scan, or all the way from its files"),
+            lambda: open_form(QgsProject.instance(), self.session.inputs),
+        )  # fmt: skip
         self.inspect_selected = self._action(
             "Refresh", tr("Again"), tr("Inspect the selected windows again"),
             lambda: self.session.inspect(self.session.selected()),
@@ -186,7 +183,7 @@ class InspectionDock(ToolDock):
         toolbar = FittingToolBar([*actions, *steps, self.report], worded=[self.inspect, self.place])
         for action in (self.scan, self.swiping.action):
             toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
-        toolbar.widgetForAction(self.scan).addAction(self.worst)
+        toolbar.widgetForAction(self.scan).addActions([self.worst, self.accept])
         self._tab_widget = tabs = QTabWidget()
         for tab in self._tabs:
             tabs.setTabToolTip(tabs.addTab(ScrollBody(self.panels[tab.name]), tr(tab.title)), tr(tab.tooltip))
@@ -345,6 +342,37 @@ class DockBody(QWidget):
             self._whole.insertWidget(1, self._judge)
 
 
+class MosaicQuestion(QObject):
+    """Asks what is to become of windows when the mosaic is another; nothing goes on with them before."""
+
+    def __init__(self, session: Session, dock: QWidget) -> None:
+        super().__init__(dock)
+        self._session, self._dock = session, dock
+        self.box: QMessageBox | None = None
+        session.mosaicDoubted.connect(self._ask)
+
+    def _ask(self, message: Message) -> None:
+        icon, text = QMessageBox.Icon.Warning, sentence(message)
+        self.box = box = QMessageBox(icon, tr("Seam Inspector"), text, parent=self._dock)
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        role, session = QMessageBox.ButtonRole, self._session
+        for text, part, answer in (
+            (tr("New windows at the same places"), role.AcceptRole, session.copy_windows),
+            (tr("The windows are of this mosaic"), role.AcceptRole, session.take_windows),
+            (tr("Leave these windows as they are"), role.RejectRole, session.leave_windows),
+        ):  # fmt: skip
+            button = box.addButton(text, part)
+            button.clicked.connect(lambda *_, answer=answer: self._answer(answer))
+            if part == role.RejectRole:
+                box.setEscapeButton(button)
+        QgsProject.instance().cleared.connect(box.deleteLater)
+        box.open()
+
+    def _answer(self, answer: Callable[[], None]) -> None:
+        self.box = None
+        answer()
+
+
 class FoundMessage(BarQuestion):
     """Offers each file once, since who dismisses it has seen where it is."""
 
@@ -354,8 +382,8 @@ class FoundMessage(BarQuestion):
         self._offered: set[Path] = set()
 
     def show(self, path: Path, message: Message) -> None:
-        """Say where they are."""
-        if path not in self._offered:
+        """Say where they are, unless others are being offered: these come after the next project."""
+        if path not in self._offered and not self.is_asking:
             self._offered.add(path)
             self.ask(
                 sentence(message), Qgis.MessageLevel.Warning, tr("Open the windows"),

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from operator import attrgetter
 from typing import TYPE_CHECKING
@@ -19,6 +20,7 @@ from qgis.PyQt.QtWidgets import (
     QPushButton,
     QSizePolicy,
     QToolButton,
+    QWhatsThis,
     QWidget,
 )
 
@@ -52,8 +54,8 @@ class OperatorButton(QToolButton):
         self.operators = tuple(
             self._checkable(menu, text, tip, partial(self._choose, number))
             for number, text, tip in (
-                (1, tr("First operator"), tr("What is said goes to the field 'observer'.")),
-                (2, tr("Second operator"), tr("What is said goes to the field 'observer_2', beside the first one's.")),
+                (1, tr("First operator"), tr("Verdicts go to the field 'observer'.")),
+                (2, tr("Second operator"), tr("Verdicts go to the field 'observer_2', beside the first operator's.")),
             )
         )
         for action in self.operators:
@@ -66,7 +68,7 @@ class OperatorButton(QToolButton):
             self._set_blind,
         )  # fmt: skip
         self.agreement = QAction(tr("Agreement of both ..."), menu)
-        self.agreement.setToolTip(tr("How often both operators say the same, and how much of that is not chance."))
+        self.agreement.setToolTip(tr("How often both operators agree, and how much of that is beyond chance."))
         self.agreement.triggered.connect(self.agreementAsked)
         menu.addAction(self.agreement)
         self.setMenu(menu)
@@ -80,7 +82,7 @@ class OperatorButton(QToolButton):
         self.agreement.setEnabled(not settings.is_blind)
         words = tr("2nd") if number == 2 else tr("1st")
         self.setText(filled(tr("{operator}, blind"), operator=words) if settings.is_blind else words)
-        tip = tr("Who judges: the first or the second operator; blind or not; how well both agree.")
+        tip = tr("Choose the operator, judge blind, and see how well both agree.")
         self.setToolTip(rich_tip(tip))
 
     def _choose(self, number: int, _checked: bool = True) -> None:
@@ -114,11 +116,19 @@ class JudgeBar(QWidget):
         self._session = session
         self._judging = judging
         self._asked = 0
+        self._progress_now = JudgingProgress(0, 0, 0, 0)
         self._shown: tuple[object, ...] = ()  # what the words were made of
         self._shown_result: WindowResult | None = None
         self._arranger = single_shot(self, self._arrange)  # when its widgets have their new sizes
         self._chip = QLabel(self)
         self._sentence = ClippedLabel(_LINES[0], self)
+        self._why = QToolButton(self)
+        self._why.setText(tr("Why?"))
+        self._why.setAutoRaise(True)
+        self._why.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self._why.setToolTip(rich_tip(tr("What the sentence rests on: intervals, what an eye sees, all causes with "
+                                         "their figures, the paper's rule.")))
+        self._why.clicked.connect(self._tell_why)
         self.set_high(False)
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
@@ -129,7 +139,7 @@ class JudgeBar(QWidget):
             tr("The loss of detail can't be seen at 2x magnification."),
         )  # fmt: skip
         self._unsure = self._judging_button(
-            tr("Not sure (U)"), "", UNSURE, tr("It can't be said. The window counts as not judged in all results.")
+            tr("Not sure (U)"), "", UNSURE, tr("You can't tell. The window counts as not judged in all results.")
         )
         self._next = self._push_button(
             tr("Next (N)"), "", judging.go_on,
@@ -174,6 +184,10 @@ class JudgeBar(QWidget):
         """What is said about the selected windows."""
         return self._sentence.text()
 
+    def why(self) -> str:
+        """What the sentence rests on, as rich text."""
+        return self._sentence.toolTip()
+
     def refresh(self) -> None:
         """Show the selected windows' state, and where they stand among the others."""
         judging = self._judging
@@ -201,7 +215,7 @@ class JudgeBar(QWidget):
             return
         self._shown, self._shown_result = state, result
         self._say(selected, progress, is_pending, result)
-        self._progress.setText(self._just_sure() or progress.words())
+        self._progress_now = progress
         self._progress.setToolTip(rich_tip(progress.tip()))
         self._arrange()
         self._arranger.start()
@@ -210,14 +224,17 @@ class JudgeBar(QWidget):
         """Whose a digit was that did not go to the selected window."""
         if self._judging.just_sure is None:
             return ""
-        number, sure = self._judging.just_sure
-        return filled(tr("Window {number}: {percent} % sure"), number=number, percent=sure)
+        return _sure_words(*self._judging.just_sure)
 
     def _follow_progress(self, _done: int, asked: int) -> None:
         """Windows are being inspected that were not before, or none any more."""
         if asked != self._asked:
             self._asked = asked
             self.refresh()
+
+    def _tell_why(self, *_: object) -> None:
+        """Stays until the next click."""
+        QWhatsThis.showText(self._why.mapToGlobal(self._why.rect().bottomLeft()), self.why(), self)
 
     def _clicked(self, word: str, checked: bool) -> None:
         """A second click on the same button takes the word back."""
@@ -249,6 +266,7 @@ class JudgeBar(QWidget):
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
         self._chip.setVisible(shows_chip)
+        self._why.setVisible(bool(tip))
         self._sentence.setText(sentence, tip)
         judging, position = self._judging, tr("{place} of {count}")
         place = str(judging.place + 1) if len(selected) == 1 and judging.place >= 0 else "-"
@@ -272,7 +290,7 @@ class JudgeBar(QWidget):
     def minimumSizeHint(self) -> QSize:
         """As narrow as the buttons that judge; the others go below them then."""
         margins = self.contentsMargins()
-        moving = self._moving.minimumSize().width()
+        moving = self._moving.minimumSize().width() - self._progress.minimumWidth() + self._least_room()
         if self._position.isVisibleTo(self):  # it may give way
             moving -= self._position.minimumWidth() + self._moving.spacing()
         width = max(self._judging_row.minimumSize().width(), moving)
@@ -281,22 +299,38 @@ class JudgeBar(QWidget):
     def _arrange(self) -> None:
         """The sentence beside the buttons where there is room, else above; the arrows below where there is little.
 
-        The progress is always whole; where there is least room the position gives way to it.
+        The progress is told in all its words where there is room, if need be in the place of the position, and else in
+        few: the dock must not grow by what is judged, or the map jumps.
         """
-        self._progress.setMinimumWidth(self._progress.fontMetrics().horizontalAdvance(self._progress.text() + "n"))
+        self._tell_progress(self._just_sure() or self._progress_now.words())
         self._position.show()
         self._moving.invalidate()  # a layout within another hears late of its widgets' new sizes
         self._position.setVisible(self.width() >= self._moving.minimumSize().width())
+        self._moving.invalidate()
+        if self.width() < self._moving.minimumSize().width():
+            self._tell_progress(self._just_sure() or self._progress_now.brief())
         row = self._judging_row.sizeHint().width() + self._moving.sizeHint().width() + self._buttons.spacing()
         sentence = _SENTENCE_CHARACTERS * self.fontMetrics().averageCharWidth()
         beside, below = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
         self._rows.setDirection(beside if self.width() >= row + sentence else below)
         self._buttons.setDirection(beside if self.width() >= row else below)
 
+    def _tell_progress(self, words: str) -> None:
+        self._progress.setText(words)
+        self._progress.setMinimumWidth(self._room_for(words))
+
+    def _room_for(self, words: str) -> int:
+        return self._progress.fontMetrics().horizontalAdvance(words + "n")
+
+    def _least_room(self) -> int:
+        """The same whatever is judged."""
+        return max(map(self._room_for, (_sure_words(999, 100), replace(self._progress_now, left=9999).brief())))
+
     def _lay_out(self) -> None:
         words = QHBoxLayout()
         words.addWidget(self._chip)
         words.addWidget(self._sentence, 1)
+        words.addWidget(self._why)
         self._judging_row, self._moving = QHBoxLayout(), QHBoxLayout()
         for button in (self._visible, self._invisible, self._unsure, self._next):
             self._judging_row.addWidget(button)
@@ -345,3 +379,7 @@ class JudgeBar(QWidget):
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         button.clicked.connect(lambda *_: slot())
         return button
+
+
+def _sure_words(number: int, sure: int) -> str:
+    return filled(tr("Window {number}: {percent} % sure"), number=number, percent=sure)

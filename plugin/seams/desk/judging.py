@@ -71,11 +71,18 @@ class JudgingProgress:
         return self.left == 0 < self.judged + self.unsure
 
     def words(self) -> str:
-        """``38 of 109 judged, 21 to go``; where nothing is judged or to judge, as before an inspection, just that."""
+        """``38 of 59 judged, 21 to go``; where nothing is judged or to judge, as before an inspection, just that."""
         if self.count and not self.judged + self.unsure + self.left:
             return tr("nothing to judge yet")
         text = tr("{judged} of {count} judged, {left} to go")
-        return filled(text, judged=self.judged, count=self.count, left=self.left) if self.count else ""
+        if self.unsure:
+            text = tr("{judged} of {count} judged, {unsure} not sure, {left} to go")
+        count = self.judged + self.unsure + self.left  # so that it adds up
+        return filled(text, judged=self.judged, count=count, unsure=self.unsure, left=self.left) if self.count else ""
+
+    def brief(self) -> str:
+        """``21 to go``."""
+        return filled(tr("{left} to go"), left=self.left) if self.count else ""
 
     def tip(self) -> str:
         """What the other windows are."""
@@ -152,14 +159,16 @@ class Judging(QObject):
         shown: Callable[[], Sequence[int]] | None = None,
         confirm: Callable[[str], bool] = lambda question: True,
         parent: QObject | None = None,
+        is_in_view: Callable[[int], bool] = lambda fid: True,
     ) -> None:
         """``shown``: the windows as the operator sees them, by default the layer's, the same list while they are the
-        same; ``confirm`` asks him.
+        same; ``confirm`` asks him; ``is_in_view``: whether he has a window before his eyes.
         """
         super().__init__(parent)
         self._session = session
         self._shown = shown
         self._confirm = confirm
+        self._is_in_view = is_in_view
         self._project = QgsProject.instance()
         self._settings = load_judging(self._project)
         self._judged: list[int] = []  # numbers, the last one judged at the end
@@ -242,7 +251,8 @@ class Judging(QObject):
         return str(getattr(row, self.operator.observer))
 
     def judge(self, word: str) -> bool:
-        """Write the operator's word on the selected window, and go on. Of several at once he is asked first.
+        """Write the operator's word on the selected window, and go on. Of several at once he is asked first; to one
+        that is not in view he goes instead.
 
         After the last one no window is selected, so that keys which come too late judge nothing again.
         Whether there was anything to do.
@@ -255,6 +265,9 @@ class Judging(QObject):
                 self._session.judge(fids, word, self.operator)
             return True
         self.follow()
+        if not self._is_in_view(fids[0]):
+            self._go_to(fids[0])
+            return True
         row = self._session.row(fids[0])
         following = self._number(self._after(row) if row is not None else None)
         self._session.judge(fids, word, self.operator)
@@ -310,7 +323,7 @@ class Judging(QObject):
         if word:
             question = filled(tr("Judge {count} windows as {word}?"), count=count, word=observer_word(word))
         else:
-            question = filled(tr("Take back what was said of {count} windows?"), count=count)
+            question = filled(tr("Take back the verdicts on {count} windows?"), count=count)
         return self._confirm(question)
 
     def _last_judged(self) -> WindowRecord | None:

@@ -40,13 +40,15 @@ _NUMBER = "window_id"  # the one column that tells nothing
 class JudgingDesk(QObject):
     """``model`` and ``bar`` are for the dock to use."""
 
-    def __init__(self, session: Session, windows: WindowsPanel, dock: QWidget) -> None:
+    def __init__(
+        self, session: Session, windows: WindowsPanel, dock: QWidget, is_in_view: Callable[[int], bool]
+    ) -> None:
         super().__init__(dock)
         self._session = session
         self._windows = windows
         self._dock = dock
         self._hidden: QgsVectorLayer | None = None  # the layer whose verdicts are hidden
-        self.model = Judging(session, windows.ordered_fids, partial(is_confirmed, dock), self)
+        self.model = Judging(session, windows.ordered_fids, partial(is_confirmed, dock), self, is_in_view)
         self.bar = JudgeBar(session, self.model)
         self.model.changed.connect(self._follow)
         self.bar.agreementAsked.connect(self.show_agreement)
@@ -206,10 +208,10 @@ def agreement_of(windows: Iterable[WindowRecord]) -> Agreement:
 def agreement_sentences(found: Agreement) -> list[str]:
     """How often they agreed, and how much of that is not chance."""
     if not found.count:
-        return [tr("No window was judged by both operators yet; who is not sure did not judge.")]
+        return [tr("No window was judged by both operators yet; 'not sure' does not count.")]
     share = percent(found.agreed / found.count)
     said = [
-        filled(tr("Both judged {count} windows and said the same of {agreed} ({percent} %)."),
+        filled(tr("Both judged {count} windows and agreed on {agreed} ({percent} %)."),
             count=found.count, agreed=found.agreed, percent=share
         ),
         filled(tr("Only the first saw a loss: {first}. Only the second: {second}."),
@@ -217,8 +219,8 @@ def agreement_sentences(found: Agreement) -> list[str]:
         ),
     ]
     if found.kappa is None:
-        return [*said, tr("One of them said one word only, so agreement can't be told from chance.")]
-    kappa = tr("Cohen's kappa: {value} ({low} to {high} by 95 %), {word}.")
+        return [*said, tr("One of them gave one verdict only, so agreement can't be told from chance.")]
+    kappa = tr("Cohen's kappa: {value} (95 % interval {low} to {high}), {word}.")
     values = (shown_number(value) for value in (found.kappa.value, found.kappa.low, found.kappa.high))
     value, low, high = values
     return [*said, filled(kappa, value=value, low=low, high=high, word=_strength(found.kappa.value))]

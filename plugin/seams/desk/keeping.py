@@ -4,6 +4,7 @@ from __future__ import annotations
 import contextlib
 import shutil
 import sqlite3
+import time
 from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
@@ -12,6 +13,7 @@ from qgis.core import QgsApplication, QgsProject, QgsProviderRegistry, QgsVector
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ...imagery.errors import SeamInspectorError, WindowLayerError
+from ...imagery.gdal_calls import holds_only_tables
 from ...imagery.record_store import RecordKeeper
 from ...toolkit import layers
 from ..measure.window.window_result import WindowResult
@@ -20,11 +22,12 @@ from ..measure.window_records import WindowRecord
 from ..tables import window_layer
 from ..window_summary import is_same
 from . import messages
-from .unsaved_windows import UnsavedWindows, owner_of, restore
+from .unsaved_windows import UnsavedWindows, left_by, restore
 from .windows.window_watch import WindowWatch
 
 UNSAVED, RESULTS = ".unsaved", ".results"
-"""What comes after the name of a layer's file: for what is not saved in it yet, and for the results of its windows."""
+"""What ``path_beside`` ends with: for what is not saved in a layer yet, and for the results of its windows."""
+_LEFT_S = 60  # a file without windows is that of a project that was discarded, and not one that is just being made
 _FOLDER = "seam_inspector"  # of the user's profile of QGIS
 _KIND = "Seam Inspector: results of windows, "
 _VERSION = "3"
@@ -51,7 +54,7 @@ class Keeping(QObject):
             return
         results = KeptResults(results_path, self)
         results.failed.connect(partial(self._results_failed, str(results_path)))
-        unsaved = UnsavedWindows(layer, path, self._is_stale, self)
+        unsaved = UnsavedWindows(layer, path, self._is_stale, self, path.parent == unsaved_folder())
         unsaved.failed.connect(partial(self._failed, layer.id(), str(path)))
         self._kept[layer.id()] = unsaved, results
         left = unsaved.left() if path.is_file() and not layer.isModified() else []
@@ -78,14 +81,31 @@ class Keeping(QObject):
         if layer.id() not in self._kept:
             self._complain(layer.id(), messages.WINDOWS_WITHOUT_FILE(name=layer.name()))
 
-    def left_in(self, project: QgsProject) -> Path | None:
-        """The file of windows that a project lacks, since QGIS ended before it was saved; it may have no file."""
+    def left_in(self, project: QgsProject) -> list[Path]:
+        """Files of windows that a project lacks, since QGIS ended before it was saved, the last one first; it may have
+        no file."""
+        there, found = _files_of(project), []
+        for record in home_of(project).glob(f"*.gpkg{UNSAVED}"):
+            windows = record.with_suffix("")
+            if str(windows) in there or not holds_only_tables(windows):
+                continue
+            if (left := left_by(record)) is None or not _is_owner(project, left.project):
+                continue
+            if left.unsaved or window_layer.count_windows(windows):
+                found.append((record.stat().st_mtime, windows))
+        return [windows for _, windows in sorted(found, reverse=True)]
+
+    def tidy(self, project: QgsProject) -> None:
+        """Delete what projects that were discarded left without a window in it."""
         there = _files_of(project)
-        for path in sorted(home_of(project).glob(f"*.gpkg{UNSAVED}")):
-            windows = path.with_suffix("")
-            if str(windows) not in there and windows.is_file() and owner_of(path) == project.fileName():
-                return windows
-        return None
+        for path in unsaved_folder().glob("windows*.gpkg"):
+            record, written = _named(path, "", UNSAVED), _written(path)
+            if str(path) in there or written is None or time.time() - written < _LEFT_S:
+                continue
+            if record.is_file() and ((left := left_by(record)) is None or left.unsaved):
+                continue
+            if window_layer.count_windows(path) == 0:
+                _remove(path, UNSAVED, RESULTS)
 
     def beside(self, project: QgsProject) -> tuple[Path, int] | None:
         """The file of windows beside a project that was saved before them and lacks them, and how many there are."""
@@ -119,17 +139,16 @@ class Keeping(QObject):
         if is_edited:
             layer.startEditing()
 
-    def leave(self, ids: Iterable[str]) -> None:
-        """These layers go."""
+    def leave(self, ids: Iterable[str], is_left: bool = False) -> None:
+        """These layers go. ``is_left``: they stay, and QGIS itself asks what is to become of their changes."""
         for layer_id in self._kept.keys() & set(ids):
-            for file in self._kept.pop(layer_id):
-                file.close()
+            unsaved, results = self._kept.pop(layer_id)
+            unsaved.close(is_left)
+            results.close()
 
     def close(self) -> None:
         """What is not saved in layers that are still there stays open in them, and QGIS itself asks about it."""
-        for unsaved, _ in self._kept.values():
-            unsaved.drop()
-        self.leave(list(self._kept))
+        self.leave(list(self._kept), is_left=True)
 
     def _is_stale(self, layer: QgsVectorLayer, number: int) -> bool:
         row = self._watch.numbered(number) if layer is self._watch.layer else None
@@ -194,6 +213,14 @@ class KeptResults(QObject):
             self._missing.add(window_id)
         return found
 
+    def note(self, key: str, payload: bytes) -> None:
+        """Keep something that is of all windows."""
+        self._keeper.save(key, lambda: payload)
+
+    def noted(self, key: str) -> bytes | None:
+        """What was kept so."""
+        return self._keeper.load(key)
+
     def close(self) -> None:
         """Write what is to be written."""
         self._keeper.close()
@@ -238,9 +265,10 @@ def move(layer: QgsVectorLayer, folder: Path) -> Path:
     new = window_layer.free_path(folder)
     try:
         _copy(old, new)
-        if (results := Path(f"{old}{RESULTS}")).is_file():
-            Path(f"{new}{RESULTS}").unlink(missing_ok=True)  # it may be a link to somewhere else
-            shutil.copyfile(results, f"{new}{RESULTS}")
+        if (results := path_beside(layer, RESULTS)) is not None and results.is_file():
+            copied = _named(new, _table_of(layer), RESULTS)
+            copied.unlink(missing_ok=True)  # it may be a link to somewhere else
+            shutil.copyfile(results, copied)
     except (OSError, sqlite3.Error) as error:
         with contextlib.suppress(OSError):
             new.unlink(missing_ok=True)
@@ -249,10 +277,16 @@ def move(layer: QgsVectorLayer, folder: Path) -> Path:
     if not layer.isValid():
         layer.setDataSource(source, layer.name(), "ogr")
         raise WindowLayerError(messages.WINDOWS_NOT_MOVED(old=old, folder=folder, error=new))
-    for path in (old, *(Path(f"{old}{ending}") for ending in ("-wal", "-shm", RESULTS))):
+    _remove(old, RESULTS)
+    return new
+
+
+def _remove(windows: Path, *records: str) -> None:
+    """A file that the desk made, and these of its records."""
+    for path in (*(Path(f"{windows}{ending}") for ending in ("", "-wal", "-shm")),
+                 *(_named(windows, "", ending) for ending in records)):
         with contextlib.suppress(OSError):  # one that is open elsewhere stays
             path.unlink(missing_ok=True)
-    return new
 
 
 def _copy(old: Path, new: Path) -> None:
@@ -264,10 +298,24 @@ def _copy(old: Path, new: Path) -> None:
 
 
 def path_beside(layer: QgsVectorLayer, ending: str) -> Path | None:
-    """The file that goes with a layer; None for a layer that has none itself."""
+    """The record that goes with a layer; None for a layer that has no file itself."""
     path = Path(layers.layer_path(layer) or ".")
-    if not path.is_file():
-        return None
-    name = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName") or path.stem
-    part = "" if name == path.stem else f".{name}"
-    return path.with_name(f"{path.name}{part}{ending}")
+    return _named(path, _table_of(layer), ending) if path.is_file() else None
+
+
+def _table_of(layer: QgsVectorLayer) -> str:
+    """Of a file that may hold several; empty for one that the desk made, or that holds one alone."""
+    path = Path(layers.layer_path(layer))
+    unnamed = path.stem if path.suffix == ".gpkg" else ""
+    table = QgsProviderRegistry.instance().decodeUri("ogr", layer.source()).get("layerName") or unnamed
+    return "" if table == window_layer.TABLE else str(table)
+
+
+def _named(path: Path, table: str, ending: str) -> Path:
+    """A record beside a file, by the file's name whatever that is, so that they can be moved and renamed together."""
+    return path.with_name(f"{path.name}.{table}{ending}" if table else f"{path.name}{ending}")
+
+
+def _is_owner(project: QgsProject, owner: str) -> bool:
+    """Whether a record in a project's home is its own: that of a project which is not there was moved or renamed."""
+    return owner == project.fileName() or bool(owner and project.fileName() and not Path(owner).is_file())

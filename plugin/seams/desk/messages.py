@@ -25,15 +25,21 @@ WINDOWS_RESTORED = Message(
     "QGIS ended without saving; the changes of {count} windows in {name} are back. Save the layer.", WARNING
 )
 WINDOWS_NOT_KEPT = Message(
-    "What is judged is safe only once you save the layer: it can't be kept in {path} meanwhile ({error}).", WARNING
+    "Your verdicts are safe only once you save the layer: it can't be kept in {path} meanwhile ({error}).", WARNING
 )
 RESULTS_NOT_KEPT = Message(
-    "Curves and pictures of the windows can't be kept in {path} ({error}); without them windows are measured again "
-    "after the project was closed.",
+    "Curves and pictures of the windows can't be kept in {path} ({error}); without them windows have to be measured "
+    "again once the project was closed.",
     WARNING,
 )
+WINDOWS_OF_ANOTHER_MOSAIC = Message(
+    "The windows in {name} were measured and judged in {older}, and the mosaic is {newer} now.", WARNING
+)
+MOSAIC_IS_ANOTHER_NOW = Message(
+    "{mosaic} has changed since the windows in {name} were measured and judged.", WARNING
+)
 WINDOWS_WITHOUT_FILE = Message(
-    "The windows in {name} are in no file: they and what is judged are lost when QGIS ends. Export the layer to a "
+    "The windows in {name} are in no file: they and their verdicts are lost when QGIS ends. Export the layer to a "
     "GeoPackage to keep them.",
     WARNING,
 )

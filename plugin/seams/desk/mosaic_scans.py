@@ -358,6 +358,16 @@ def show_layer(project: QgsProject, layer: QgsMapLayer) -> None:
         node.setItemVisibilityCheckedParentRecursive(True)
 
 
+def uncover(project: QgsProject, layer: QgsMapLayer) -> None:
+    """Take the pictures of a scan off the map where its windows are to be looked at: they hide what is judged."""
+    root = project.layerTreeRoot()
+    node = root.findLayer(layer.id())
+    if node is not None and node.parent() not in (None, root):
+        for beside in node.parent().findLayers():
+            if isinstance(beside.layer(), QgsRasterLayer):
+                beside.setItemVisibilityChecked(False)
+
+
 def worst_layer(project: QgsProject, mosaic: str) -> QgsVectorLayer | None:
     """The worst windows of the last scan of a mosaic layer, while the project has them."""
     found = [

@@ -37,6 +37,7 @@ from .map.window_coverage import SeamFinder, WindowCoverage
 from .windows.new_windows import NewWindows
 from .windows.window_results import WindowResults
 from .windows.window_watch import WindowWatch
+from .windows.windows_mosaic import WindowsMosaic
 
 
 class LossView(QObject):
@@ -69,6 +70,8 @@ class Session(QObject):
     picturesArrived = pyqtSignal(int)
     progressChanged = pyqtSignal(int, int)
     messageRaised = pyqtSignal(str, int)
+    mosaicDoubted = pyqtSignal(object)
+    """The Message why the mosaic is not for the windows; ``take_windows`` and its like go on."""
     windowsFound = pyqtSignal(object, object)
     """Path of windows that the project lacks, and the Message that says so."""
 
@@ -85,6 +88,7 @@ class Session(QObject):
         self._coverage = WindowCoverage(self)
         self._keeping = Keeping(watch, self)
         self._live = LiveWindows(block, self)
+        self._mosaics = WindowsMosaic(block, watch, self._keeping, self)
         self._results = WindowResults(block, watch, self._background, self._keeping, self, self._live.measure)
         self._new = NewWindows(project, block, watch, self._background, self)
         self._pictures = WindowPictures(block, watch, self._background, self)
@@ -135,6 +139,7 @@ class Session(QObject):
             (self._layers.indexEdited, self._files_changed),
             (self._layers.seamlinesEdited, self._seamlines_edited),
             (self._new.layerMade, self._take_layer),
+            (self._mosaics.doubted, self.mosaicDoubted),
             (self._new.drawn, self._take_drawn),
             *((told, self._tell) for told in (
                 self._opening.failed, self._background.failed, self._live.failed, self._results.failed,
@@ -171,6 +176,8 @@ class Session(QObject):
             return
         if before.windows != inputs.windows:
             self._results.write()  # into the layer they are of
+        if before.mosaic != inputs.mosaic:
+            self._mosaics.leave()
         self._block.inputs = inputs
         save_inputs(self._project, inputs)
         self._layers_changed()
@@ -234,6 +241,28 @@ class Session(QObject):
                     prepared = self._watch.prepare(others, self.inputs.levels, values)
                     window_layer.write_judgement(layer, prepared, values)
                 self._keeping.note_judged(layer)
+                self._mosaics.note()
+
+    # Windows of another mosaic
+
+    def take_windows(self) -> None:
+        """They are of the present mosaic."""
+        self._mosaics.take()
+        self._follow_block()
+
+    def leave_windows(self) -> None:
+        """They stay as they are, and others are looked at."""
+        self.set_inputs(replace(self.inputs, windows=""))
+
+    def copy_windows(self) -> None:
+        """New windows at the same places are looked at, with nothing in them yet."""
+        layer, mosaic = self._watch.layer, self.mosaic_layer()
+        if layer is None or mosaic is None:
+            return
+        with self._raised():
+            outlines = self._block.shapes(layer, [row.fid for row in self.windows()], mosaic.crs())
+            self.leave_windows()
+            self._new.copy(outlines)
 
     def _take_layer(self, layer_id: str) -> None:
         """Windows are those of this layer from now on."""
@@ -269,6 +298,7 @@ class Session(QObject):
         """Inspect windows, those left out that are being inspected already."""
         with self._raised():
             self._results.inspect(fids)
+            self._mosaics.note()
 
     def inspect_pending(self) -> None:
         """Inspect all windows that are not inspected yet or have changed since."""
@@ -324,13 +354,14 @@ class Session(QObject):
         project = self._project
         if self._watch.layer is not None or (project.fileName() and not self._is_read):
             return  # a project that is being read lacks layers yet
-        if (path := self._keeping.left_in(project)) is None:
-            if (beside := self._keeping.beside(project)) is not None:
-                path, count = beside
-                self.windowsFound.emit(path, messages.WINDOWS_BESIDE(name=path.name, count=count))
-        elif project.fileName():
-            self.open_windows(path)
-        else:
+        self._keeping.tidy(project)
+        left = self._keeping.left_in(project)
+        if left and project.fileName():
+            self.open_windows(left[0])
+        elif not left and (beside := self._keeping.beside(project)) is not None:
+            path, count = beside
+            self.windowsFound.emit(path, messages.WINDOWS_BESIDE(name=path.name, count=count))
+        for path in () if project.fileName() else left:
             self.windowsFound.emit(path, messages.WINDOWS_FOUND(path=path))
 
     def _save(self, *_: object) -> None:
@@ -364,6 +395,7 @@ class Session(QObject):
     def _follow_block(self) -> None:
         """There may be another block, or none any more."""
         self._seams.refresh()
+        self._mosaics.check()
         self._coverage.follow(self.block())
         self._watch.set_state(self._block.state())
         self.inputsChanged.emit()

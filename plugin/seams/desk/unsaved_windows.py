@@ -11,12 +11,14 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, NamedTuple
 
 from osgeo import ogr
 from qgis.core import QgsFeature, QgsFeatureRequest, QgsGeometry, QgsProject, QgsVectorLayer, QgsVectorLayerUtils
+from qgis.PyQt import sip
 from qgis.PyQt.QtCore import QObject, pyqtBoundSignal, pyqtSignal
 
+from ...imagery.documents import json_document
 from ...imagery.errors import SettingsError, WindowLayerError
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.record_store import RecordKeeper, RecordStore
@@ -58,11 +60,14 @@ class UnsavedWindows(QObject):
     """Why nothing can be kept."""
 
     def __init__(
-        self, layer: QgsVectorLayer, path: Path, is_stale: Callable[[QgsVectorLayer, int], bool], parent: QObject
+        self, layer: QgsVectorLayer, path: Path, is_stale: Callable[[QgsVectorLayer, int], bool], parent: QObject,
+        is_alone: bool = False,
     ) -> None:
-        """``is_stale``: whether the results of the window with a number are outdated."""
+        """``is_stale``: whether the results of the window with a number are outdated. ``is_alone``: no project knows
+        the layer, so the record is there as long as the layer is followed, whatever is saved in it meanwhile.
+        """
         super().__init__(parent)
-        self._layer, self._is_stale = layer, is_stale
+        self._layer, self._is_stale, self._is_alone = layer, is_stale, is_alone
         self._keeper = RecordKeeper(path, _KIND, self.failed.emit)
         self._touched: dict[int, None] = {}  # in order
         self._numbers: dict[int, int] = {}  # by feature id
@@ -84,6 +89,8 @@ class UnsavedWindows(QObject):
         self._read_numbers()
         if layer.isModified():
             self._touch_all()
+        elif is_alone and not path.is_file():
+            self._keep_owner()
 
     def left(self) -> list[UnsavedWindow]:
         """What a QGIS left that ended without saving."""
@@ -94,9 +101,12 @@ class UnsavedWindows(QObject):
         """What was left has been dealt with."""
         self._has_owner = False
         self._keeper.remove()
+        if self._is_alone:
+            self._keep_owner()
 
-    def close(self) -> None:
-        """Write what is to be written and follow the layer no more."""
+    def close(self, is_left: bool = False) -> None:
+        """Write what is to be written and follow the layer no more. ``is_left``: QGIS itself asks what is to become of
+        its changes."""
         while self._touched:
             self._write()
         self._writer.stop()
@@ -104,6 +114,8 @@ class UnsavedWindows(QObject):
         for signal, slot in self._connections:
             with suppress(TypeError, RuntimeError):  # the layer is gone already
                 signal.disconnect(slot)
+        if is_left or (self._is_alone and not sip.isdeleted(self._layer) and not self._layer.isModified()):
+            self._keeper.remove()
         self._keeper.close()
 
     def _touch(self, fid: int, *_: object) -> None:
@@ -162,10 +174,13 @@ class UnsavedWindows(QObject):
         if self._touched:
             self._writer.start()
 
-    def _keep(self, window: UnsavedWindow) -> None:
+    def _keep_owner(self) -> None:
         if not self._has_owner:
             self._has_owner, owner = True, QgsProject.instance().fileName().encode()
             self._keeper.save(_OWNER, lambda: owner or _NOBODY)
+
+    def _keep(self, window: UnsavedWindow) -> None:
+        self._keep_owner()
         payload = json.dumps(
             {"number": window.number, "wkb": window.wkb and window.wkb.hex(), "values": window.values,
              "stale": window.is_stale}
@@ -173,19 +188,28 @@ class UnsavedWindows(QObject):
         self._keeper.save(str(window.number), lambda: payload)
 
 
-def owner_of(path: Path) -> str | None:
-    """The project, empty for one without a file, in which such a file was made; None while a QGIS has it open."""
+class Left(NamedTuple):
+    """What a QGIS left that ended without saving."""
+
+    project: str
+    """Its file; empty for one that had none."""
+    unsaved: int
+    """How many windows were not saved."""
+
+
+def left_by(path: Path) -> Left | None:
+    """What a record says; None for one that a QGIS has open, or that can't be read."""
     try:
         file = RecordStore(path, _KIND)
     except (OSError, SettingsError):
         return None
     try:
         owner = file.load(_OWNER)
+        return None if owner is None else Left(owner.rstrip(_NOBODY).decode(errors="replace"), len(file.keys) - 1)
     except OSError:
         return None
     finally:
         file.close()
-    return None if owner is None else owner.rstrip(_NOBODY).decode(errors="replace")
 
 
 def _number_of(feature: QgsFeature) -> int | None:
@@ -195,13 +219,13 @@ def _number_of(feature: QgsFeature) -> int | None:
 
 def _read(payload: bytes) -> UnsavedWindow | None:
     try:
-        held = json.loads(payload)
+        held = json_document(payload)
         wkb = None if held["wkb"] is None else bytes.fromhex(held["wkb"])
         values = {name: value for name, value in held["values"].items() if _is_plain(value)}
         if type(held["number"]) is not int or not _is_plain(held["number"]) or not _is_shape(wkb or b""):
             return None
         return UnsavedWindow(held["number"], wkb, values, bool(held["stale"]))
-    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):  # whatever somebody wrote there
+    except (ValueError, TypeError, KeyError, AttributeError):  # whatever somebody wrote there
         return None
 
 

@@ -255,7 +255,8 @@ part."""
 
 
 def _missing(found: CauseEvidence) -> float | None:
-    least = MIN_MISSING_SHARE if found.fit >= MIN_SURE_FIT else MIN_UNSURE_MISSING_SHARE
+    # What is missing is explained by nothing, and must not make the rest unsure.
+    least = MIN_MISSING_SHARE if found.fit + found.missing >= MIN_SURE_FIT else MIN_UNSURE_MISSING_SHARE
     return found.missing if found.missing >= least else None
 
 

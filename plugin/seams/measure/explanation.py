@@ -115,7 +115,7 @@ def explain(
     unmixed = _on_pixels_of(detail.unmixed(), cut.labels)
     sharpness = _sharpness(finest, cut.labels)
     unit = grey_unit(image.raster, next(iter(image.coarse.values())))
-    total = float(detail.judged.cc[0].sum(dtype=np.float64))
+    total = float(np.einsum("dij,dij->", finest[:, -1], finest[:, -1], dtype=np.float64))
     evidence = CauseEvidence(
         missing=1 - cut.explained,
         profile=profile,
@@ -123,7 +123,7 @@ def explain(
         mixed=following.mixed_share,
         sharpness=sharpness,
         clipped=next(iter(against_composite.values())).clipped,
-        clipped_lost=_clipped_loss(image, finest),
+        clipped_lost=_clipped_loss(image, finest, total),
         tones=_source_tones(image, images, following, tones),
         unevenness=_unevenness(image, images, following, levels),
         misfit=_misfit(cut, shifts, wavelet),
@@ -294,13 +294,13 @@ def _causes(evidence: CauseEvidence, lacks_profile: bool) -> tuple[Cause, ...]:
 
 
 def _seam_loss(profile: SeamProfile | None, sharpness: float | None, total: float) -> float:
-    """Share of the window's finest detail energy, ``total`` DN squared, that its seams took."""
+    """Share of the finest detail energy of the window's sources, ``total`` DN squared, that its seams took."""
     if profile is not None:
         return min(profile.lost / total, 1.0) if total > 0 else 0.0
     return max(1 - sharpness**2, 0.0) if sharpness is not None else 0.0
 
 
-def _clipped_loss(image: ComparedImage, finest: np.ndarray) -> float:
+def _clipped_loss(image: ComparedImage, finest: np.ndarray, total: float) -> float:
     """The same, gone where the mosaic is at an end of its scale."""
     ends = np.zeros(image.bands.shape[1:], bool)
     for band in image.bands:
@@ -309,7 +309,6 @@ def _clipped_loss(image: ComparedImage, finest: np.ndarray) -> float:
     if not at.any():
         return 0.0
     own, plain = (float(np.einsum("dij,dij,ij->", one, one, at)) for one in (finest[:, 0], finest[:, -1]))
-    total = float(np.einsum("dij,dij->", finest[:, -1], finest[:, -1]))
     return max(plain - own, 0.0) / total if total > 0 else 0.0
 
 

@@ -12,11 +12,11 @@ from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster
 from ...imagery.raster_pool import ReadEach
 from ...imagery.wavelets import Curve, clip_curves, judged_plane
-from ...imagery.while_measuring import measuring
 from .compared_image import ComparedImage, MeasuredClip
 from .following.hard_cut import is_unclear, judged_ground
 from .profile.seam_profile import SeamProfile
 from .verdicts import judge
+from .while_measuring import measuring
 from .window.explained_window import known_labels
 from .window.window_request import WindowRequest, place_in, read_with_surroundings
 from .window.window_result import ClipResult, WindowClips

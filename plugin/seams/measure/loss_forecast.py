@@ -22,7 +22,6 @@ from ...imagery.rasters import Raster
 from ...imagery.reference_systems import extent_on, metres_per_unit
 from ...imagery.shifts import Shift, Spectra, find_shift
 from ...imagery.wavelets import check_decomposition, judged_plane
-from ...imagery.while_measuring import measuring
 from . import messages
 from .feather_prediction import (
     Feather,
@@ -38,6 +37,7 @@ from .feather_prediction import (
 )
 from .limits import COSINE, RAMPS
 from .source_images import Source, covers, sources_over
+from .while_measuring import measuring
 
 
 @dataclass(frozen=True)

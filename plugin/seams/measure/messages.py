@@ -33,13 +33,9 @@ SIDE_TOO_SHORT = Message(
 MOSAIC_TOO_SMALL = Message(
     "The mosaic is {width:.1f} x {height:.1f} m, too small for a window of {side:.1f} m; give a shorter side."
 )
-STATION_WITHOUT_WINDOW = Message(
-    "Seam {seam} has no window at {station:.1f} m: it would stick out of the mosaic or hold too few valid pixels, and "
-    "there is no room beside.", WARNING
-)
-STRETCH_WITHOUT_WINDOW = Message(
-    "Seam {seam} has no windows from {start:.1f} to {end:.1f} m: they would stick out of the mosaic or hold too few "
-    "valid pixels, and there is no room beside.", WARNING
+PLACES_WITHOUT_WINDOW = Message(
+    "Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
+    "{count}, on seam {places}.", WARNING
 )
 WINDOWS_CROWDED = Message(
     "Left out because they would share more than half of their pixels with another window of the same seam: "
@@ -50,7 +46,7 @@ SEAMS_TINY = Message("Seams shorter than {shortest:.2f} m, too short to matter i
 SEAMS_OUTSIDE = Message("Seams outside the mosaic: {count}.", WARNING)
 WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.", INFO)
 WINDOWS_PLACED_IN_PART = Message(
-    "Windows placed along the seams: {count}; places left without one: {notes}, told in the log messages.", INFO
+    "Windows placed along the seams: {count}; some places are left without one, as the log messages tell.", INFO
 )
 WINDOWS_PLACED_BESIDES = Message(
     "Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are "
@@ -63,7 +59,6 @@ NO_WINDOW_PLACED = Message("No window could be placed along the seams; the log m
 WINDOW_LAYER_NOT_CREATED = Message(
     "No window layer can be written to {folder}; save the project in a folder that you may write to."
 )
-WINDOWS_RENUMBERED = Message("{count} windows had no number of their own and were given the next free ones.", WARNING)
 # why a window is not comparable
 NO_SOURCES = Message("No source covers the window; add the orthoimages that overlap it or move the window.", INFO)
 NO_SOURCE_COMPARABLE = Message("No source can be compared here: {why}", INFO)
@@ -74,12 +69,11 @@ SOURCES_WITHOUT_DETAIL = Message(
 )
 BANDS_DIFFER = Message("{name} has no {band} (its bands: {bands}); choose sources with the mosaic's bands.")
 COMPOSITE_UNCLEAR = Message(
-    "No source explains the mosaic's fine detail here, so their composite is no reference; add the orthoimages it was "
-    "made from, or take the verdict against the sources.", INFO
+    "No source explains the mosaic's fine detail here, so their composite can't be a reference; add the orthoimages "
+    "it was made from, or take the verdict against the sources.", INFO
 )
 NO_SEAM = Message(
-    "The mosaic follows one source all over the window, so there is no seam here; the verdict is that of the sharpness "
-    "alone.",
+    "No change from one source to another is found in the window; the verdict is that of the sharpness alone.",
     INFO
 )
 MIXED_ALL_OVER = Message(
@@ -91,12 +85,15 @@ TOO_LITTLE_GROUND = Message(
     "than the seam's surroundings are in it.", INFO
 )
 SEAM_UNEXPLAINED = Message(
-    "{share:.0f} % of the window matches none of the given sources, so what its seam kept can't be told; add the "
-    "orthoimage that is missing, unless the mosaic was altered there.", INFO
+    "{share:.0f} % of the window matches none of the given sources, so what its seam kept can't be measured. Check "
+    "their dates and add the orthoimage that is missing, unless the mosaic was altered there.", INFO
 )
 VERDICT_OF_THE_REST = Message(
-    "{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest, "
-    "so add the orthoimage that is missing, unless the mosaic was altered there.", WARNING
+    "{share:.0f} % of the window matches none of the given sources and took no part; the verdict is that of the rest. "
+    "Check their dates and add the orthoimage that is missing, unless the mosaic was altered there.", WARNING
+)
+OTHER_PIXEL_SIZE = Message(
+    "{name} has pixels of {pixel:g} m and the mosaic of {own:g} m; give it at the mosaic's pixel size. {more}", WARNING
 )
 MORE_ALONG_THE_SEAM = Message(
     "Along the seam the mosaic has {low:.0f} to {high:.0f} % of the detail of the sources that it seems to follow, "
@@ -104,7 +101,7 @@ MORE_ALONG_THE_SEAM = Message(
 )
 MAY_BE_SIGNIFICANT = Message(
     "Whether the loss is significant can't be told, as {low:.0f} to {high:.0f} % may be left; measure more of the "
-    "seam, or look.", INFO
+    "seam, or judge it by eye.", INFO
 )
 INTERVAL_TOO_WIDE = Message(
     "What is kept along the seam can only be told to lie between {low:.0f} and {high:.0f} %; take a larger window.",
@@ -119,8 +116,7 @@ CELLS_OF_OTHERS = Message(
     "No seam cell names a source that is given, so the cells say nothing; the first one names '{name}'.", WARNING
 )
 SOURCE_LIKE_MOSAIC = Message(
-    "{name} explains nothing in the window that other sources don't, as a copy of the mosaic would; it takes no part "
-    "there.", WARNING
+    "{name} shows nothing in the window that the other sources don't; it takes no part there.", INFO
 )
 ALL_RESAMPLED = Message(
     "All sources have another pixel size or system than the mosaic and were resampled, which changes detail; the "
@@ -159,7 +155,7 @@ FILTER_NOT_UNDERSTOOD = Message("The filter is not understood: {error}. Example:
 FILTER_DECIMALS = Message("Write decimals in the filter with a point: kept < 0.7.")
 FILTER_SHARE = Message("{name} is a share: write {share:g} for {percent:g} %.")
 FILTER_GEOMETRY = Message(
-    "The filter knows no geometry; use 'Select Features by Expression' on the window layer instead."
+    "The filter can't use geometry; use 'Select Features by Expression' on the window layer instead."
 )
 FILTER_FIELD_UNKNOWN = Message("The filter asks for '{name}', which windows don't have. They have: {known}.")
 FILTER_HIDDEN = Message("'{word}' is hidden while judging blind, so it filters nothing; filter by {known}.", INFO)

@@ -1,6 +1,8 @@
 """Seam cells: polygons that say which source a mosaic was cut from, where a producer hands them over."""
 from __future__ import annotations
 
+import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
@@ -32,11 +34,18 @@ def cells_over(cells: Sequence[Cell], extent: Extent) -> tuple[Cell, ...]:
     return tuple(cell for cell in cells if extents_meet(cell.extent, extent))
 
 
-def cell_labels(cells: Sequence[Cell], names: Sequence[str], grid: Grid, window: PixelWindow) -> np.ndarray:
-    """Index of each pixel's source in ``names``, (rows, columns) uint8, ``UNKNOWN`` where no cell says."""
-    places = {source_stem(name): place for place, name in enumerate(names)}
-    named = [(cell, places.get(source_stem(cell.source))) for cell in cells]
-    shapes = [(ogr.CreateGeometryFromWkb(cell.wkb), place) for cell, place in named if place is not None]
+def cell_labels(
+    cells: Sequence[Cell], paths: Sequence[str], grid: Grid, window: PixelWindow, images: Sequence[int] | None = None
+) -> np.ndarray:
+    """Index of each pixel's source in ``paths``, (rows, columns) uint8, ``UNKNOWN`` where no cell says which one.
+
+    ``images``: what stands instead of the index, where several files may be one image.
+    """
+    meant = meant_sources({cell.source for cell in cells}, paths, images)
+    shapes = [
+        (ogr.CreateGeometryFromWkb(cell.wkb), next(iter(meant[cell.source])))
+        for cell in cells if len(meant[cell.source]) == 1
+    ]
     return burnt(shapes, grid, window, UNKNOWN)
 
 
@@ -63,3 +72,57 @@ def present(labels: np.ndarray) -> list[int]:
 def source_stem(name: str) -> str:
     """What a source is compared by: its name without folder, ending and capitals."""
     return PurePath(name.replace("\\", "/")).stem.lower()
+
+
+def meant_sources(
+    names: Iterable[str], paths: Sequence[str], images: Sequence[int] | None = None
+) -> dict[str, set[int]]:
+    """For each name all places in ``paths`` that it fits: whole file names, told apart by their folders where the name
+    has some; else the one file that has it as a part of its name. ``images``: what is found instead of places."""
+    by_stem: dict[str, set[int]] = {}
+    parts: dict[str, set[int]] = {}
+    folders = [_folders(path) for path in paths]
+    for place, path in enumerate(paths):
+        stem = source_stem(path)
+        by_stem.setdefault(stem, set()).add(place)
+        for part in _runs(stem):
+            parts.setdefault(part, set()).add(place)
+    found = {}
+    for name in set(names):
+        stem = source_stem(name)
+        places = by_stem.get(stem, set())
+        if not places:
+            some = parts.get("_".join(_words(stem)), set())
+            places = some if len({place if images is None else images[place] for place in some}) == 1 else set()
+        own = _folders(name)
+        # With a folder more of the name at a time, as long as some file still fits.
+        for count in range(1, len(own) + 1):
+            places = {place for place in places if folders[place][-count:] == own[-count:]} or places
+        found[name] = {place if images is None else images[place] for place in places}
+    return found
+
+
+def _folders(path: str) -> list[str]:
+    return [part.lower() for part in path.replace("\\", "/").split("/")[:-1] if part]
+
+
+def _words(stem: str) -> list[str]:
+    return re.findall(r"[^\W_]+", stem)
+
+
+def _runs(stem: str) -> set[str]:
+    """All runs of the words of a name."""
+    words = _words(stem)
+    return {"_".join(words[i:j]) for i in range(len(words)) for j in range(i + 1, len(words) + 1)}
+
+
+def names_apart(paths: Sequence[str]) -> list[str]:
+    """The file names of paths; those of one name with as many of their folders as it takes to tell them apart."""
+    parts = [path.replace("\\", "/").split("/") for path in paths]
+    found = [one[-1] or path for one, path in zip(parts, paths)]
+    for count in range(2, max(map(len, parts), default=0) + 1):
+        same = {name for name, times in Counter(found).items() if times > 1}
+        if not same:
+            break
+        found = ["/".join(one[-count:]) if name in same else name for one, name in zip(parts, found)]
+    return found

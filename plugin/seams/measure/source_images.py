@@ -10,12 +10,12 @@ import numpy as np
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, RasterError, SettingsError
+from ...imagery.gdal_calls import readable_path
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.open_raster import placed
 from ...imagery.raster_pool import RasterPool
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import extent_on
-from ...imagery.remote_files import readable_path
 from . import messages
 
 

@@ -7,17 +7,16 @@ from enum import Enum
 
 from ...imagery import limits as imagery_limits
 from ...imagery.errors import Message, SettingsError
+from ...imagery.seam_totals import MOST_SPREAD
 from ...imagery.wavelets import Curve
 from . import messages
 from .causes import MIN_MIXED
-from .limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED
+from .limits import MAX_SIGNIFICANT_KEPT, MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from .profile.seam_profile import SeamProfile
 
 MIN_EXPLAINED = 0.9  # of the pixels: else a seam may lie where no given source explains the mosaic
 MAY_HIDE_SEAM = 0.98  # the same of a window whose sources meet nowhere that is explained
 MAX_KEPT_LOW = 1.15  # lower end of kept_1: no seam adds detail, so the sources that are followed are not the mosaic's
-MAX_INTERVAL_FACTOR = 2.0  # from the lower to the upper end of kept_1: wider ones say nothing
-SHARPNESS_TOLERANCE = 0.02  # what a sound hard cut may miss: 0.998 to 1.004 were found on real imagery
 
 
 class Verdict(str, Enum):
@@ -78,9 +77,9 @@ def judge_by_seam(
     """The verdict by what is kept along the seam and by the sharpness of the whole, and why there is none.
 
     ``significant`` where kept_1 is at most ``min_kept`` for sure, or the square of the sharpness at most its limit,
-    ``reduced`` where one of them is surely below 1, else ``preserved``. A window without a seam is judged by its
-    sharpness alone. ``explained``: share of the pixels that the sources explain, ``mixed`` of those that are a mixture
-    of two of them.
+    ``reduced`` where one of them is surely below 1, else ``preserved``; none where the interval says nothing, or holds
+    all that there was although so little is kept. A window without a seam is judged by its sharpness alone.
+    ``explained``: share of the pixels that the sources explain, ``mixed`` of those that are a mixture of two of them.
     """
     if sharpness is None:
         return Verdict.NOT_COMPARABLE, messages.COMPOSITE_UNCLEAR()
@@ -91,13 +90,13 @@ def judge_by_seam(
         return _without_profile(has_seam, is_blurred, explained, mixed)
     if profile.low > MAX_KEPT_LOW:
         return Verdict.NOT_COMPARABLE, messages.MORE_ALONG_THE_SEAM(low=100 * profile.low, high=100 * profile.high)
-    is_wide = profile.high > MAX_INTERVAL_FACTOR * profile.low
+    is_wide = profile.high > MOST_SPREAD * profile.low
     kept = profile.kept[0]
     if kept is not None and kept <= min_kept and profile.high < 1:
         if not is_wide and profile.high <= (min_kept + 1) / 2:
             return Verdict.SIGNIFICANT, None
         return Verdict.REDUCED, messages.MAY_BE_SIGNIFICANT(low=100 * profile.low, high=100 * profile.high)
-    if is_wide and profile.high >= 1:
+    if profile.high >= 1 and (is_wide or (kept is not None and kept <= min_kept)):
         return Verdict.NOT_COMPARABLE, messages.INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
     if profile.high < 1 or is_blurred:
         return Verdict.REDUCED, None
@@ -135,10 +134,10 @@ def judge(
     left, ``reduced`` when less than all of it is, else ``preserved``.
     """
     nothing = Ratios((None,) * len(mosaic.detail), None)
-    if not sources:
-        return Judgement(Verdict.NOT_COMPARABLE, nothing, messages.NO_SOURCES())
     if mosaic.variance == 0:
         return Judgement(Verdict.NOT_COMPARABLE, nothing, messages.MOSAIC_CONSTANT())
+    if not sources:
+        return Judgement(Verdict.NOT_COMPARABLE, nothing, messages.NO_SOURCES())
     against = [curve_ratios(mosaic, source) for source in sources]
     largest = Ratios(
         tuple(_largest([ratios.detail[level] for ratios in against]) for level in range(len(mosaic.detail))),

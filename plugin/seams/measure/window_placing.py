@@ -21,6 +21,7 @@ from ...imagery.grids import Grid, PixelWindow, standard_side_px, standard_windo
 from ...imagery.lines import Seam, points_at, shares_inside, vertex_stations
 from . import limits, messages
 
+_MOST_PLACES = 12  # named in a sentence
 MIN_SEAM_PX = 8  # around two or three pixels: noise of labels
 MIN_SEAM_SHARE = 1 / 16  # of a window's side: a seam shorter and narrower than that is 0.4 % of the window
 
@@ -45,7 +46,7 @@ class Placement:
 
     windows: tuple[PlacedWindow, ...]
     dropped: tuple[Message, ...]
-    """For the log: each stretch of a seam that got no window, and in one sentence a reason those that need none."""
+    """For the log, in a sentence a reason: places along seams that got no window, and those that need none."""
 
 
 def place_windows(
@@ -80,7 +81,7 @@ def place_windows(
 
     placed = WindowIndex(side_px)
     windows: list[PlacedWindow] = []
-    dropped: list[Message] = []
+    left: list[tuple[int, float, float]] = []
     outside = tiny = covered = crowded = 0
     for seam in seams:
         track = SeamTrack(seam, grid, side_px)
@@ -97,14 +98,19 @@ def place_windows(
             for station, window in found:
                 placed.add(window)
                 windows.append(PlacedWindow(len(windows) + 1, seam.seam_id, station, window))
-            dropped += [_lost(seam.seam_id, start, end) for start, end in lost]
+            left += [(seam.seam_id, start, end) for start, end in lost]
             crowded += too_near
-    dropped += _summary(crowded, covered, tiny, shortest_m, outside)
-    return Placement(tuple(windows), tuple(dropped))
+    return Placement(tuple(windows), tuple(_summary(left, crowded, covered, tiny, shortest_m, outside)))
 
 
-def _summary(crowded: int, covered: int, tiny: int, shortest_m: float, outside: int) -> Iterator[Message]:
-    """What the log says about windows and seams that are too many to name."""
+def _summary(
+    left: Sequence[tuple[int, float, float]], crowded: int, covered: int, tiny: int, shortest_m: float, outside: int
+) -> Iterator[Message]:
+    """What the log says about windows and seams, in a sentence a reason. ``left``: seam, first and last station."""
+    if left:
+        places = [_place_text(*place) for place in left[:_MOST_PLACES]]
+        told = ", ".join(places if len(left) <= _MOST_PLACES else [*places, "\u2026"])
+        yield messages.PLACES_WITHOUT_WINDOW(count=len(left), places=told)
     if crowded:
         yield messages.WINDOWS_CROWDED(count=crowded)
     if covered:
@@ -115,11 +121,9 @@ def _summary(crowded: int, covered: int, tiny: int, shortest_m: float, outside: 
         yield messages.SEAMS_OUTSIDE(count=outside)
 
 
-def _lost(seam_id: int, start: float, end: float) -> Message:
-    """What the log says about windows from one station to another that found no place."""
-    if start == end:
-        return messages.STATION_WITHOUT_WINDOW(seam=seam_id, station=start)
-    return messages.STRETCH_WITHOUT_WINDOW(seam=seam_id, start=start, end=end)
+def _place_text(seam_id: int, start: float, end: float) -> str:
+    """A seam and where on it, in metres."""
+    return f"{seam_id} ({start:.1f} m)" if start == end else f"{seam_id} ({start:.1f}\u2013{end:.1f} m)"
 
 
 def _along(
@@ -208,17 +212,22 @@ def window_side_px(grid: Grid, side_m: float, spacing_m: float, levels: int) -> 
 def fitting_side_m(grid: Grid, side_m: float, spacing_m: float, levels: int) -> float:
     """The side itself where mosaic and levels allow it; else one that they do, in centimetres.
 
-    Of a mosaic that no window fits on, the side itself.
+    The standard side grows to as many pixels as it takes to measure. Of a mosaic that no window fits on, the side
+    itself.
     """
     shorter, fewest = min(grid.columns, grid.rows), max(imagery_limits.MIN_SIDE_PX, 2**levels)
+    if shorter >= limits.MEASURABLE_SIDE_PX:
+        fewest = max(fewest, limits.MEASURABLE_SIDE_PX)
     try:
         wanted = window_side_px(grid, side_m, spacing_m, levels)
     except SettingsError:
         wanted = fewest
     else:
-        if wanted <= min(shorter, LONGEST_SIDE_PX):
+        is_enough = wanted >= fewest or side_m != imagery_limits.STANDARD_SIDE_M
+        if is_enough and wanted <= min(shorter, LONGEST_SIDE_PX):
             return side_m
-        wanted = min(max(2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1))), fewest), LONGEST_SIDE_PX)
+        across = 2 ** int(math.log2(max(shorter / SIDES_ACROSS, 1)))
+        wanted = min(max(across, fewest), LONGEST_SIDE_PX) if is_enough else fewest
     if wanted > shorter:
         return side_m
     return max(math.floor(100 * wanted * grid.ground_sample_distance + 1e-6) / 100, 0.1)

@@ -60,6 +60,8 @@ class WindowRecord(NumberedWindow):
     """What the verdict was taken by, one of ``REFERENCES``; empty in tables of earlier versions."""
     paper_verdict: str = ""
     """By the paper's rule."""
+    loss: float | None = None
+    """The finest detail that is missing, as so many m2 of the window hold; 0 where no loss is sure."""
     kept: tuple[float | None, ...] = ()
     """kept_1..kept_R, of the seam profile."""
     kept_low: float | None = None

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from dataclasses import dataclass
 from functools import partial
 
@@ -12,7 +12,7 @@ import numpy as np
 from ...imagery.clips import Clip, read_clip
 from ...imagery.errors import Message, RasterError, SeamInspectorError
 from ...imagery.grids import Extent, PixelWindow, snap_window
-from ...imagery.raster_pool import one_by_one, open_raster
+from ...imagery.raster_pool import one_by_one, open_raster, reading_threads
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
 from ..measure.greatest_loss import greatest_loss
@@ -147,7 +147,7 @@ def window_parts(block: Block, jobs: Iterable[ClipJob], bytes_each: float) -> It
 
     ``bytes_each``: what the pictures of one window may weigh together; parts become smaller to keep to it.
     """
-    with ThreadPoolExecutor(_WORKERS) as pool:
+    with reading_threads(_WORKERS) as pool:
         waiting: list[Future[WindowParts]] = []
         try:
             for job in jobs:

@@ -10,7 +10,7 @@ from ...imagery.limits import judged_band
 from ...toolkit.translation import filled, formatted, percent, sentence, tr
 from ..measure import messages
 from ..measure.window_records import COMPOSITE, WindowRecord, contrast_of
-from ..window_summary import LOSSES, by_the_paper, window_sentence
+from ..window_summary import LOSSES, by_the_paper, window_sentence, window_why
 from ..words import cause_sentence, cause_word, observer_word, verdict_word
 from .clip_parts import ClipJob, WindowParts, window_parts
 from .report_request import ReportRequest
@@ -83,7 +83,7 @@ class WindowSections:
 
     def _facts(self, record: WindowRecord) -> Iterator[str]:
         """What was found, what its main cause means, and what else is known, in words."""
-        yield window_sentence(record)
+        yield " ".join([window_sentence(record), *window_why(record)])
         facts = []
         if record.cause and record.cause != "none":
             words = tr("Main cause: {cause}.") if record.verdict in LOSSES else tr("Found: {cause}.")

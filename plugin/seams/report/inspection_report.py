@@ -4,7 +4,6 @@ It reads pixels and draws charts, so it belongs into a worker; no layer and no w
 """
 from __future__ import annotations
 
-import math
 import statistics
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -23,7 +22,7 @@ from ...toolkit.translation import filled, shown_number, tr
 from ..clip_pictures import bytes_picture
 from ..measure import limits, messages
 from ..measure.window_records import WindowRecord
-from ..window_summary import judged_value, judged_words
+from ..window_summary import judged_words
 from ..words import VERDICTS, cause_sentence, cause_word, loss_legend, verdict_colour, verdict_word
 from .flagged_windows import CHART_MM, WindowSections
 from .map_sketch import SketchBackground, SketchShape, map_sketch, sketch_extent
@@ -114,13 +113,8 @@ def flagged_windows(records: Iterable[WindowRecord]) -> list[WindowRecord]:
 
 
 def _detailed(flagged: Sequence[WindowRecord]) -> list[WindowRecord]:
-    """As many as a report can show, by what they were judged by, the greatest loss first."""
-
-    def order(one: WindowRecord) -> tuple[float, int]:
-        value = judged_value(one)
-        return math.inf if value is None else value, one.window_id
-
-    return sorted(flagged, key=order)[:MAX_REPORT_DETAILS]
+    """As many as a report can show, the greatest loss first."""
+    return sorted(flagged, key=lambda one: (-(one.loss or 0.0), one.window_id))[:MAX_REPORT_DETAILS]
 
 
 def _how_measured(request: ReportRequest) -> HowMeasured:

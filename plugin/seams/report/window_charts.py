@@ -70,10 +70,15 @@ def profile_picture(
     shown = shown_profile(record, rows, pixel_m, min_kept)
     if shown is None:
         return None
-    chart = ProfilePainter(shown, QRectF(0, 0, *PROFILE_PX), PAPER, paper_font(_PROFILE_LETTERS_PX))
-    svg = chart_svg(chart.paint, *PROFILE_PX)
+    svg = profile_svg(shown)
     as_wide_as_its_room = re.sub(r' (width|height)="[\d.]+mm"', "", svg[svg.index("<svg") :])
     return ProfilePicture(Markup(as_wide_as_its_room), level_legend(shown.levels))
+
+
+def profile_svg(shown: ShownProfile, size: tuple[int, int] = PROFILE_PX) -> str:
+    """The chart as a file of so many px across and down."""
+    chart = ProfilePainter(shown, QRectF(0, 0, *size), PAPER, paper_font(_PROFILE_LETTERS_PX))
+    return chart_svg(chart.paint, *size)
 
 
 def level_legend(levels: Set[int]) -> list[tuple[str, str]]:

@@ -91,7 +91,8 @@ def reading_terms(
     if by_seam:
         words = tr(
             "Significant: {percent} % or less of the finest detail is kept along the seam, or the whole window is "
-            "blurred badly. Reduced: surely less than all is kept. Preserved: no loss is sure."
+            "blurred badly. Reduced: less than all is kept, beyond the error of the measurement. "
+            "Preserved: no certain loss."
         )
         yield tr("verdict"), filled(words, percent=percent(min_kept))
     words = tr(
@@ -120,7 +121,7 @@ def reading_terms(
         "The share of a clip's variance that lies in the details of each level, and in the background that is left "
         "(wavelet decomposition; Pyka 2010)."
     )
-    yield tr("level of detail"), tr("Level 1 is the finest, of some 2 px; each further one is twice as coarse.")
+    yield tr("level of detail"), tr("Level 1 is the finest, about 2 px; each further one is twice as coarse.")
     if "curves" in shown:
         yield tr("hard-cut composite"), tr(
             "What the mosaic would be if its sources had been cut along the seam and nothing were mixed."
@@ -141,6 +142,6 @@ def reading_terms(
             "colour is even."
         )
         yield tr("clips"), tr(
-            "The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes a "
-            "little of it from all of them."
+            "The part of the window where the mosaic lost most of the finest detail, all stretched alike. JPEG takes "
+            "a little detail from all of them."
         )

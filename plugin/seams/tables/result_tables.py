@@ -12,7 +12,15 @@ from qgis.core import QgsFeature, QgsFields, QgsGeometry
 from ...imagery.records import Column
 from ...imagery.statistics import JUDGING_FIELDS
 from ...toolkit.layer_styles import give_titles
-from ...toolkit.table_fields import column_features, column_fields, column_values, feature, table_fields, whole_number
+from ...toolkit.table_fields import (
+    LARGEST_WHOLE,
+    column_features,
+    column_fields,
+    column_values,
+    feature,
+    table_fields,
+    whole_number,
+)
 from ...toolkit.translation import sentence
 from ...toolkit.version_differences import field
 from ..measure.loss_forecast import Forecast, ForecastPair
@@ -77,7 +85,7 @@ def window_feature(result: WindowResult, geometry: QgsGeometry | None, said: Map
     values = column_values(MEASURED, result, levels)
     row = feature(fields, [*values, *[None] * (fields.count() - len(values))], geometry)
     for name, value in said.items():
-        row[name] = whole_number(value) if JUDGING_FIELDS[name] == "integer" else value
+        row[name] = whole_number(value, LARGEST_WHOLE) if JUDGING_FIELDS[name] == "integer" else value
     return row
 
 

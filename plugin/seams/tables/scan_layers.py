@@ -22,9 +22,10 @@ from ...imagery import messages as imagery_messages
 from ...imagery.atomic_files import whole_file
 from ...imagery.errors import SettingsError
 from ...imagery.records import Column
-from ...toolkit.layers import mosaic_crs, rectangle
+from ...imagery.seam_totals import TOTALS_DOMAIN
+from ...toolkit.layers import mosaic_crs, rectangle, write_layer_notes
 from ...toolkit.table_fields import column_fields, column_values, feature
-from ..measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS
+from ..measure.scan.scan_result import CELL_COLUMNS, SEAM_COLUMNS, seam_notes
 from .result_tables import PLACED_COLUMNS
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ class ScanLayer:
 
 
 def _pieces(result: ScanResult, _request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:
-    for one in result.pieces:
+    for one in result.features:
         x, y = one.piece.vertices.T.tolist()
         yield one, QgsGeometry(QgsLineString(x, y))
 
@@ -67,7 +68,7 @@ def _cells(result: ScanResult, request: ScanRequest) -> Iterator[tuple[object, Q
     for one in result.polygons:
         outline = QgsGeometry()
         outline.fromWkb(one.wkb)
-        yield request.sources[one.source].ref.name, outline
+        yield request.source_names[one.source], outline
 
 
 def _worst(result: ScanResult, request: ScanRequest) -> Iterator[tuple[object, QgsGeometry]]:
@@ -115,3 +116,4 @@ def write_scan_file(path: Path, result: ScanResult, request: ScanRequest) -> Non
             del writer  # closes the file
             if failed:
                 raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=error))
+        write_layer_notes(str(unfinished), TOTALS_DOMAIN, seam_notes(result, request.settings), SEAMS.name)

@@ -29,6 +29,7 @@ from qgis.core import (
 )
 
 from ...imagery.errors import WindowLayerError
+from ...imagery.gdal_calls import holds_only_tables
 from ...imagery.statistics import FIRST, JUDGING_FIELDS
 from ...toolkit import messages as toolkit_messages
 from ...toolkit.layer_styles import load_style, name_fields
@@ -45,7 +46,8 @@ from .result_tables import output_fields  # which gives the fields their titles
 
 UNNUMBERED = -(2**31)
 """``window_id`` of a window that has none in the layer."""
-_LAYER_NAME = "windows"
+TABLE = "windows"
+"""In a file that the desk made."""
 _OURS = {"window_id", "verdict", "observer"}  # fields that every version has written
 _BUSY_S = 0.05  # at most, for one that another program is writing
 _SHAPEFILE = "ESRI Shapefile"
@@ -57,7 +59,7 @@ def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Pa
     """The file of a new, empty window layer. Raises WindowLayerError when it can't be written to the folder."""
     path = free_path(folder)
     options = QgsVectorFileWriter.SaveVectorOptions()
-    options.driverName, options.layerName, options.fileEncoding = "GPKG", _LAYER_NAME, "UTF-8"
+    options.driverName, options.layerName, options.fileEncoding = "GPKG", TABLE, "UTF-8"
     fields, polygon = output_fields(levels, ()), QgsWkbTypes.Type.Polygon
     writer = QgsVectorFileWriter.create(str(path), fields, polygon, crs, QgsCoordinateTransformContext(), options)
     failed = writer.hasError() != QgsVectorFileWriter.WriterError.NoError
@@ -69,21 +71,23 @@ def write_window_file(crs: QgsCoordinateReferenceSystem, levels: int, folder: Pa
 
 def open_window_layer(path: Path) -> QgsVectorLayer:
     """The layer of such a file, styled. Raises WindowLayerError when it can't be opened."""
-    layer = QgsVectorLayer(f"{path}|layername={_LAYER_NAME}", tr("Windows"), "ogr")
+    layer = QgsVectorLayer(f"{path}|layername={TABLE}", tr("Windows"), "ogr")
     if not layer.isValid():
         raise WindowLayerError(messages.WINDOW_LAYER_NOT_CREATED(folder=path.parent))
     load_style(layer, "windows")
     return layer
 
 
-def count_windows(path: Path) -> int:
-    """How many windows a file holds; 0 for one that the desk did not make, or that can't be read now."""
+def count_windows(path: Path) -> int | None:
+    """How many windows a file holds; None for one that the desk did not make, or that can't be read now."""
+    if not holds_only_tables(path):
+        return None
     try:
         with contextlib.closing(sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro", _BUSY_S, uri=True)) as file:
-            names = {row[1] for row in file.execute(f"PRAGMA table_info({_LAYER_NAME})")}
-            return file.execute(f"SELECT count(*) FROM {_LAYER_NAME}").fetchone()[0] if names >= _OURS else 0
+            names = {row[1] for row in file.execute(f"PRAGMA table_info({TABLE})")}
+            return file.execute(f"SELECT count(*) FROM {TABLE}").fetchone()[0] if names >= _OURS else None
     except (OSError, sqlite3.Error):
-        return 0
+        return None
 
 
 def holds_windows(layer: QgsMapLayer | None) -> bool:

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 WGS84_SEMI_MAJOR_M = 6378137.0
 HEIGHT_DATUMS = ("auto", "ellipsoid", "egm96", "egm2008", "geoid")  # auto: what the system says; geoid: a grid file
+ANGLE_UNITS = ("auto", "degrees", "gon", "radians")  # auto: what the file says, else degrees
 EXTERIOR_DATUMS = ("as_terrain", "ellipsoid", "egm96", "egm2008", "geoid")  # as_terrain: no conversion at all
 MAX_NEWTON_ITERATIONS = 30  # the inverse of a smooth model takes four or five
 MIN_SIGMA_PX = 1e-7  # rounding: no measured coordinate is better

@@ -7,11 +7,13 @@ from ...imagery.errors import INFO, WARNING, Message
 NO_POINTS = Message("There are no points to fit a model to; measure some, or choose another layer.")
 NO_POINTS_LEFT = Message("No point is left to fit a model to: {why} Correct the layer, or choose another one.")
 NO_POINTS_FILE = Message(
-    "{name} is no points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); choose "
-    "one, or a point layer with the fields column and row."
+    "{name} is not a points file of QGIS's georeferencer (its header names no mapX, mapY and sourceX or pixelX); "
+    "choose one, or a point layer with the fields column and row."
 )
 NO_POINTS_IN_IMAGE = Message("{name} holds no ground control points itself; choose a layer or a file of points.")
-IMAGE_POINTS_BROKEN = Message("A ground control point inside {name} is no number; choose a layer or a file of points.")
+IMAGE_POINTS_BROKEN = Message(
+    "A ground control point inside {name} is not a number; choose a layer or a file of points."
+)
 POINTS_OF_OTHER_IMAGES = Message(
     "The points are of the images {names}; choose one of them, since a file that names images is read for one."
 )
@@ -35,7 +37,7 @@ POINTS_NO_DEGREES = Message(
     "coordinates are in."
 )
 POINT_HEIGHT_IMPLAUSIBLE = Message(
-    "Point {name} is {height:.6g} m high, as no place on earth is; give heights in metres."
+    "Point {name} is {height:.6g} m high, which no place on earth is; give heights in metres."
 )
 PIXEL_IMPLAUSIBLE = Message(
     "By the points a pixel measures {size:.2g} m on the ground; check that their reference system is the one that "
@@ -54,8 +56,16 @@ POINTS_OUTSIDE_IMAGE = Message(
 )
 POINTS_BEYOND_RPC_HEIGHTS = Message(
     "{count} points ({names}) are {low:.0f} to {high:.0f} m high, and the image's RPC holds for {first:.0f} to "
-    "{last:.0f} m, so errors and recommendation mean nothing if the heights are wrong; check them and their unit.",
+    "{last:.0f} m; but for a shift they miss the RPC by {missed:.3g} px. Errors and recommendation mean nothing if the "
+    "heights are wrong, so check them and their unit.",
     WARNING,
+)
+POINTS_BEYOND_IMAGE = Message(
+    "{count} points lie outside the image ({names}), where its RPC sees them, too; they are used.", WARNING
+)
+HEIGHTS_IN_FEET = Message(
+    "By the image's RPC the points' heights are in feet: as metres they miss it by {missed:.3g} px, as feet by "
+    "{left:.3g} px; give metres."
 )
 RPC_SEES_NO_POINTS = Message(
     "The image's RPC sees the points {distance:.3g} px away from the image; check that x and y are not interchanged, "
@@ -124,11 +134,11 @@ ILL_CONDITIONED = Message(
 )
 TERMS_KEPT = Message("Terms kept, numerator / denominator of scaled coordinates: {terms}.", INFO)
 FIT_DIVERGED = Message(
-    "The fit to these points runs away from them all; check for interchanged coordinates, or choose a model with fewer "
+    "The fit diverges from all of these points; check for interchanged coordinates, or choose a model with fewer "
     "unknowns."
 )
 LINE_NOT_FOUND = Message(
-    "No line of the image sees one of the points; check the points' places, heights and reference system."
+    "No scan line of the image sees one of the points; check the points' places, heights and reference system."
 )
 PUSHBROOM_DIVERGED = Message(
     "The parametric model can't be fitted to these points; check for interchanged coordinates or wrong heights, or let "
@@ -155,28 +165,30 @@ RPC_FITTED = Message(
     "and heights of {low:.0f} to {high:.0f} m.", INFO
 )
 RPC_EXACT = Message("The RPC is the model itself.", INFO)
-RPC_IMAGE_WITHOUT_IMAGE = Message("No image with the RPC is written: there is no image to copy; choose it.", WARNING)
+RPC_IMAGE_WITHOUT_IMAGE = Message(
+    "No image with the RPC is written, as there is no image to copy; choose the image.", WARNING
+)
 RPC_OF_WHOLE_SCENE = Message(
     "The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} "
     "on.", INFO
 )
 # model files
-NO_MODEL_FILE = Message("{name} is no sensor model file; choose one that fitsensormodel has written.")
+NO_MODEL_FILE = Message("{name} is not a sensor model file; choose one that Fit sensor model has written.")
 MODEL_FILE_VERSION = Message(
     "{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew."
 )
 MODEL_AND_RPC = Message("Both a model file and an RPC file are given; choose one of them.")
 # frame cameras
 NO_INTERIOR = Message(
-    "{name} holds no interior orientation that can be read; choose a YAML file of orthority or an AutoCal XML of "
-    "MicMac."
+    "{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, "
+    "ContextCapture or MicMac that does."
 )
 INTERIOR_OF_ANOTHER_SHAPE = Message(
     "The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; "
     "choose the camera's own image, uncropped and not turned."
 )
 YAML_MISSING = Message(
-    "{name} is read by the Python package PyYAML, which is not there; install it, or give an AutoCal XML of MicMac."
+    "{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML."
 )
 PIXELS_NOT_SQUARE = Message(
     "By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor's sides are interchanged."
@@ -185,22 +197,28 @@ ANGLES_PERHAPS_RADIANS = Message(
     "All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the "
     "orthoimage lies.", WARNING
 )
+ANGLES_PERHAPS_GON = Message(
+    "Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.", WARNING
+)
+ROTATION_TAKEN = Message(
+    "The rotation of {name} is taken as {way} commonly has it, which no file says; check how the orthoimage lies.", INFO
+)
 CAMERA_UNKNOWN = Message(
     "{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file."
 )
 DISTORTION_UNKNOWN = Message(
-    "The camera of {name} has a distortion that is not known here ({kind}); orthority's pinhole, brown, opencv and "
-    "fisheye cameras and MicMac's radial distortion are."
+    "The camera of {name} has a distortion that is not known here ({kind}); pinhole, Brown's, OpenCV's and "
+    "fisheye lenses are."
 )
 NO_EXTERIOR = Message(
     "{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, "
-    "phi, kappa (degrees), a GeoJSON of orthority or an Orientation XML of MicMac."
+    "phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac."
 )
 IMAGE_NOT_ORIENTED = Message(
     "{name} does not name the image {image} just once; it names {names}. Choose the file of this image."
 )
 ORIENTATION_INCOMPLETE = Message(
-    "An interior and an exterior orientation are needed together; give the one that is missing."
+    "An interior orientation needs an exterior one; give it, too."
 )
 ORIENTATION_AND_MODEL = Message("Orientations of a frame camera and a model or RPC file are given; choose one of them.")
 EXTERIOR_WITHOUT_SYSTEM = Message(
@@ -241,8 +259,8 @@ ANOTHER_GRID_IS_THERE = Message(
     "metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID)."
 )
 NO_GEOID = Message(
-    "{name} is no grid of the geoid (heights of sea level above the ellipsoid, m, rows from north to south); choose "
-    "one, such as a .gtx or .tif of PROJ."
+    "{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, "
+    "such as a .gtx or .tif of PROJ."
 )
 GEOID_NOT_COVERING = Message("The grid {name} has no values at some of the places; choose one that covers them.")
 GEOID_MISSING = Message("Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).")
@@ -251,9 +269,9 @@ NO_DEM = Message(
     "No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat."
 )
 DEM_AND_HEIGHT = Message("Both a terrain model and a constant height are given; choose one of them.")
-HEIGHT_IMPLAUSIBLE = Message("The constant height is {height:.6g} m, as no place on earth has; give it in metres.")
+HEIGHT_IMPLAUSIBLE = Message("The constant height is {height:.6g} m, which no place on earth has; give it in metres.")
 DEM_HEIGHTS_IMPLAUSIBLE = Message(
-    "The terrain model {name} has heights of {low:.6g} to {high:.6g} m, as no place on earth has; set its nodata "
+    "The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata "
     "value, or choose another one."
 )
 DEM_NOT_COVERING = Message(
@@ -302,28 +320,28 @@ PLAN_TOLD = Message(
 PLAN_DRAWS_FAILED = Message("With {count} control points {failed} draws failed and count as the worst: {why}", WARNING)
 # the recommendation
 RECOMMEND_PUSHBROOM = Message(
-    "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). A parametric model needs few "
-    "points and does not swing between them.", INFO
+    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). A parametric "
+    "model needs few points and does not swing between them.", INFO
 )
 RECOMMEND_RPC_BIAS = Message(
-    "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The vendor's RPC holds the "
-    "image's geometry and a few points remove its offset.", INFO
+    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The vendor's RPC "
+    "holds the image's geometry and a few points remove its offset.", INFO
 )
 RECOMMEND_RATIONAL = Message(
-    "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). Of the models without a "
-    "parametric base quotients are the soundest, but they need many, well spread points.", INFO
+    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). Of the models "
+    "without a parametric base quotients are the soundest, but they need many, well spread points.", INFO
 )
 RECOMMEND_DLT = Message(
-    "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). It is the quotient of lowest "
-    "order with one denominator and needs the fewest points.", INFO
+    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). It is the "
+    "quotient of lowest order with one denominator and needs the fewest points.", INFO
 )
 RECOMMEND_POLYNOMIAL_3D = Message(
     "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small "
     "areas only and swing between the points, so watch the check points.", INFO
 )
 RECOMMEND_POLYNOMIAL_2D = Message(
-    "Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m). The terrain is flat enough for "
-    "a plane model, which serves for small areas only.", INFO
+    "Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The terrain is "
+    "flat enough for a plane model, which serves for small areas only.", INFO
 )
 NOTHING_TO_RECOMMEND = Message(
     "No model could be fitted and judged; the table says why for each, so measure more points or correct them.", INFO

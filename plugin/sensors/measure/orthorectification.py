@@ -17,7 +17,7 @@ from osgeo import gdal
 
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import CancelledError, Message, RasterError, SensorModelError, SettingsError
-from ...imagery.gdal_calls import drop_from_memory, gdal_silenced, gdal_writing, vrt_parts
+from ...imagery.gdal_calls import RASTERS, drop_from_memory, gdal_silenced, gdal_writing, open_dataset, vrt_parts
 from ...imagery.grids import Extent, extents_meet
 from ...imagery.limits import COLOURS
 from ...imagery.open_raster import OpenRaster
@@ -417,7 +417,7 @@ def _warp_photo(
     )  # fmt: skip
     names, kind = made.band_names, np.dtype(made.data_type)
     assert isinstance(request.model, FrameCamera)
-    photo = PhotoWarp(image, request.model, request.wkt, gdal.Open(heights), grid)
+    photo = PhotoWarp(image, request.model, request.wkt, open_dataset(heights, RASTERS), grid)
 
     def write(path: str) -> None:
         with raster_writer(path, made, len(names), kind, names[:3] == COLOURS and len(names) == 3, nodata) as file:

@@ -5,15 +5,17 @@ import os
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from threading import Lock
 from typing import Callable
 
 import numpy as np
 from osgeo import gdal
 
-from ...imagery.gdal_calls import gdal_silenced
+from ...imagery import messages as imagery_messages
+from ...imagery.gdal_calls import gdal_pixels, gdal_silenced
 from ...imagery.grids import Grid, PixelWindow
-from ...imagery.open_raster import OpenRaster
+from ...imagery.open_raster import OpenRaster, damaged
 from ...imagery.rasters import GeoTransform
 from ...imagery.reference_systems import horizontal_wkt, same_system, transform_points
 from .frames import FrameCamera
@@ -91,7 +93,7 @@ class PhotoWarp:
         reading: Lock,
     ) -> None:  # fmt: skip
         with reading:
-            height = heights.ReadAsArray(part.column, part.row, part.width, part.height)
+            height = self._height_of(heights, part)
         if not self._may_show(part, height):
             return
         column, row = self._seen(part, height)
@@ -128,6 +130,14 @@ class PhotoWarp:
                 "", self.terrain, format="VRT", dstSRS=horizontal_wkt(grid.wkt), outputBounds=grid.extent,
                 width=grid.columns, height=grid.rows, resampleAlg="bilinear", dstNodata=float("nan"),
             )  # fmt: skip
+
+    def _height_of(self, heights: gdal.Dataset, part: PixelWindow) -> np.ndarray:
+        """(rows, columns) m. Raises RasterError where the terrain can't be read."""
+        name = os.path.basename(self.terrain.GetDescription())
+        return np.asarray(gdal_pixels(
+            lambda: heights.ReadAsArray(part.column, part.row, part.width, part.height),
+            imagery_messages.NOT_READABLE(name=name), partial(damaged, name, part),
+        ))
 
     def _may_show(self, part: PixelWindow, height: np.ndarray) -> bool:
         """Whether a part may be in the photo, by a few of its places at its lowest and its highest height."""
@@ -169,7 +179,9 @@ class PhotoWarp:
         grid, steps = self.grid, np.linspace(0.1, 0.9, 9)
         columns, rows = (side.ravel() for side in np.meshgrid(steps * grid.columns, steps * grid.rows))
         heights, ground = self._heights(), []
-        height = [float(heights.ReadAsArray(int(x), int(y), 1, 1)[0, 0]) for x, y in zip(columns, rows)]
+        height = [
+            float(self._height_of(heights, PixelWindow(int(x), int(y), 1, 1))[0, 0]) for x, y in zip(columns, rows)
+        ]
         for right, down in ((0, 0), (1, 0), (0, 1)):
             places = transform_points(grid.places(columns + right, rows + down), grid.wkt, self.wkt)
             ground.append(self.camera.project(np.column_stack([places, height])))

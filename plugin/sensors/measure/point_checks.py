@@ -26,14 +26,13 @@ RPC_FAR, RPC_FAR_PX = 3.0, 2000.0  # half images, and pixels, from the image's m
 TURNED_LEAVES = 0.1  # of what points miss the RPC by, once they are read in a turned image: then they are of such
 TURNED_MISS = 0.02  # half images: what they miss it by at least for that to be asked
 _FEWEST_TURNED = 3  # fewer follow a turned reading by chance
+FOOT_M = 0.3048
+IN_FEET_LEAVES, IN_FEET_PX = 0.15, 3.0  # of what points miss the RPC by, once heights are feet; what they miss at least
+_FEWEST_IN_FEET = 4
 
 
-def check_plausible(points: Points, size: tuple[int, int] | None) -> None:
-    """Raise SensorModelError for the first thing that can't be; ``size``: the image's columns and rows, if known.
-
-    Told are degrees and metres that were mistaken for each other, heights that are none on earth, and places outside
-    the image: rows counted upwards as QGIS's georeferencer shows them, columns and rows interchanged.
-    """
+def check_plausible(points: Points) -> None:
+    """Raise SensorModelError for degrees and metres that were mistaken for each other and heights that are none."""
     x, y, z = points.ground.T
     if is_geographic(points.wkt) and not (np.abs(x).max() <= 360 and np.abs(y).max() <= 90):
         raise SensorModelError(messages.POINTS_NO_DEGREES(x=float(x[0]), y=float(y[0])))
@@ -46,14 +45,25 @@ def check_plausible(points: Points, size: tuple[int, int] | None) -> None:
         pixel = float((np.ptp(points.ground[:, :2], axis=0) * metres).max() / across)
         if not FINEST_M <= pixel <= COARSEST_M:
             raise SensorModelError(messages.PIXEL_IMPLAUSIBLE(size=pixel))
-    if size is not None:
-        _check_inside(points, size)
 
 
-def _check_inside(points: Points, size: tuple[int, int]) -> None:
+def check_inside(points: Points, size: tuple[int, int], rpc: Rational | None) -> list[Message]:
+    """What to say of points outside an image of ``size`` (columns, rows) that its RPC sees there, too: it is a part.
+
+    Raises SensorModelError for others, and says what may be wrong: rows counted upwards as QGIS's georeferencer shows
+    them, columns and rows interchanged.
+    """
     inside = _inside(points.image, size)
     if inside.all():
-        return
+        return []
+    if rpc is not None:
+        away = np.abs(points.image - _seen(points, rpc)) / np.abs(rpc.image.scale)
+        agrees = (away <= TURNED_MISS).all(axis=1)
+        if agrees[~inside].all():
+            return [messages.POINTS_BEYOND_IMAGE(
+                count=int(np.count_nonzero(~inside)), names=", ".join(points.named(~inside)[:_SHOWN])
+            )]
+        inside |= agrees
     whys = (
         (points.image * [1, -1], messages.ROWS_NEGATIVE),
         (points.image[:, ::-1], messages.COLUMNS_AND_ROWS_INTERCHANGED),
@@ -77,23 +87,37 @@ def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
     """What to say of points whose heights (above the ellipsoid) the image's own RPC is not made for.
 
     Raises SensorModelError for places it sees far outside the image (x and y interchanged, another reference system,
-    another image's RPC), and for columns and rows of a mirrored or turned image, which an affine correction of the RPC
-    would follow.
+    another image's RPC), for columns and rows of a mirrored or turned image, which an affine correction of the RPC
+    would follow, and for heights in feet.
     """
     points = points.only(np.isfinite(points.ground).all(axis=1))
     if not len(points):
         return []
-    seen = rpc.project(reprojected(points.ground, points.wkt, WGS84))
+    seen = _seen(points, rpc)
     half = np.abs(rpc.image.scale)
     away = np.abs(seen - rpc.image.offset)
     far = ~(away <= np.maximum(RPC_FAR * half, RPC_FAR_PX)).all(axis=1)
     if far.mean() > FEWEST_INSIDE:
-        raise SensorModelError(messages.RPC_SEES_NO_POINTS(distance=float(np.nanmedian((away - half).max(axis=1)))))
+        beyond = (away - half).max(axis=1)
+        beyond[np.isnan(beyond)] = np.inf
+        raise SensorModelError(messages.RPC_SEES_NO_POINTS(distance=float(np.median(beyond))))
     _check_turned((points.image - rpc.image.offset)[~far], (seen - rpc.image.offset)[~far], half)
-    return _beyond_rpc_heights(points, rpc)
+    missed = _scatter((points.image - seen)[~far])
+    if np.count_nonzero(~far) >= _FEWEST_IN_FEET and missed > IN_FEET_PX:
+        left = _scatter((points.image - _seen(points, rpc, FOOT_M))[~far])
+        if left < IN_FEET_LEAVES * missed:
+            raise SensorModelError(messages.HEIGHTS_IN_FEET(missed=missed, left=left))
+    return _beyond_rpc_heights(points, rpc, missed)
 
 
-def _beyond_rpc_heights(points: Points, rpc: Rational) -> list[Message]:
+def _seen(points: Points, rpc: Rational, unit: float = 1.0) -> np.ndarray:
+    """(n, 2) where an RPC sees points whose heights are in a ``unit`` of so many metres; its own middle without one."""
+    heights = np.where(np.isfinite(points.ground[:, 2]), points.ground[:, 2] * unit, rpc.ground.offset[2])
+    ground = np.column_stack([points.ground[:, :2], heights])
+    return np.asarray(rpc.project(reprojected(ground, points.wkt, WGS84)))
+
+
+def _beyond_rpc_heights(points: Points, rpc: Rational, missed: float) -> list[Message]:
     heights, middle, half = points.ground[:, 2], float(rpc.ground.offset[2]), abs(float(rpc.ground.scale[2]))
     beyond = np.abs(heights - middle) > max(RPC_HEIGHTS * half, half + UNDULATION_M)
     if not beyond.any():
@@ -102,7 +126,8 @@ def _beyond_rpc_heights(points: Points, rpc: Rational) -> list[Message]:
     low, high = float(heights[beyond].min()), float(heights[beyond].max())
     return [
         messages.POINTS_BEYOND_RPC_HEIGHTS(
-            count=int(beyond.sum()), names=names, low=low, high=high, first=middle - half, last=middle + half
+            count=int(beyond.sum()), names=names, low=low, high=high, first=middle - half, last=middle + half,
+            missed=missed,
         )
     ]
 

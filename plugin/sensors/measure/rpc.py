@@ -37,6 +37,7 @@ _OFFSETS = ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")
 _COEFFICIENTS = ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")
 _RPB_NAMES = {"line": "LINE", "samp": "SAMP", "lat": "LAT", "long": "LONG", "height": "HEIGHT"}
 RPC_DOMAIN = 1.1  # how far beyond its own range, relative to it, an RPC is still taken at its word
+ALOS_WIDTHS, ALOS_COEFFICIENT = (6, 5, 8, 9, 5), 12  # characters of offsets and scales, and of a coefficient
 PIXEL_CENTRE = 0.5
 """An RPC counts from the centre of the first pixel, GDAL and we from its corner."""
 DIMAP_FIRST_PIXEL = 1
@@ -254,7 +255,8 @@ def write_rpc(rpc: Rational, path: Path) -> None:
 
 
 def read_rpc(path: Path) -> Rational:
-    """An RPC from a text file (``_RPC.TXT``), a DIMAP file (``RPC_*.XML``), ``.RPB`` or OSSIM's ``.geom``.
+    """An RPC from a text file (``_RPC.TXT``), a DIMAP file (``RPC_*.XML``), ``.RPB``, OSSIM's ``.geom``, ALOS's text
+    of fixed width or orthority's YAML.
 
     Raises SensorModelError.
     """
@@ -262,6 +264,10 @@ def read_rpc(path: Path) -> Rational:
     if looks_like_xml(content):
         return from_metadata(_dimap_items(content, path.name), path.name, DIMAP_FIRST_PIXEL)
     text = content.decode(errors="replace")
+    if re.fullmatch(r"[-+\d.eE ]+", text.strip("\r\n")):
+        return from_metadata(_alos_items(text), path.name)
+    if re.search(r"\bline_num_coeff\s*:", text):
+        return from_metadata(_orthority_items(text, path.name), path.name)
     if "BEGIN_GROUP" in text:
         return from_metadata(_rpb_items(text), path.name)
     items: dict[str, str] = {}
@@ -269,6 +275,32 @@ def read_rpc(path: Path) -> Rational:
         items[name.upper()] = value
     first, pattern = (0, "{}_COEFF_{:02d}") if "LINE_NUM_COEFF_00" in items else (1, "{}_COEFF_{}")
     return from_metadata({**items, **_coefficients(items, pattern, first)}, path.name)
+
+
+def _alos_items(text: str) -> dict[str, str]:
+    """Columns of a line of ALOS PRISM and AVNIR-2; the widths are those of GDAL's reader."""
+    names = [f"{name}_{kind}" for kind in ("OFF", "SCALE") for name in _OFFSETS]
+    ends = np.cumsum([*ALOS_WIDTHS, *ALOS_WIDTHS]).tolist()
+    items = {name: text[start:end].strip() for name, start, end in zip(names, [0, *ends], ends)}
+    parts = [text[ends[-1] + number * ALOS_COEFFICIENT :][:ALOS_COEFFICIENT] for number in range(80)]
+    return {**items, **{f"{name}_COEFF": " ".join(parts[20 * at :][:20]) for at, name in enumerate(_COEFFICIENTS)}}
+
+
+def _orthority_items(text: str, name: str) -> dict[str, str]:
+    """Of a file for one image: GDAL's items in small letters."""
+    try:
+        import yaml
+    except ImportError:
+        raise SensorModelError(messages.YAML_MISSING(name=name)) from None
+    try:
+        images = yaml.safe_load(text)
+        (rpc,) = (one["rpc"] for one in images.values())
+        return {
+            key.upper(): " ".join(map(str, value)) if isinstance(value, list) else str(value)
+            for key, value in rpc.items()
+        }
+    except (yaml.YAMLError, RecursionError, ValueError, TypeError, KeyError, AttributeError):
+        raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
 
 
 def _coefficients(items: Mapping[str, str], pattern: str, first: int) -> dict[str, str]:

@@ -118,7 +118,8 @@ class Scaling:
         return cls((low + high) / 2, np.where(half > 0, half, 1.0))
 
     def to(self, coordinates: np.ndarray) -> np.ndarray:
-        return (coordinates - self.offset) / self.scale
+        with np.errstate(over="ignore"):  # by a scale that is next to nothing
+            return np.asarray((coordinates - self.offset) / self.scale)
 
     def back(self, scaled: np.ndarray) -> np.ndarray:
         return scaled * self.scale + self.offset

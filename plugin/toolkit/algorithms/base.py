@@ -4,7 +4,7 @@ Their groups in the toolbox are here too; each name, not translated, is its grou
 """
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from qgis.core import (
@@ -15,6 +15,7 @@ from qgis.core import (
     QgsProcessingModelAlgorithm,
     QgsProcessingOutputNumber,
     QgsProcessingParameterDefinition,
+    QgsProcessingParameterFileDestination,
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 from qgis.PyQt.QtGui import QIcon
@@ -26,7 +27,7 @@ from ..resources import help_url, icon_path
 from ..translation import sentence, tr
 from . import parameters as common
 from .outputs import refuse_outputs
-from .parameters import check_files, check_rasters, without_rasters
+from .remembered import with_last_value
 from .run import Run
 
 SEAM_INSPECTION = QT_TR_NOOP("Seam inspection")
@@ -146,13 +147,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> Run:
         """The run of the values, to be looked at further. Raises SeamInspectorError for what no algorithm takes."""
-        common.check_files(self, parameters)
-        refuse_outputs(self, parameters, context)
-        common.check_numbers(self, parameters, context)
-        common.check_systems(self, parameters, context)
-        run = Run(self, parameters, context)
-        run.check_endings([*self._pages(), *self.NAMED_BY_FORMAT])
-        return run
+        return _refused(self, [*self._pages(), *self.NAMED_BY_FORMAT], parameters, context)
 
     def check(self, run: Run) -> None:
         """Raise SeamInspectorError for values that QGIS's own check would refuse without saying why."""
@@ -166,7 +161,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
 
     def for_check(self, parameters: dict[str, Any]) -> dict[str, Any]:
         """What QGIS's own check is given."""
-        return without_rasters(self, parameters, self.RASTER_LISTS)
+        return common.without_rasters(self, parameters, self.RASTER_LISTS)
 
     def _pages(self) -> list[str]:
         """Of ``PAGES`` those that the algorithm has."""
@@ -189,6 +184,8 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         copy.loadVariant(self.toVariant())
         copy.setProvider(self.provider())
         copy.setSourceFilePath(self.sourceFilePath())
+        for definition in copy.parameterDefinitions():
+            with_last_value(definition)
         return copy
 
     def displayName(self) -> str:
@@ -207,7 +204,7 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         except SeamInspectorError as error:
             return False, sentence(error.message)
         with gdal_silenced():
-            return super().checkParameterValues(without_rasters(self, parameters), context)
+            return super().checkParameterValues(common.without_rasters(self, parameters), context)
 
     def prepareAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
@@ -223,13 +220,36 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         with gdal_silenced():
-            return dict(super().processAlgorithm(parameters, context, feedback))
+            return dict(super().processAlgorithm(self._with_defaults(parameters), context, feedback))
+
+    def _with_defaults(self, parameters: dict[str, Any]) -> dict[str, Any]:
+        """The values with the model's own defaults for those that scripts leave out, where QGIS takes those of its
+        steps."""
+        known = {one.name(): one.defaultValue() for one in self.parameterDefinitions() if not one.isDestination()}
+        return {**{name: value for name, value in known.items() if value is not None}, **parameters}
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Raise SeamInspectorError for what no step is to be asked for."""
-        check_files(self, parameters)
-        check_rasters(self, parameters)
-        refuse_outputs(self, parameters, context)
+        common.check_rasters(self, parameters)
+        files = [
+            one.name() for one in self.destinationParameterDefinitions()
+            if isinstance(one, QgsProcessingParameterFileDestination)
+        ]  # fmt: skip
+        _refused(self, files, parameters, context)
+
+
+def _refused(
+    algorithm: QgsProcessingAlgorithm, named: Iterable[str], parameters: dict[str, Any], context: QgsProcessingContext
+) -> Run:
+    """The run of the values. Raises SettingsError for what no algorithm takes, and for output files among those named
+    whose ending says something else than is written."""
+    common.check_files(algorithm, parameters)
+    refuse_outputs(algorithm, parameters, context)
+    common.check_numbers(algorithm, parameters, context)
+    common.check_systems(algorithm, parameters, context)
+    run = Run(algorithm, parameters, context)
+    run.check_endings(named)
+    return run
 
 
 def _translated(content: Any, is_help: bool = False) -> Any:

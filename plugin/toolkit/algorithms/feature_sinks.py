@@ -16,7 +16,7 @@ from qgis.PyQt import sip
 
 from ...imagery.atomic_files import UnfinishedFile, drop_unfinished
 from ...imagery.errors import Message, cell_text
-from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.gdal_calls import FEATURES, gdal_silenced, open_dataset
 from .. import messages
 from ..translation import sentence, tr
 from .outputs import DataPlace
@@ -186,7 +186,7 @@ def _why_not(place: DataPlace | None, said: str) -> str:
 def _count(place: DataPlace) -> int:
     """How many features a file holds."""
     with gdal_silenced(), suppress(RuntimeError):
-        dataset = gdal.OpenEx(place.path, gdal.OF_VECTOR)
+        dataset = open_dataset(place.path, FEATURES)
         table = place.table
         layer = dataset and (dataset.GetLayerByName(table) if table else dataset.GetLayer(0))
         return int(layer.GetFeatureCount()) if layer else 0

@@ -41,7 +41,7 @@ from qgis.PyQt.QtCore import QUrl
 from ...imagery import messages as imagery_messages
 from ...imagery.documents import document_bytes, xml_root
 from ...imagery.errors import RasterError, SettingsError
-from ...imagery.gdal_calls import check_raster_path, gdal_silenced
+from ...imagery.gdal_calls import ANYTHING, check_raster_path, open_dataset
 from ...imagery.messages import system_reason
 from .. import messages
 from . import parameters as common
@@ -57,6 +57,9 @@ _WRITTEN_BESIDE = {  # of formats that are several files, by the ending of the f
     **dict.fromkeys((".bil", ".bip", ".bsq"), (".hdr",)),
 }
 _SERVER = re.compile(r"^(?!ogr:|spatialite:)[A-Za-z][\w+.-]+:")  # a drive has one letter
+_ADDRESSES = ("ogr:", "spatialite:")
+_MISREAD = re.compile(r"[:\\]|\|(?!layer(name|id)=)|%[0-9A-Fa-f]{2}(?=[^/]*\.(gpkg|sqlite)$)", re.I)
+"""What of a file's name QGIS takes for a provider, a folder or a part of an address, SQLite for another character."""
 _IN_MEMORY = "/vsimem/"
 _NO_TABLE_BEGINS_WITH = "`~!@#$%^&*()+-={}|[]\\:\";'<>?,/"  # as GDAL's GeoPackage has it
 _JOURNAL = "-journal"  # SQLite's, beside the database
@@ -98,7 +101,7 @@ def output_text(value: object, context: QgsProcessingContext) -> str:
 def table_place(text: str) -> DataPlace:
     """The file that a destination of features names, and the table when it is to be added to a database."""
     provider, _, rest = text.partition(":")
-    is_uri = provider in ("ogr", "spatialite")
+    is_uri = f"{provider}:" in _ADDRESSES
     path = (QgsDataSourceUri(rest).database() or rest) if is_uri else text.partition("|")[0]
     if is_uri and is_database(path):
         return DataPlace(path, QgsDataSourceUri(rest).table())
@@ -187,13 +190,21 @@ def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) 
             _check_file(path)
     except OSError as error:
         raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=path, error=system_reason(error))) from None
-    name = os.path.basename(path)
-    if is_raster or not is_database(path):
+    if is_raster:
         return
-    if not place.table and name[0] in _NO_TABLE_BEGINS_WITH:
-        raise SettingsError(messages.TABLE_BEGINS_WRONG(output=title, name=name, begins=name[0]))
-    if os.path.isfile(path) and _is_locked(path):
+    _check_name(title, text, place)
+    if is_database(path) and os.path.isfile(path) and _is_locked(path):
         raise SettingsError(messages.OUTPUT_IN_USE(path=path))
+
+
+def _check_name(title: str, text: str, place: DataPlace) -> None:
+    """Raise SettingsError for a layer whose name QGIS or GDAL would take for something else."""
+    path, name = place.path, os.path.basename(place.path)
+    if is_database(path) and not place.table and name[0] in _NO_TABLE_BEGINS_WITH:
+        raise SettingsError(messages.TABLE_BEGINS_WRONG(output=title, name=name, begins=name[0]))
+    shown = os.path.splitdrive(path if text.startswith(_ADDRESSES) else text)[1].replace(os.sep, "/")
+    if misread := _MISREAD.search(shown):
+        raise SettingsError(messages.NAME_MISREAD(output=title, path=text, found=misread[0]))
 
 
 def _check_file(path: str) -> None:
@@ -369,12 +380,11 @@ def _dataset_files(path: str, flags: int = 0) -> list[str]:
 
 
 def _opened(path: str, flags: int = 0) -> gdal.Dataset | None:
-    with gdal_silenced():
-        try:
-            check_raster_path(path, path)
-            return gdal.OpenEx(path, flags)
-        except (RuntimeError, RasterError):  # what can't be opened, or must not be, is refused by whoever needs it
-            return None
+    try:
+        check_raster_path(path, path)
+    except RasterError:  # what must not be opened is refused by whoever needs it
+        return None
+    return open_dataset(path, ANYTHING, flags)
 
 
 def _is_sidecar(file: str, path: str) -> bool:

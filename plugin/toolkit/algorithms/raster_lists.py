@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from ...imagery.clips import DrawnWindow
 
 _LARGEST_NUMBER = 2_000_000_000  # of a window: the outputs' integers have 32 bits, and new numbers come above it
+_LEAST_FILLED = 0.9  # of the rectangle around a window; one drawn in another reference system is turned a little
 
 
 @dataclass(frozen=True)
@@ -50,8 +51,7 @@ class WindowFeatures:
     ) -> None:
         """``carried``: fields whose values go over into the results, as far as the layer has them."""
         self.count = source.featureCount()
-        self.renumbered = 0
-        """How many windows had no number of their own."""
+        self._renumbered = self._reshaped = 0
         self._source = source
         self._transform = run.transform(source, crs)
         self._names = set(source.fields().names())
@@ -69,8 +69,10 @@ class WindowFeatures:
             number = self._number(feature)
             geometry: QgsGeometry | None = None
             try:
-                extent = layers.extent(layers.window_geometry(feature, self._transform))
+                outline = layers.window_geometry(feature, self._transform)
+                extent = layers.extent(outline)
                 geometry = layers.rectangle(extent)
+                self._reshaped += outline.area() < _LEAST_FILLED * geometry.area()
                 window = WindowFeature(number, extent)
             except WindowError as error:
                 window = WindowFeature(number, None, error.message)
@@ -80,6 +82,11 @@ class WindowFeatures:
     def taken(self, window_id: int) -> tuple[QgsGeometry | None, dict[str, str | None]]:
         """The rectangle as drawn and the carried values, as text, of a window whose result has come."""
         return self._waiting.pop(window_id)
+
+    def told(self) -> list[Message]:
+        """What was done to the windows that were read."""
+        counts = {messages.WINDOWS_RENUMBERED: self._renumbered, messages.WINDOWS_RESHAPED: self._reshaped}
+        return [what(count=count) for what, count in counts.items() if count]
 
     def _given_numbers(self) -> set[int]:
         from .. import layers
@@ -95,7 +102,7 @@ class WindowFeatures:
         if own is not None and own in self._numbers:
             self._numbers.remove(own)
             return own
-        self.renumbered += "window_id" in self._names
+        self._renumbered += "window_id" in self._names
         self._last += 1
         return self._last
 
@@ -169,4 +176,5 @@ class RasterListAlgorithm(SeamInspectorAlgorithm):
                 run.tell(imagery_messages.ABOUT(what=window.window_id, why=window.reason).as_warning())
         if not windows:
             raise SettingsError(messages.NO_WINDOWS())
+        run.tell(*features.told())
         return windows

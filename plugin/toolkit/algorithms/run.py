@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable
 
@@ -228,6 +228,16 @@ class Run:
         self._styles[destination] = style
         if self.context.willLoadLayerOnCompletion(destination):
             self.context.layerToLoadOnCompletionDetails(destination).setPostProcessor(layer_styler(style))
+
+    def note(self, destination: str | None, domain: str, notes: Mapping[str, str]) -> None:
+        """Write words beside the rows of a layer that is closed, where it has a place for them."""
+        from ..layers import write_layer_notes
+
+        if not destination:
+            return
+        path = self._sinks.beside[destination][0] if destination in self._sinks.beside else destination
+        layer = self.context.getMapLayer(path)  # one in memory
+        write_layer_notes(path if layer is None else layer, domain, notes)
 
     def title(self, destination: str | None, title: str) -> None:
         """Name a layer that will be loaded, where the output's own name would not tell it from others."""

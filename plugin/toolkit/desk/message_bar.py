@@ -58,6 +58,11 @@ class BarQuestion(QObject):
         self._item, self._go_on = item, go_on
         self._bar.pushWidget(item, level, 0)
 
+    @property
+    def is_asking(self) -> bool:
+        """Whether it is neither answered nor dismissed."""
+        return self._item is not None and not sip.isdeleted(self._item)
+
     def close(self) -> None:
         """Leave nothing behind."""
         QgsProject.instance().cleared.disconnect(self.dismiss)
@@ -65,9 +70,9 @@ class BarQuestion(QObject):
 
     def dismiss(self) -> None:
         """Leave nothing in the bar."""
-        item, self._item = self._item, None
-        if item is not None and not sip.isdeleted(item):
-            self._bar.popWidget(item)
+        if self.is_asking:
+            self._bar.popWidget(self._item)
+        self._item = None
 
     def _answer(self) -> None:
         self.dismiss()

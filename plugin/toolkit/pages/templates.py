@@ -24,9 +24,10 @@ from ...imagery.errors import Message, printable
 from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import is_geographic
 from ..reference_systems import reference_system
-from ..resources import plugin_version, reports_path
+from ..resources import plugin_commit, plugin_version, reports_path
 from ..translation import filled, formatted, language, sentence, shown_number, tr
 
+_SHORT_COMMIT = 12  # digits
 MOST_RASTERS = 40  # listed one by one: a page of them
 
 
@@ -63,8 +64,10 @@ class HowMeasured:
 
     @property
     def software(self) -> str:
-        """Names and versions of the programs."""
-        return f"Seam Inspector {plugin_version()}, QGIS {Qgis.version()}"
+        """Names and versions of the programs, ours to the commit where that is known."""
+        commit = plugin_commit()[:_SHORT_COMMIT]
+        own = f"{plugin_version()} ({commit})" if commit else plugin_version()
+        return f"Seam Inspector {own}, QGIS {Qgis.version()}"
 
     @property
     def listed(self) -> Sequence[MeasuredRaster]:

@@ -83,7 +83,7 @@ def judge(desk: Desk) -> None:
     """The first window that was compared, by the key V."""
     session = desk.session
     fid = next(row.fid for row in session.windows() if row.verdict != "not_comparable")
-    session.select([fid])
+    desk.dock.zoom_to(fid)
     desk.wait(lambda: desk.curves_of(fid), 20, "curve of the window to judge")
     desk.report["sentence"] = desk.dock.judge.sentence()
     desk.press(Qt.Key.Key_V)

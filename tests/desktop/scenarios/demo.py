@@ -68,9 +68,9 @@ def judge(desk: Desk) -> None:
     """The first window, by the key V, with the focus in the table."""
     session = desk.session
     first = session.windows()[0]
-    session.select([first.fid])
+    desk.dock.zoom_to(first.fid)
     desk.pause(0.5)
-    desk.report["sentence"] = desk.dock.judge.sentence()
+    desk.report["sentence"], desk.report["why"] = desk.dock.judge.sentence(), desk.dock.judge.why()
     desk.press(Qt.Key.Key_V)
     assert session.row(first.fid).observer == "visible"
     session.select([first.fid])

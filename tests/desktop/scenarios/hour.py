@@ -72,7 +72,7 @@ def finish(desk: Desk, work: Path, shots: Path) -> None:
     assert not session.is_busy
     assert all(session.result(row.fid) is not None for row in session.windows())
     first = next(row for row in session.windows() if row.verdict != "not_comparable")
-    session.select([first.fid])
+    desk.dock.zoom_to(first.fid)
     desk.wait(lambda: desk.curves_of(first.fid), 20, "curves without measuring again")
     desk.report["stale"] = sum(row.stale for row in session.windows())
     desk.rest_mouse()

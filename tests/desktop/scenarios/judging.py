@@ -44,6 +44,8 @@ def play(desk: Desk) -> None:
 
 def judge_by_keys(desk: Desk, shots: Path) -> None:
     """One key a window, from wherever the focus is; the map follows at 2x."""
+    from seam_inspector.plugin.seams.desk.windows.filter_boxes import worst_first
+
     session, keys = desk.session, 0
     desk.dock.judging.model.change(order="worst")
     press(desk, desk.canvas, Qt.Key.Key_N)
@@ -60,7 +62,7 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
             key_times.append(press(desk, everywhere[number % len(everywhere)], key))
             keys += 1
             row = next(row for row in session.windows() if row.window_id == window)
-            seen.append(row.kept_1)
+            seen.append(worst_first(row))
             if row.observer != word or not in_the_middle(desk):
                 wrong.append((window, number % len(everywhere), row.observer))
             if number == 12:
@@ -70,7 +72,7 @@ def judge_by_keys(desk: Desk, shots: Path) -> None:
     desk.report["wrong"] = wrong
     desk.report["key_ms"] = [round(1000 * one) for one in (statistics.median(key_times), max(key_times))]
     desk.report["keys_per_window"] = keys / JUDGED
-    desk.report["worst_first"] = seen == sorted(seen, key=lambda kept: (kept is None, kept))
+    desk.report["worst_first"] = seen == sorted(seen)
     desk.report["judge_gap_ms"], desk.report["judge_work_ms"] = 1000 * gaps.longest_s, 1000 * gaps.longest_work_s
     desk.report["progress"] = desk.dock.judge._progress.text()
     before = session.selected()
@@ -158,7 +160,7 @@ def keep_in_project(desk: Desk, shots: Path) -> None:
     desk.dock.windows.set_filter("kept < 0.9", "")
     desk.pause(0.7)
     fids = desk.dock.windows.ordered_fids()
-    desk.session.select([fids[3]])
+    desk.dock.zoom_to(fids[3])
     desk.pause(0.3)
     before = [desk.session.row(fid).window_id for fid in desk.dock.windows.ordered_fids()]
     place = desk.session.row(fids[3]).window_id

@@ -164,7 +164,7 @@ def swipe(desk: Desk, shots: Path) -> None:
 
 def judge(desk: Desk, shots: Path) -> None:
     """The worst windows, by keys alone."""
-    desk.session.select([worst(desk)])
+    desk.dock.zoom_to(worst(desk))
     for key in JUDGED:
         press(desk, desk.canvas, key)
     desk.rest_mouse()

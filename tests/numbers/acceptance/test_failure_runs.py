@@ -3,11 +3,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from seam_inspector.plugin.acceptance.measure.cut_failures import cut_failures
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import FailureRun
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredPiece
 from seam_inspector.plugin.acceptance.measure.failure_runs import failure_runs
-from seam_inspector.plugin.acceptance.measure.measured_pieces import piece_state
+from seam_inspector.plugin.acceptance.measure.measured_pieces import state_of
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
 
@@ -17,7 +18,7 @@ F, P, N = 0.4, 0.95, None  # failed, passed, not measured
 def whole_runs(*seams: list[DeliveredPiece], unit_m: float = 1.0) -> tuple[FailureRun, ...]:
     """Failed from end to end of each piece."""
     pieces = delivery(*seams).pieces
-    return failure_runs(pieces, [piece_state(piece, 0.7) for piece in pieces], unit_m)
+    return failure_runs(pieces, [state_of(piece, 0.7) for piece in pieces], unit_m)
 
 
 def lengths(*seams: list[DeliveredPiece]) -> list[float]:
@@ -37,6 +38,21 @@ def lengths(*seams: list[DeliveredPiece]) -> list[float]:
 )
 def test_along_one_seam(kept: list[float | None], expected: list[float]) -> None:
     assert lengths(seam(kept)) == expected
+
+
+def test_failures_are_told_that_end_at_the_edge_of_a_sheet() -> None:
+    west = [seam([F, P, F, F]), seam([F, P, P, F], seam_id="2", start=(0.0, 30.0))]
+    east = [
+        seam([F, P, P], sheet="b", start=(40.0, 30.0)), seam([P, F, P, P], sheet="b", seam_id="2", start=(42.0, 0.0)),
+    ]  # fmt: skip
+    whole = delivery(*west, *east)
+    runs = failure_runs(whole.pieces, [state_of(piece, 0.7) for piece in whole.pieces])
+    found = {whole.pieces[run.pieces[0]].vertices[0].tolist()[0]: run.length_m for run in cut_failures(whole, runs)}
+    # at x = 40 one goes on in the other sheet, and one ends 2 m before the seams of that; two begin at the west edge
+    assert found == {0.0: 10, 20.0: 20}
+    (said,) = (str(one) for one in decide(whole, rules()).sentences if "end at the edge" in str(one))
+    assert "3 failures, 40.0 m" in said
+    assert cut_failures(delivery(*west), runs[:1]) == []
 
 
 def test_pieces_of_any_order_and_direction() -> None:

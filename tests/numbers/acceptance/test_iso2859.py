@@ -1,17 +1,19 @@
-"""The tables of ISO 2859-1, held against published copies of them."""
+"""The tables of ISO 2859-1 and 2859-2, held against published copies of them."""
 from __future__ import annotations
 
 import pytest
 from seam_inspector.plugin.acceptance.measure.sampling_plans import (
     AQLS,
     INSPECTION_LEVELS,
+    LIMITING_QUALITIES,
     NORMAL,
     REDUCED,
     SEVERITIES,
     TIGHTENED,
-    aql_word,
     code_letter,
+    isolated_lot_plan,
     single_sampling_plan,
+    word_of,
 )
 from seam_inspector.plugin.imagery.errors import SettingsError
 
@@ -159,4 +161,39 @@ def test_a_lot_of_one_has_no_plan() -> None:
 @pytest.mark.parametrize(("given", "word"), [(1, "1.0"), ("1", "1.0"), (0.1, "0.10"), ("0.010", "0.010"), (3, None),
                                              ("x", None), (None, None), (float("nan"), None)])
 def test_limits_are_written_as_the_standard_does(given: object, word: str | None) -> None:
-    assert aql_word(given) == word
+    assert word_of(given, AQLS) == word
+
+
+# ISO 2859-2:1985, table A, as two QGIS plugins for Brazil's ET-CQDG hold it: by the largest lot sample sizes, then
+# acceptance numbers, for limiting qualities of 2, 3.15, 5, 8, 12.5, 20 and 31.5 %
+ISOLATED = """
+25: 50 50 28 17 13 9 6, 0 0 0 0 0 0 0
+50: 50 50 28 22 15 10 6, 0 0 0 0 0 0 0
+90: 50 44 34 24 16 10 8, 0 0 0 0 0 0 0
+150: 80 55 38 26 18 13 13, 0 0 0 0 0 0 1
+280: 95 65 42 28 20 20 13, 0 0 0 0 0 1 1
+500: 105 80 50 32 32 20 20, 0 0 0 0 1 1 3
+1200: 125 125 80 50 32 32 32, 0 1 1 1 1 3 5
+3200: 200 125 125 80 50 50 50, 1 1 3 3 3 5 10
+10000: 200 200 200 125 80 80 80, 1 3 5 5 5 10 18
+35000: 315 315 315 200 125 125 80, 3 5 10 10 10 18 18
+150000: 500 500 500 315 200 125 80, 5 10 18 18 18 18 18
+500000: 800 800 500 315 200 125 80, 10 18 18 18 18 18 18
+9000000: 1250 800 500 315 200 125 80, 18 18 18 18 18 18 18"""
+
+
+def test_plans_of_isolated_lots_are_those_of_the_table() -> None:
+    smallest = 16
+    for line in ISOLATED.strip().splitlines():
+        largest, *numbers = (list(map(int, part.split())) for part in line.replace(":", ",").split(","))
+        for lot in (smallest, largest[0]):
+            found = [isolated_lot_plan(lot, lq) for lq in LIMITING_QUALITIES]
+            assert [one.sample_size for one in found] == [min(size, lot) for size in numbers[0]]
+            assert [one.acceptance_number for one in found] == numbers[1]
+        smallest = largest[0] + 1
+
+
+def test_smaller_isolated_lots_are_inspected_whole() -> None:
+    assert isolated_lot_plan(15, "31.5").is_whole_lot
+    with pytest.raises(SettingsError, match="inspect all of it"):
+        isolated_lot_plan(1, "5.00")

@@ -10,7 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.acceptance.measure.measured_pieces import failed_share_interval
-from seam_inspector.plugin.acceptance.measure.sampling_plans import REDUCED, single_sampling_plan
+from seam_inspector.plugin.acceptance.measure.sampling_plans import (
+    LIMITING_QUALITIES,
+    REDUCED,
+    isolated_lot_plan,
+    single_sampling_plan,
+)
 from seam_inspector.plugin.acceptance.measure.sampling_risks import (
     StatedRisk,
     acceptance_probability,
@@ -18,7 +23,6 @@ from seam_inspector.plugin.acceptance.measure.sampling_risks import (
     limiting_quality,
     operating_characteristic,
     plan_by_risk,
-    producers_risk,
     stratified_sample,
 )
 from seam_inspector.plugin.imagery.errors import SettingsError
@@ -65,13 +69,35 @@ def test_the_curve_falls_from_one_and_risks_lie_on_it() -> None:
         at = acceptance_probability(large, np.array([curve.limiting_quality]))[0]
         assert at <= 0.10 + 1e-9
         assert at == pytest.approx(0.10, abs=0.01)
-    assert producers_risk(large) == pytest.approx(1 - stats.binom.cdf(2, 80, 0.01), rel=1e-3)  # as of a series
-    assert producers_risk(plan) == pytest.approx(1 - stats.hypergeom.cdf(2, 1000, 10, 80))
+    of_series = 1 - stats.binom.cdf(2, 80, 0.01)
+    assert operating_characteristic(large).producers_risk == pytest.approx(of_series, rel=1e-3)
+    assert operating_characteristic(plan).producers_risk == pytest.approx(1 - stats.hypergeom.cdf(2, 1000, 10, 80))
+
+
+@pytest.mark.parametrize("lq", LIMITING_QUALITIES)
+def test_an_isolated_lot_as_bad_as_its_limiting_quality_is_hardly_ever_accepted(lq: str) -> None:
+    lots = [*range(16, 400, 3), 500, 1200, 3200, 10_000, 35_000, 150_000, 500_000, 2_000_000]
+    plans = [plan for lot in lots if not (plan := isolated_lot_plan(lot, lq)).is_whole_lot]
+    risks = [
+        stats.hypergeom.cdf(one.acceptance_number, one.lot_size, math.ceil(one.lot_size * float(lq) / 100),
+                            one.sample_size) for one in plans
+    ]  # fmt: skip
+    assert [operating_characteristic(one).consumers_risk for one in plans] == pytest.approx(risks)
+    # the standard: usually below 10 %, always below 13 %; its plan for the smallest lots at 2 % is not
+    assert max(risk for risk, one in zip(risks, plans) if lq != "2.00" or one.lot_size > 90) < 0.13
+    assert np.mean(np.array(risks) < 0.10) > 0.7
+    for one in plans:
+        found = operating_characteristic(one)
+        worse = found.good_quality + 1 / one.lot_size
+        rejected = 1 - acceptance_probability(one, np.array([found.good_quality, worse]))
+        assert rejected[0] == pytest.approx(found.producers_risk)
+        assert rejected[0] <= 0.05 or round(found.good_quality * one.lot_size) == 1
+        assert rejected[1] > 0.05
 
 
 def test_a_whole_lot_has_no_risk() -> None:
     plan = single_sampling_plan(40, "0.10")
-    assert producers_risk(plan) == 0
+    assert operating_characteristic(plan).producers_risk == 0
     assert limiting_quality(plan) == pytest.approx(1 / 40)
 
 

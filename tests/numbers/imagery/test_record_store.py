@@ -122,6 +122,20 @@ def test_one_process_at_a_time_and_no_other_kind_of_file(tmp_path: Path) -> None
     assert not RecordStore(other, KIND, replaced="Tests, ").keys
 
 
+def test_a_view_by_one_of_our_names_is_not_read(tmp_path: Path) -> None:
+    """It may never end, and nobody chose the file."""
+    path = tmp_path / "records"
+    endless = "WITH RECURSIVE n(key) AS (SELECT 1 UNION ALL SELECT key + 1 FROM n) SELECT key, key AS number FROM n"
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        database.execute("CREATE TABLE about (kind TEXT)")
+        database.execute("INSERT INTO about VALUES (?)", (KIND,))
+        database.execute(f"CREATE VIEW records AS {endless}")
+        database.commit()
+    for replaced in (None, "Tests, "):
+        with pytest.raises(SettingsError, match="something else"):
+            RecordStore(path, KIND, replaced)
+
+
 def test_a_keeper_does_in_turn_what_it_is_asked_and_says_why_it_can_not(tmp_path: Path) -> None:
     told: list[object] = []
     keeper = RecordKeeper(tmp_path / "records", KIND, told.append)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import pickle
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -11,7 +12,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery import remote_files
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.raster_pool import open_raster, rasters_kept
+from seam_inspector.plugin.imagery.raster_pool import open_raster, rasters_kept, reading_threads
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.remote_files import RemoteError
 
@@ -134,6 +135,31 @@ def test_a_silent_server_is_named_and_so_are_its_other_files(
     with pytest.raises(RemoteError, match="does not answer"):
         read(server.vsi("plain.tif"))
     assert server.answers == []  # nothing is asked of it, so nothing is waited for
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("one_second")
+def test_a_server_that_drips_is_named(server: RangeServer, monkeypatch: pytest.MonkeyPatch) -> None:
+    raster = open_raster(RasterRef(server.vsi("cog.tif")))
+    server.fault = lambda asked: Fault(dripping=0.3)
+    monkeypatch.setattr(remote_files, "PATIENCE_S", 1.0)
+    with pytest.raises(RemoteError, match=r"server of cog\.tif sends less than 1000 bytes a second"):
+        raster.read(WINDOW)
+
+
+def test_nobody_waits_for_attempts_of_a_run_that_ended(server: RangeServer, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(remote_files, "DELAYS_S", (3600.0,))  # the test would stand still
+    failing = threading.Event()
+
+    def fail(asked: Answer) -> Fault:
+        failing.set()
+        return Fault(status=503)
+
+    server.fault = fail
+    with reading_threads(1) as threads:
+        reading = threads.submit(read, server.vsi("cog.tif"))
+        assert failing.wait(60)
+    assert isinstance(reading.exception(), RasterError)
 
 
 def test_nobody_at_that_address_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

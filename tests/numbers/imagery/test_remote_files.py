@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 from osgeo import gdal, ogr
+from seam_inspector.plugin.imagery.gdal_calls import is_remote, readable_path
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.raster_pool import open_raster
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.imagery.remote_files import is_remote, readable_path, remote_parts, remote_settings
+from seam_inspector.plugin.imagery.remote_files import remote_parts, remote_settings
 
 from tests.numbers.conftest import MakeRaster
 from tests.numbers.imagery.conftest import SIDE, WHOLE, expected, read
@@ -103,7 +104,7 @@ def test_settings_of_the_user_stay_and_ours_end_with_the_block() -> None:
         gdal.SetConfigOption("GDAL_HTTP_MAX_RETRY", "9")
         with remote_settings({"GDAL_DISABLE_READDIR_ON_OPEN": "EMPTY_DIR"}):
             assert gdal.GetConfigOption("GDAL_HTTP_MAX_RETRY") == "9"
-            assert gdal.GetConfigOption("GDAL_HTTP_LOW_SPEED_LIMIT") == "1"
+            assert gdal.GetConfigOption("GDAL_HTTP_LOW_SPEED_LIMIT") == "1000"
             with remote_settings({"GDAL_DISABLE_READDIR_ON_OPEN": "TRUE"}):
                 assert gdal.GetConfigOption("GDAL_DISABLE_READDIR_ON_OPEN") == "TRUE"
             assert gdal.GetConfigOption("GDAL_DISABLE_READDIR_ON_OPEN") == "EMPTY_DIR"

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from seam_inspector.plugin.imagery import documents
 from seam_inspector.plugin.imagery.documents import RuleObject, read_rules, ready_rules
 from seam_inspector.plugin.imagery.errors import SettingsError
 
@@ -25,6 +26,30 @@ def test_an_object_gives_what_stands_in_it(tmp_path: Path) -> None:
     assert (one.whole("count", 5), one.whole("other", 5)) == (3, 5)
     assert (one.flag("required", True), one.flag("other", True)) == (False, True)
     assert (one.word("check", ["a", "b"]), one.source()) == ("a", "contract")
+
+
+class Key(str):
+    """Counts how often keys are compared."""
+
+    compared = 0
+
+    def __eq__(self, other: object) -> bool:
+        Key.compared += 1
+        return super().__eq__(other)
+
+    __hash__ = str.__hash__
+
+
+def test_very_many_keys_are_not_compared_with_each_other() -> None:
+    pairs = [(Key(number), 0) for number in range(20_000)]
+    assert len(documents._object("rules.json", pairs)) == len(pairs)
+    assert Key.compared < len(pairs)
+
+
+@pytest.mark.parametrize("text", ["[" * 200_000, "9" * 100_000, f"[-{9}]".replace("9", "9" * 401)])
+def test_what_is_nested_or_counted_beyond_sense_is_a_sentence(tmp_path: Path, text: str) -> None:
+    with pytest.raises(SettingsError, match=r"are no JSON \(see line"):
+        read(tmp_path, text.encode())
 
 
 def test_a_byte_order_mark_is_no_fault(tmp_path: Path) -> None:

@@ -388,9 +388,9 @@ def test_a_constant_band_does_not_spoil_the_others() -> None:
         ("nonsense", 3, "no discrete wavelet 'nonsense'; use an orthogonal one such as coif3"),
         ("", 3, "no discrete wavelet"),
         ("mexh", 3, "no discrete wavelet 'mexh'"),
-        ("coif3", 0, "0 levels asked for; the decomposition has 1 to 8"),
+        ("coif3", 0, "0 levels were asked for; give 1 to 8"),
         ("coif3", -1, "-1 levels"),
-        ("coif3", 9, "9 levels asked for; the decomposition has 1 to 8"),
+        ("coif3", 9, "9 levels were asked for; give 1 to 8"),
     ],
 )
 def test_other_settings_are_refused_with_the_reason(wavelet: str, levels: int, sentence: str) -> None:

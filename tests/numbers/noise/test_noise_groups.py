@@ -15,10 +15,10 @@ from seam_inspector.plugin.imagery.open_raster import OpenRaster, PixelBlock
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.noise.measure import group_noise, noise_plan
 from seam_inspector.plugin.noise.measure.group_noise import ClipNoise
-from seam_inspector.plugin.noise.measure.noise_plan import GroupedImage, Plan, describe_images
+from seam_inspector.plugin.noise.measure.noise_plan import GroupedImage, NoiseRequest, Part, Plan, describe_images
 from seam_inspector.plugin.noise.measure.window_choice import choose_windows
 
-from tests.numbers.synthetic import ORIGIN, decompose, orthoimage, patchy_texture, wkt, write_raster
+from tests.numbers.synthetic import ORIGIN, decompose, orthoimage, patchy_texture, texture, wkt, write_raster
 
 MakeRaster = Callable[..., str]
 
@@ -314,3 +314,23 @@ def test_the_work_stops_when_it_is_cancelled(make_raster: MakeRaster) -> None:
     assert noise_plan.plan_chosen(images([plan.requests[0].parts[0].member.image.ref.path]), 3, lambda: True) == Plan(
         (), ()
     )
+
+
+# --- what windows tell together --------------------------------------------------------------------------------
+
+
+def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_bright(make_raster: MakeRaster) -> None:
+    rough, smooth = (120 + scale * texture((512, 512), 2.6, 1) for scale in (25, 2))
+    wide = np.rint(np.concatenate([rough, smooth, smooth - 80], axis=1)).clip(0, 255).astype(np.uint8)
+    image, = images([make_raster("a.tif", wide)])
+    parts = [Part(image, PixelWindow(column, 0, 512, 512)) for column in (0, 512, 1024)]
+    (own,), (quiet,), (dark,) = (
+        group_noise.measure_request(NoiseRequest(number, (part,)), "coif3", 3) for number, part in enumerate(parts)
+    )
+    alone, beside_dark, beside_quiet = (
+        group_noise.pooled([own, *others], "coif3")[0].bands["band_1"] for others in ([], [dark], [quiet, dark])
+    )
+    assert alone == beside_dark == own.bands["band_1"]
+    assert (alone.verdict.value, alone.amount.value) == ("uncertain", "uncertain")
+    assert (beside_quiet.verdict.value, beside_quiet.amount.value) == ("low", "little")
+    assert beside_quiet.largest_sigma == pytest.approx(quiet.bands["band_1"].largest_sigma)

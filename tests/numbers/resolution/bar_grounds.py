@@ -20,6 +20,10 @@ class Ground:
     """How far the panel reaches beyond the outer bars on either side, bars."""
     value: float
     """DN of what begins there, for bright bars; that of dark ones mirrors it."""
+    gap: float = DARK
+    """DN of the target's gaps."""
+    bar: float = BRIGHT
+    """DN of its bars."""
 
 
 PANEL = Ground(2.0, 60.0)
@@ -80,10 +84,10 @@ def ground_scene(
              * one.cycle / 2, angle, 1)
         for one in placed
     ]
-    seen = ground.value + (DARK - ground.value) * coverage(shape, panels, sigma)
-    seen += (BRIGHT - DARK) * coverage(shape, placed, sigma)
+    seen = ground.value + (ground.gap - ground.value) * coverage(shape, panels, sigma)
+    seen += (ground.bar - ground.gap) * coverage(shape, placed, sigma)
     if dark_bars:
-        seen = DARK + BRIGHT - seen
+        seen = ground.gap + ground.bar - seen
     seen += random.normal(0, noise, shape)
     error = 8 if roughly else 0
     lines = {

@@ -8,7 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError
-from seam_inspector.plugin.resolution.measure.minimum_height import Observation, doubts, minimum_heights
+from seam_inspector.plugin.resolution.measure.minimum_height import (
+    Observation,
+    doubts,
+    minimum_heights,
+    read_references,
+)
 
 POSITIVE = st.floats(0.01, 1e5)
 
@@ -33,13 +38,14 @@ TABLE_4B = ((1314, -35), (1383, -31), (1453, -28))
 def test_all_cells_of_tables_4a_and_4b_follow_one_reference(
     table: tuple[tuple[float, int], ...], reference: float
 ) -> None:
-    found = [minimum_heights([Observation(mean, (30,))], 30, reference)[0].tolerance_percent for mean, _ in table]
+    found = [minimum_heights([Observation(mean, (30,))], 30, {"": reference})[0].tolerance_percent for mean, _ in table]
     assert [round(percent or 0) for percent in found] == [percent for _, percent in table]
 
 
 @pytest.mark.parametrize("reference", [2712, 2716, 2704])
 def test_no_other_whole_reference_does(reference: float) -> None:
-    found = [minimum_heights([Observation(mean, (30,))], 30, reference)[0].tolerance_percent for mean, _ in TABLE_4A]
+    passes = [Observation(mean, (30,), (str(mean),)) for mean, _ in TABLE_4A]
+    found = [one.tolerance_percent for one in minimum_heights(passes, 30, {"": reference})]
     assert [round(percent or 0) for percent in found] != [percent for _, percent in TABLE_4A]
 
 
@@ -78,7 +84,7 @@ def test_groups_are_kept_apart_and_few_passes_are_told() -> None:
 ])
 def test_numbers_that_are_not_positive_are_refused(required: float, reference: float | None) -> None:
     with pytest.raises(SettingsError, match="positive"):
-        minimum_heights([Observation(3000, (30,))], required, reference)
+        minimum_heights([Observation(3000, (30,))], required, {} if reference is None else {"": reference})
 
 
 @pytest.mark.parametrize("values", [
@@ -100,3 +106,16 @@ def test_distances_that_no_camera_resolves_are_doubted(height: float, grd: float
     found = doubts([Observation(height, (grd,)), Observation(height, (grd, grd))])
     assert len(found) == (words is not None)
     assert all(str(words) in str(notice) for notice in found)
+
+
+def test_tables_4a_and_4b_are_one_run_with_a_reference_each() -> None:
+    both = [(name, *row) for name, table in (("DMC", TABLE_4A), ("RC20", TABLE_4B)) for row in table]
+    passes = [Observation(mean, (30,), (name, str(place))) for place, (name, mean, _) in enumerate(both)]
+    found = minimum_heights(passes, 30, read_references("DMC 2714; RC20 = 2015"))
+    assert [round(one.tolerance_percent or 0) for one in found] == [percent for *_, percent in both]
+
+
+@pytest.mark.parametrize(("words", "said"), [("DMC", "no reference height"), ("RMK 2000", "for RMK, but")])
+def test_a_reference_that_is_none_or_of_no_group_is_told(words: str, said: str) -> None:
+    with pytest.raises(SettingsError, match=said):
+        minimum_heights([Observation(3000, (30,), ("DMC",))], 30, read_references(words))

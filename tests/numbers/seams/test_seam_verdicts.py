@@ -8,12 +8,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError
+from seam_inspector.plugin.imagery.seam_totals import MOST_SPREAD
 from seam_inspector.plugin.seams.measure import limits
 from seam_inspector.plugin.seams.measure import messages as seams_messages
 from seam_inspector.plugin.seams.measure.causes import MIN_MIXED
 from seam_inspector.plugin.seams.measure.profile.seam_profile import SeamProfile
 from seam_inspector.plugin.seams.measure.verdicts import (
-    MAX_INTERVAL_FACTOR,
     MAX_KEPT_LOW,
     MAY_HIDE_SEAM,
     MIN_EXPLAINED,
@@ -79,7 +79,7 @@ def test_significant_is_said_only_where_the_interval_ends_half_way_to_all(limit:
 
 
 def test_significant_is_said_only_where_the_interval_spans_no_more_than_a_factor_of_two() -> None:
-    assert MAX_INTERVAL_FACTOR == 2
+    assert MOST_SPREAD == 2
     assert judge_by_seam(profile(0.4, 0.3, 0.6), True, 1.0) == (Verdict.SIGNIFICANT, None)
     verdict, reason = judge_by_seam(profile(0.4, 0.3, 0.6 + LITTLE), True, 1.0)
     assert verdict is Verdict.REDUCED
@@ -101,13 +101,14 @@ def test_it_is_said_of_no_loss_that_can_not_be_significant() -> None:
 def test_a_loss_that_may_be_none_is_no_loss(kept: float) -> None:
     """The interval is the verdict's tolerance: a sound hard cut is not called reduced by a coin toss."""
     assert verdict_of(profile(kept, 0.55, 1.0 - LITTLE)) in (Verdict.REDUCED, Verdict.SIGNIFICANT)
-    assert verdict_of(profile(kept, 0.55, 1.0)) is Verdict.PRESERVED
+    without = Verdict.NOT_COMPARABLE if kept <= limits.MAX_SIGNIFICANT_KEPT else Verdict.PRESERVED
+    assert verdict_of(profile(kept, 0.55, 1.0)) is without  # so little is kept, and nothing lost: no number
 
 
 def test_a_wide_interval_is_no_verdict() -> None:
     """Where it may be a loss or none; a loss for sure stays one, however wide."""
-    assert verdict_of(profile(0.8, 0.55, MAX_INTERVAL_FACTOR * 0.55)) is Verdict.PRESERVED
-    wide = profile(0.8, 0.55, MAX_INTERVAL_FACTOR * 0.55 + LITTLE)
+    assert verdict_of(profile(0.8, 0.55, MOST_SPREAD * 0.55)) is Verdict.PRESERVED
+    wide = profile(0.8, 0.55, MOST_SPREAD * 0.55 + LITTLE)
     assert verdict_of(wide) is Verdict.NOT_COMPARABLE
     assert reason_of(wide) == seams_messages.INTERVAL_TOO_WIDE.template
     assert "55 and 110 %" in str(judge_by_seam(wide, True, 1.0)[1])

@@ -114,6 +114,7 @@ def test_without_sources() -> None:
 
 def test_a_constant_mosaic() -> None:
     assert_not_comparable(judge(CONSTANT, [SOURCE]), seams_messages.MOSAIC_CONSTANT)
+    assert_not_comparable(judge(CONSTANT, []), seams_messages.MOSAIC_CONSTANT())  # the sources may be as constant
 
 
 def test_a_source_without_detail_does_not_count() -> None:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 
@@ -97,8 +98,8 @@ def test_a_seam_that_runs_too_near_the_edge_is_logged() -> None:
     assert placement.windows == ()
     (message,) = placement.dropped
     assert str(message) == (
-        "Seam 1 has no windows from 100.0 to 1700.0 m: they would stick out of the mosaic or hold too few valid "
-        "pixels, and there is no room beside."
+        "Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
+        "1, on seam 1 (100.0\u20131700.0 m)."
     )
 
 
@@ -106,9 +107,17 @@ def test_a_moved_window_does_not_double_its_neighbour() -> None:
     placement = place_windows([seam((0, 500), (600, 500))], KILOMETRE, 100, 70)
     assert stations(placement)[:2] == pytest.approx([90, 160])
     assert [str(message) for message in placement.dropped] == [
-        ("Seam 1 has no window at 20.0 m: it would stick out of the mosaic or hold too few valid pixels, "
-        "and there is no room beside.")
+        ("Places along the seams without a window, which would stick out of the mosaic or hold too few valid pixels: "
+        "1, on seam 1 (20.0 m).")
     ]
+
+
+def test_places_without_a_window_are_told_in_one_sentence_however_many() -> None:
+    placement = place_windows([seam((100, 20), (1900, 20), number=n) for n in range(1, 31)], KILOMETRE, 100, 200)
+    (message,) = placement.dropped
+    assert ": 30, on seam 1 (" in str(message)
+    assert str(message).count("seam") < 5
+    assert len(str(message)) < 400
 
 
 def test_only_what_lies_inside_the_mosaic_is_divided() -> None:
@@ -289,4 +298,6 @@ def test_packo_windows_stay_on_the_tile(data_folder: Path) -> None:
 def test_a_side_that_replaces_one_is_that_of_its_windows_to_the_centimetre() -> None:
     grid = Grid(left=576000, top=5188000, pixel_width=0.03, pixel_height=0.03, columns=2100, rows=2100)
     assert fitting_side_m(grid, 100, 200, 3) == 15.36
+    assert fitting_side_m(replace(grid, pixel_width=5.0, pixel_height=5.0), 100, 200, 3) == 1280  # 256 px of 5 m
+    assert fitting_side_m(replace(grid, pixel_width=1.0, pixel_height=1.0), 100, 200, 3) == 256
     assert window_side_px(grid, 15.36, 200, 3) == 512

@@ -17,17 +17,11 @@ from scipy.ndimage import map_coordinates
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.reference_systems import transform_points
-from seam_inspector.plugin.sensors.measure.frames import (
-    FrameCamera,
-    FrameFiles,
-    FrameInterior,
-    OrientedFrame,
-    camera_axes,
-    oriented_frame,
-    read_exterior,
-    read_interior,
-)
+from seam_inspector.plugin.sensors.measure.camera_files import read_interior
+from seam_inspector.plugin.sensors.measure.exterior_files import read_exterior
+from seam_inspector.plugin.sensors.measure.frames import FrameCamera, FrameInterior, camera_axes
 from seam_inspector.plugin.sensors.measure.lenses import BrownLens, FisheyeLens, Lens
+from seam_inspector.plugin.sensors.measure.oriented_frames import FrameFiles, OrientedFrame, oriented_frame
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
 from seam_inspector.plugin.sensors.measure.rpc import open_image
 
@@ -256,22 +250,22 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
 
 
 @pytest.mark.parametrize(("files", "complaint"), [
-    ({"camera.yaml": "a: [1"}, "no interior orientation"),
-    ({"camera.yaml": "[1, 2]"}, "no interior orientation"),
-    ({"camera.yaml": "!!python/object/apply:os.system ['true']"}, "no interior orientation"),
-    ({"camera.yaml": re.sub("sensor_size: .*", "sensor_size: [0, 0]", YAML)}, "no interior orientation"),
-    ({"camera.yaml": YAML.replace("60\n  sensor", "-1\n  sensor")}, "no interior orientation"),
+    ({"camera.yaml": "a: [1"}, "no camera that can be read"),
+    ({"camera.yaml": "[1, 2]"}, "no camera that can be read"),
+    ({"camera.yaml": "!!python/object/apply:os.system ['true']"}, "no camera that can be read"),
+    ({"camera.yaml": re.sub("sensor_size: .*", "sensor_size: [0, 0]", YAML)}, "no camera that can be read"),
+    ({"camera.yaml": YAML.replace("60\n  sensor", "-1\n  sensor")}, "no camera that can be read"),
     ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "[60, 80]\n  focal")},
      "60 x 80 pixels and the image 80 x 60, which is another shape"),
     ({"camera.yaml": YAML + "  k6: 0.2\n"}, "distortion that is not known"),
     ({"camera.yaml": YAML.replace("pinhole", "spherical")}, "distortion that is not known"),
     ({"camera.yaml": YAML.replace("pinhole", "brown") + "  k1: -2\n"}, "shows no view at a part"),
     ({"camera.yaml": YAML + YAML.replace("cam:", "two:")}, "several cameras (cam, two)"),
-    ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "640\n  focal")}, "no interior orientation"),
+    ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "640\n  focal")}, "no camera that can be read"),
     ({"camera.yaml": YAML.replace("sensor_size: [80, 60]", "sensor_size: [60, 80]")}, "times as wide as it is high"),
-    ({"camera.yaml": YAML.replace("  focal_len: 60\n", "")}, "no interior orientation"),
-    ({"camera.yaml": '{"type": "FeatureCollection", "features": []}'}, "no interior orientation"),
-    ({"camera.yaml": "<ExportAPERO/>"}, "no interior orientation"),
+    ({"camera.yaml": YAML.replace("  focal_len: 60\n", "")}, "no camera that can be read"),
+    ({"camera.yaml": '{"type": "FeatureCollection", "features": []}'}, "no camera that can be read"),
+    ({"camera.yaml": "<ExportAPERO/>"}, "no camera that can be read"),
     ({"camera.yaml": AUTOCAL.replace("DistM2C", "DistC2M")}, "distortion that is not known"),
     ({"places.csv": ""}, "no exterior orientation"),
     ({"places.csv": "filename,x,y\nphoto,1,2\n"}, "no exterior orientation"),

@@ -11,7 +11,12 @@ from hypothesis import strategies as st
 from scipy.spatial import ConvexHull, HalfspaceIntersection
 from seam_inspector.plugin.imagery.errors import WARNING, SensorModelError
 from seam_inspector.plugin.sensors.measure.adjustment import adjust, suspects
-from seam_inspector.plugin.sensors.measure.point_checks import check_against_rpc, check_plausible, control_coverage
+from seam_inspector.plugin.sensors.measure.point_checks import (
+    check_against_rpc,
+    check_inside,
+    check_plausible,
+    control_coverage,
+)
 from seam_inspector.plugin.sensors.measure.points import Points
 from seam_inspector.plugin.sensors.measure.registry import POLYNOMIAL_2D
 
@@ -30,29 +35,42 @@ def points(count: int = 20) -> Points:
 
 def test_ordinary_points_pass_with_and_without_heights_and_a_little_beyond_the_image() -> None:
     given = points()
-    check_plausible(given, SIZE)
-    check_plausible(replace(given, ground=given.ground * [1, 1, np.nan]), None)
-    check_plausible(replace(given, image=given.image + [0.04 * SIZE[0], 0]), SIZE)
+    check_plausible(given)
+    check_plausible(replace(given, ground=given.ground * [1, 1, np.nan]))
+    assert not check_inside(replace(given, image=given.image + [0.04 * SIZE[0], 0]), SIZE, None)
 
 
 @pytest.mark.parametrize(("changed", "complaint"), [
     ({"wkt": "EPSG:4326"}, "said to be in degrees"),
     ({"ground": points().ground * [1e-7, 1e-7, 1]}, "pixel measures"),
-    ({"ground": points().ground * [1, 1, 3000]}, "as no place on earth is"),
+    ({"ground": points().ground * [1, 1, 3000]}, "which no place on earth is"),
     ({"image": points().image * [1, -1]}, "rows are negative"),
     ({"image": points().image[:, ::-1]}, "columns and rows interchanged"),
     ({"image": points().image + [9000, 0]}, "20 points lie outside the image of 4000 x 3000 pixels"),
 ])  # fmt: skip
 def test_what_can_t_be_is_said(changed: dict[str, object], complaint: str) -> None:
+    given = replace(points(), **changed)  # type: ignore[arg-type]
     with pytest.raises(SensorModelError, match=complaint):
-        check_plausible(replace(points(), **changed), SIZE)  # type: ignore[arg-type]
+        check_plausible(given) or check_inside(given, SIZE, None)  # type: ignore[func-returns-value]
 
 
 def test_a_single_point_outside_is_named() -> None:
     image = points().image.copy()
     image[7] = 4500, 10
     with pytest.raises(SensorModelError, match=r"1 points lie outside .* \(7\)"):
-        check_plausible(replace(points(), image=image), SIZE)
+        check_inside(replace(points(), image=image), SIZE, None)
+
+
+def test_points_beyond_a_part_of_the_image_are_believed_where_its_rpc_sees_them() -> None:
+    """A crop of whose points two lie outside, where columns and rows read the other way would lie inside."""
+    given = seen_points()
+    size = (int(np.median(given.image[:, 0])), sensor_scenes.ROWS)
+    (notice,) = check_inside(given, size, RPC)
+    assert "where its RPC sees them" in str(notice)
+    image = given.image.copy()
+    image[given.image[:, 0].argmax()] += [0, 2000]
+    with pytest.raises(SensorModelError, match="outside the image"):
+        check_inside(replace(given, image=image), size, RPC)
 
 
 def seen_points(**changed: np.ndarray) -> Points:
@@ -93,13 +111,19 @@ def test_what_the_image_s_own_rpc_rules_out_is_said(changed: dict[str, np.ndarra
 
 @pytest.mark.parametrize(("factors", "told"), [
     ([1, 1, 0], "25 points .* are -999 to -999 m high, and the image's RPC holds for 0 to 1200 m"),
-    ([1, 1, 3.28], "check them and their unit"),
+    ([1, 1, 1.9], "they miss the RPC by .* px"),
 ])  # fmt: skip
 def test_heights_that_an_rpc_is_not_made_for_are_said(factors: list[float], told: str) -> None:
     heights = seen_points().ground * factors - [0, 0, 999 if factors[2] == 0 else 0]
     (notice,) = check_against_rpc(seen_points(ground=heights), RPC)
     assert re.search(told, str(notice))
     assert notice.level == WARNING
+
+
+def test_heights_in_feet_are_found_by_what_the_rpc_misses() -> None:
+    given = seen_points()
+    with pytest.raises(SensorModelError, match=r"heights are in feet: as metres .* px, as feet by"):
+        check_against_rpc(replace(given, ground=given.ground / [1, 1, 0.3048]), RPC)
 
 
 @given(st.lists(st.tuples(st.floats(-3, 7), st.floats(-3, 7)), min_size=3, max_size=12, unique=True))

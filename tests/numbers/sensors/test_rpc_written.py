@@ -123,7 +123,7 @@ def test_projs_own_grid_as_a_file() -> None:
 
 def test_what_is_no_grid_of_the_geoid_says_so(tmp_path: Path) -> None:
     places = np.array([[7.1, 43.6, 0.0]])
-    with pytest.raises(RasterError, match="is no grid of the geoid"):
+    with pytest.raises(RasterError, match="is not a geoid grid"):
         above_ellipsoid(places, Geoid(RasterRef(image_file(tmp_path / "image.tif"))))
     west = gdal.Translate(str(tmp_path / "w.tif"), egm96_file(tmp_path / "g.tif"), projWin=(-90, 60, -60, 20))
     west = None

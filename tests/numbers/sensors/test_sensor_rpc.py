@@ -151,6 +151,32 @@ def test_rpb_is_read(tmp_path: Path) -> None:
     assert np.abs(rpc.read_rpc(path).project(ground) - made.project(ground)).max() < 1e-6
 
 
+def test_alos_and_orthority_s_files_are_read(tmp_path: Path) -> None:
+    """ALOS as GDAL reads it beside its image; orthority's items are GDAL's own."""
+    items = rpc.to_metadata(made_rational(3, 2, 0.002))
+    names = [f"{name}_{kind}" for kind in ("OFF", "SCALE") for name in ("LINE", "SAMP", "LAT", "LONG", "HEIGHT")]
+    forms = ("06.0f", "05.0f", "+08.4f", "+09.4f", "+05.0f") * 2
+    parts = [format(float(items[name]), form) for name, form in zip(names, forms)]
+    coefficients = {f"{name}_COEFF": [float(one) for one in items[f"{name}_COEFF"].split()]
+                    for name in ("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN")}  # fmt: skip
+    parts += [f"{one:+12.5E}" for values in coefficients.values() for one in values]
+    alos = tmp_path / "RPC-ALPSMW1234.txt"
+    alos.write_text("".join(parts) + "\n")
+    (tmp_path / "HDR-ALPSMW1234.txt").write_text(" " * 400)
+    gdal.GetDriverByName("GTiff").Create(str(tmp_path / "IMG-ALPSMW1234.tif"), 10, 10, 1).FlushCache()
+    ground = places(40, 3)
+    transformer = gdal.Transformer(gdal.Open(str(tmp_path / "IMG-ALPSMW1234.tif")), None, ["METHOD=RPC"])
+    by_gdal = np.array(transformer.TransformPoints(1, ground.tolist())[0])[:, :2]
+    assert np.abs(rpc.read_rpc(alos).project(ground) - by_gdal).max() < 1e-6
+    values = {name.lower(): float(items[name]) for name in names}
+    values.update({name.lower(): one for name, one in coefficients.items()})
+    path = tmp_path / "rpc.yaml"
+    path.write_text("image.tif:\n  cam_type: rpc\n  im_size: [10, 10]\n  rpc:\n" + "".join(
+        f"    {name}: {json.dumps(value)}\n" for name, value in values.items()
+    ))
+    assert np.abs(rpc.read_rpc(path).project(ground) - made_rational(3, 2, 0.002).project(ground)).max() < 1e-6
+
+
 def test_dimap_is_read_with_namespaces_and_in_its_encoding_but_not_with_entities(
     data_folder: Path, tmp_path: Path
 ) -> None:
@@ -205,17 +231,17 @@ def test_a_wrong_model_file_is_refused(tmp_path: Path) -> None:
     document = json.loads(path.read_text())
     for change, words in (
         ({"version": 99}, "is of version 99"),
-        ({"format": "other"}, "is no sensor model file"),
-        ({"model": "unknown"}, "is no sensor model file"),
-        ({"parameters": {}}, "is no sensor model file"),
-        ({"domain": {"columns": [1]}}, "is no sensor model file"),
+        ({"format": "other"}, "is not a sensor model file"),
+        ({"model": "unknown"}, "is not a sensor model file"),
+        ({"parameters": {}}, "is not a sensor model file"),
+        ({"domain": {"columns": [1]}}, "is not a sensor model file"),
     ):
         assert document["format"] == FORMAT
         path.write_text(json.dumps({**document, **change}))
         with pytest.raises(SensorModelError, match=words):
             load_model(path)
     path.write_text("no json")
-    with pytest.raises(SensorModelError, match="is no sensor model file"):
+    with pytest.raises(SensorModelError, match="is not a sensor model file"):
         load_model(path)
 
 
@@ -256,8 +282,8 @@ def test_columns_of_a_points_file_may_stand_in_any_order(tmp_path: Path) -> None
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        ("", "is no points file"),
-        ("a,b\n1,2\n", "is no points file"),
+        ("", "is not a points file"),
+        ("a,b\n1,2\n", "is not a points file"),
         (OLD.format(rows="7.1,43.6,120.5,-30.25,1\n7.2,x,3,4,1\n"), "Line 3 of image.points"),
         (OLD.format(rows="7.1,43.6\n"), "Line 2 of image.points"),
     ],

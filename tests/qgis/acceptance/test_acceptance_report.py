@@ -8,10 +8,12 @@ from pathlib import Path
 import pytest
 from qgis.core import Qgis
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
-from seam_inspector.plugin.acceptance.measure.decision import Decision
+from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
 from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord
+from seam_inspector.plugin.acceptance.paper.rated_images import RatedImage
+from seam_inspector.plugin.toolkit.resources import plugin_commit
 
 from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
 from tests.pages import Outline, outline
@@ -31,10 +33,10 @@ def page_of(path: Path, record: InspectionRecord) -> Outline:
 def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path) -> None:
     decision = decided(["sheet_1", "sheet_2"], failed=FAILED)
     page = page_of(tmp_path, record_of(decision, scan={"wavelet": "coif3", "levels": "3"}))
-    text = page.words[page.words.index("rejected") :]  # after the page's looks
+    text = page.words[page.words.index("Rejected") :]  # after the page's looks
     share, longest = 100 * (decision.whole.failed_share or 0), decision.longest_failure_m
     places = [text.index(words) for words in (
-        "rejected", f"{share:.2f}", "share of the seams that failed", "signature", "Where the seams failed", "Sheets",
+        "Rejected", f"{share:.2f}", "share of the seams that failed", "signature", "Where the seams failed", "Sheets",
         "Failures", "How it was measured",
     )]
     assert places == sorted(places)
@@ -44,8 +46,8 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
     assert rules["share of the seams that failed"][2] == "failed"
     assert rules["longest failure without a break"][0] == f"{longest:.1f}\u00a0m"
     assert rules["longest failure without a break"][2] == "passed"
-    row = ["sheet_1", "1,000 m", "100.0 %", f"{longest:.1f} m", f"{longest / 10:.2f} %", f"{longest:.1f} m", "2 / 40",
-           "0.0 m"]
+    row = ["sheet_1", "Rejected", "1000.0 m", "100.0 %", f"{longest:.1f} m", f"{longest / 10:.2f} %",
+           f"{longest:.1f} m", "2 / 40", "0.0 m"]
     assert row in [[cell.replace("\u00a0", " ") for cell in cells] for cells in page.rows]
     failures = [row for row in page.rows if row and row[0] in ("1", "2") and len(row) > 5]
     assert [row[1] for row in failures] == ["sheet_1", "sheet_2"]
@@ -56,8 +58,9 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
 
 def test_an_accepted_delivery_has_no_failures(tmp_path: Path) -> None:
     page = page_of(tmp_path, record_of(decided()))
-    assert "accepted" in page.words
-    assert "None: no piece of seam" in page.words
+    assert "Accepted" in page.words
+    assert "No piece of seam that was measured failed." in page.words
+    assert "Where the seams failed" not in page.words
     assert len(page.pictures("svg+xml")) == 1
 
 
@@ -68,6 +71,20 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
     captions = [one.replace("\u00a0", " ") for one in page.captions if "kept" in one]
     assert captions[0] == f"1, sheet_1, {decision.longest_failure_m:.1f} m, 45 % (40 - 51) kept. 200.0 m across."
     assert "mosaic.tif" in page.words
+
+
+def test_radiometry_stands_on_the_cover_and_changes_nothing(tmp_path: Path) -> None:
+    rated = (
+        RatedImage("a.tif", AcceptanceOutcome.ACCEPTED, ()), RatedImage("b.tif", AcceptanceOutcome.REJECTED, ("7.2",)),
+    )
+    page = page_of(tmp_path, record_of(decided(), radiometry=rated))
+    parts = {row[0]: row[1:] for row in page.rows if len(row) == 3}
+    assert parts["radiometry"] == ["Rejected", "images rejected: 1, undecided: 0 of 2"]
+    assert parts["detail kept along the seams"][0] == "Accepted"
+    assert ["b.tif", "Rejected", "7.2"] in page.rows
+    assert "a.tif" not in [row[0] for row in page.rows]
+    sound = page_of(tmp_path, record_of(decided(), radiometry=rated[:1]))
+    assert ["radiometry", "Accepted", "images rejected: 0, undecided: 0 of 1"] in sound.rows
 
 
 def test_a_plan_shows_its_risk_and_observers_their_agreement(tmp_path: Path) -> None:
@@ -138,7 +155,7 @@ def test_all_words_can_be_translated(tmp_path: Path) -> None:
     finally:
         QCoreApplication.removeTranslator(shouting)
     shown = page.words[page.words.index("REJECTED") :]
-    for name in ("Seam Inspector", "QGIS", Qgis.version()):
+    for name in ("Seam Inspector", "QGIS", Qgis.version(), plugin_commit(), plugin_commit()[:12]):
         shown = shown.replace(name, "")
     left = set(re.findall(r"[a-z]{2,}", shown)) - {"contract", "zone"}
     assert not left

@@ -91,7 +91,7 @@ def test_the_sample_is_of_all_sheets_with_seams(decided: Path) -> None:
 
 def test_the_papers_say_so(decided: Path) -> None:
     page = outline((decided / "decision.html").read_text(encoding="utf-8"))
-    assert "rejected" in page.words
+    assert "Rejected" in page.words
     assert len(page.pictures("jpeg")) >= 4
     for sheet in ("sheet_1_2", "sheet_2_1", "sheet_2_4", "sheet_3_3"):
         assert sheet in page.words

@@ -48,6 +48,15 @@ def test_a_sample_by_the_standard_in_proportion_from_every_sheet() -> None:
     assert plan(west, east, SEED=7).rows() != rows
 
 
+def test_an_isolated_lot_has_a_sample_by_its_limiting_quality() -> None:
+    outcome = plan(seams([P] * 1200), PLAN="iso2859_2", LQ="8.00")
+    assert numbers(outcome) == (50, 1, 1200, None)
+    assert any("ISO 2859-2:1985, isolated lot of 1200" in text for text in outcome.log.infos)
+    decided = run("acceptmosaic", SEAMS=[outcome.layer()], PLAN="iso2859_2", LQ=8, DEFECTS=None, REPORT=None)
+    assert decided.results["DECISION"] == "accepted"
+    assert "LQ 3 is none of the standard's" in str(plan(seams([P] * 40), PLAN="iso2859_2", LQ=3).complaint)
+
+
 def test_the_sample_is_decided_on() -> None:
     made = seams([0.5] * 200 + [P] * 800)
     planned = plan(made, PLAN="iso2859", AQL="1.0")  # its layer lives as long
@@ -62,7 +71,7 @@ def test_the_sample_is_decided_on() -> None:
     other = run("acceptmosaic", SEAMS=[sample], PLAN="iso2859", AQL="1.0", INSPECTION_LEVEL="III", **parameters)
     assert any("needs a sample of 125 pieces and 80 were" in text for text in other.log.infos) or failed > 3
     judged = run("acceptmosaic", SEAMS=[sample], **parameters)
-    assert any("they speak of the sample alone" in text for text in judged.log.warnings)
+    assert any("these layers are a sample" in text for text in judged.log.warnings)
     assert judged.results.get("LONGEST_FAILURE") is None
     assert not any("without a break: " in text for text in (*judged.log.infos, *outcome.log.infos))
 
@@ -109,12 +118,12 @@ def test_a_sample_for_stated_risks() -> None:
     risks = {"GOOD_SHARE": 1, "PRODUCERS_RISK": 5, "BAD_SHARE": 8, "CONSUMERS_RISK": 10}
     plain, alike = (plan(*made, PLAN="risk", CORRELATION=alike, **risks) for alike in (0, 0.3))
     assert plain.results["SAMPLE_SIZE"] < alike.results["SAMPLE_SIZE"]
-    assert any("alike by 0.30" in text for text in alike.log.infos)
+    assert any("correlated (0.30)" in text for text in alike.log.infos)
     assumed = plan(*made, PLAN="risk", **risks)  # nothing failed, so no likeness can be told
     assert assumed.results["SAMPLE_SIZE"] == alike.results["SAMPLE_SIZE"]
     whole = [seams([0.5 if number < 4 else P] * 200, y=10 * number, name=str(number)) for number in range(20)]
     told = plan(*whole, PLAN="risk", **risks)
-    assert any("alike by 1.00" in text for text in told.log.infos)
+    assert any("correlated (1.00)" in text for text in told.log.infos)
 
 
 def test_the_risks_that_a_plan_keeps_are_told() -> None:

@@ -20,7 +20,7 @@ from seam_inspector.plugin.acceptance.paper.charts import oc_figure, seams_figur
 from seam_inspector.plugin.acceptance.paper.quality_document import quality_document
 
 from tests.numbers.acceptance.made_decisions import decided, window_on
-from tests.numbers.acceptance.metadata_structure import NAMESPACES, faults
+from tests.numbers.acceptance.public_schemas import NAMESPACES, faults
 from tests.pages import outline
 from tests.qgis.acceptance.papers import record_of
 from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
@@ -48,9 +48,10 @@ def test_all_sheets_that_were_given_are_named_in_order(tmp_path: Path) -> None:
     made = run("acceptmosaic", SEAMS=[seams([0.5] * 8)], SHEETS=index(), DEFECTS=None, REPORT=str(page),
                QUALITY=str(record))
     assert made.complaint is None
-    sheets = [row for row in outline(page.read_text(encoding="utf-8")).rows if len(row) == 8][1:]
-    assert [row[0] for row in sheets] == ["sheet_1 (no seams)", "sheet_2", "sheet_3 (no seams)", "sheet_10", "all"]
-    assert sheets[0][2:] == ["\u2013"] * 6
+    sheets = [row for row in outline(page.read_text(encoding="utf-8")).rows if len(row) == 9][1:]
+    assert [row[0] for row in sheets] == ["sheet_1", "sheet_2", "sheet_3", "sheet_10", "all"]
+    assert [row[1] for row in sheets] == ["No seams", "Rejected", "No seams", "Rejected", ""]
+    assert sheets[0][3:] == ["\u2013"] * 6
     text = record.read_text(encoding="utf-8")
     assert faults(text) == []
     (scope,) = ET.fromstring(text.encode()).iterfind(".//mdq:DQ_DataQuality/mdq:scope", NAMESPACES)
@@ -86,7 +87,7 @@ def test_the_map_numbers_what_the_table_holds(tmp_path: Path) -> None:
     decision = decided([f"sheet_{one}" for one in range(40)], failed=[(n, 4 * m) for n in range(40) for m in range(8)])
     shown: list[int] = []
 
-    def drawn(_: Decision, defects: object) -> None:
+    def drawn(_: Decision, defects: object, _mosaics: object) -> None:
         shown.extend(one.number for one in defects)  # type: ignore[attr-defined]
 
     with pytest.MonkeyPatch.context() as patch:

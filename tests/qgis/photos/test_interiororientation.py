@@ -175,7 +175,7 @@ def test_without_numbers_it_says_that_it_assumes(tmp_path: Path) -> None:
     scene = make_photo(tmp_path, Look(diagonal=True), seed=6)
     outcome = run("interiororientation", **scene.inputs, **CROSS)
     assert outcome.column("status") == ["measured"] * 4
-    assert any("Nothing tells how the photo lies" in warning for warning in outcome.log.warnings)
+    assert any("How the photo lay in the scanner is not known" in warning for warning in outcome.log.warnings)
     more = write_calibration(tmp_path / "strip.csv", more="data_strip,-125,0\n")
     pixels = np.pad(scene.frame.pixels, ((0, 0), (0, 200)), constant_values=30)  # the strip is at the right
     write_plain(scene.photo, pixels)
@@ -253,7 +253,7 @@ def test_bad_positions(scene: PhotoScene) -> None:
     for given, words in (
         (points({"9": places["1"]}), "a mark '9' that the calibration does not have"),
         (points({"1": places["1"], "2": places["1"]}), "'1' and '2' are at one place"),
-        (points(swapped), "from where the calibration wants them"),
+        (points(swapped), "from where the calibration places them"),
         (points({"": places["1"]}), "no point with a name"),
     ):
         assert_sentence(complaint(scene, POSITIONS=given), words)

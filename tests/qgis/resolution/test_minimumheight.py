@@ -38,6 +38,14 @@ def test_the_papers_example(provider: QgsProcessingProvider) -> None:
     assert "treaty" in row["notice"]
 
 
+def test_each_sensor_has_its_reference() -> None:
+    rows = [("DMC", 3000.0, 30.0), ("RC20", 2000.0, 30.0)]
+    observations = table(rows, sensor="string", height="double", grd="double")
+    made = run("minimumheight", OBSERVATIONS=observations, REFERENCE_HEIGHT="DMC 2500; RC20 1600")
+    assert made.column("tolerance") == [20, 25]
+    assert_refused("minimumheight", "for RMK, but", OBSERVATIONS=observations, REFERENCE_HEIGHT="RMK 2000")
+
+
 @pytest.mark.parametrize(("row", "words"), [((33.67, 3000.0), "interchanged"), ((3000.0, 0.3367), "holds metres")])
 def test_columns_interchanged_and_other_units_are_doubted(row: tuple[float, float], words: str) -> None:
     log = Log()
@@ -86,9 +94,8 @@ def test_heights_and_distances_without_end_are_told_and_make_no_mean() -> None:
     made = run("minimumheight", log, OBSERVATIONS=table(rows, height="double", grd="string"))
     assert made.column("mean") == [3000]
     left_out = [warning for warning in log.warnings if "is left out" in warning]
-    assert [word in warning for word, warning in zip(("'inf'", "'inf'", "1e+300 m", "'x' is no number"), left_out)] == (
-        [True] * 4
-    )
+    reasons = ("'inf'", "'inf'", "1e+300 m", "'x' is not a number")
+    assert [word in warning for word, warning in zip(reasons, left_out)] == [True] * 4
 
 
 def test_several_observers_in_a_row() -> None:

@@ -105,6 +105,7 @@ def test_fields(scene: Scene, levels: int) -> None:
         ("sharpness_1", REAL),
         ("added_1", REAL),
         ("explained", REAL),
+        ("loss", REAL),
     ]
     assert layout(outcome, "CURVES") == [
         ("window_id", INTEGER),

@@ -201,7 +201,7 @@ def test_numbers_are_kept_and_bad_windows_say_why(scene: Scene) -> None:
     assert_sentence(reasons[3], "No source covers the window")
     assert outcome.results["WINDOW_COUNT"] == 5
     assert outcome.results["NOT_COMPARABLE_COUNT"] == 3
-    assert [info for info in outcome.log.infos if info.startswith("7: No source covers")]
+    assert [info for info in outcome.log.infos if info.startswith("Window 7: No source covers")]
 
 
 # --- sources ---------------------------------------------------------------------------------------------------

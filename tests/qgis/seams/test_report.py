@@ -189,19 +189,21 @@ def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_p
     feathered = WindowRecord(
         1, (0, 0, 50, 50), "significant", ratios=(1.35, 1.1), kept=(0.56, 0.81), kept_low=0.51, kept_high=0.62,
         band_width=2.0, sharpness=0.99, cause="feathering", causes="feathering; compressed", reference="seam",
-        paper_verdict="preserved", explained=0.83, visibility=1.42,
+        paper_verdict="preserved", explained=0.83, visibility=1.42, loss=44.0,
     )  # fmt: skip
     worse = WindowRecord(
         2, (50, 0, 100, 50), "significant", ratios=(1.5, 1.2), kept=(0.3, 0.5), kept_low=0.2, kept_high=0.4,
         sharpness=1.0, cause="feathering", causes="feathering", reference="seam", paper_verdict="preserved",
+        loss=70.0,
     )  # fmt: skip
     by_paper = WindowRecord(3, (0, 50, 50, 100), "significant", ratios=(0.45, 0.6), reference="sources")
     write_report(tmp_path / "report.html", ReportRequest((feathered, worse, by_paper)))
     page = outline((tmp_path / "report.html").read_text(encoding="utf-8"))
-    assert page.anchors == ["window-2", "window-1", "window-3"]  # the greatest loss first, each by its own limit
-    assert "44 % of the finest detail is lost (38 to 49 %), 1.4 times what an eye just sees at 2x" in page.words
+    assert page.anchors == ["window-2", "window-1", "window-3"]  # the greatest loss first
+    assert "44 % of the finest detail is lost in a strip of 2.0 m along the seam (44 m²): images" in page.words
+    assert "between 38 and 49 % (95 % interval). It is 1.4 times what an eye just sees at 2x." in page.words
     assert "just noticeable differences of contrast" in page.words
-    assert "at 2x: images are feathered. The rest is as sharp as its sources. " in page.words
+    assert "The window is as sharp as its sources. " in page.words
     assert "Besides: compressed." in page.words
     assert "17 % of the pixels match none of the given sources" in page.words
     assert "By the paper's rule it is preserved, with 135 % of the detail" in page.words
@@ -209,7 +211,7 @@ def test_a_window_judged_by_its_seam_is_told_by_its_seam(qgis_app: object, tmp_p
     assert ["kept along the seam (level 1: 0.51 to 0.62)", "0.56", "0.81"] in page.rows
     (found,) = (row for row in page.rows if row[0] == "1" and len(row) > 4)
     for words in (
-        "significant, kept 1: 0.56 (0.51 to 0.62)", "by the paper's rule: preserved, ratio 1: 1.35",
+        "significant, loss: 44 m², kept 1: 0.56 (0.51 to 0.62)", "by the paper's rule: preserved, ratio 1: 1.35",
         "cause: feathering, compressed; visibility at 2x (JND): 1.4",
     ):  # fmt: skip
         assert words in found[1]

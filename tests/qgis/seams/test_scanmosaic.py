@@ -74,8 +74,8 @@ def test_fields_and_numbers(scanned: Run) -> None:
     assert scanned.complaint is None
     assert scanned.log.warnings == scanned.log.errors == []
     assert scanned.layer("SEAMS").fields().names() == [
-        "seam_id", "station", "left_source", "right_source", "left_date", "right_date", "length", "kept_1",
-        "kept_2", "kept_3", "kept_low", "kept_high", "band_width", "feather_width", "visibility", "verdict",
+        "seam_id", "station", "left_source", "right_source", "left_date", "right_date", "length", "level", "state",
+        "kept_1", "kept_2", "kept_3", "kept_low", "kept_high", "band_width", "feather_width", "visibility", "verdict",
         "reason",
     ]
     assert scanned.layer("CELLS").fields().names() == ["source"]
@@ -83,7 +83,9 @@ def test_fields_and_numbers(scanned: Run) -> None:
     pieces, numbers = scanned.rows("SEAMS"), scanned.results
     assert numbers["SEAM_METRES"] == pytest.approx(sum(one["length"] for one in pieces))
     assert numbers["SEAM_METRES"] == pytest.approx(SEAM_METRES, rel=0.02)
-    failed = [one["length"] for one in pieces if one["verdict"] == "significant"]
+    failed = [one["length"] for one in pieces if one["state"] == "failed"]
+    assert {one["level"] for one in pieces} == {"piece"}
+    assert all((one["state"] == "failed") == (one["kept_1"] < 0.7) for one in pieces)
     assert numbers["FAILED_METRES"] == pytest.approx(sum(failed))
     assert numbers["WORST_KEPT"] == min(one["kept_1"] for one in pieces)
     assert {tuple(sorted((one["left_source"], one["right_source"]))) for one in pieces} == {("east.tif", "west.tif")}
@@ -200,7 +202,7 @@ def test_without_orthoimages_seamlines_are_enough(feathered: Files) -> None:
         ({"LEVELS": 0}, "measures 1 to 4 levels"),
         ({"PIECE": 0}, "PIECE is 0"),
         ({"CORRIDOR": -1.0}, "0 or more"),
-        ({"DENSITY": "some"}, "some is no density"),
+        ({"DENSITY": "some"}, "A scan has no density 'some'"),
         ({"WAVELET": "bior2.2"}, "not orthogonal"),
         ({"LOSS": "/nowhere/loss.tif"}, "choose another folder"),
         ({"LOSS": "/tmp"}, "/tmp can.t be written"),

@@ -394,7 +394,7 @@ def test_names_of_the_seamlines_are_those_of_the_sources(feathered: Files) -> No
     assert set(pairs) == {("east.tif", "west.tif")}
     others = layer("LineString", [line(*places())], left_src=("string", ["7"]), right_src=("string", ["8"]))
     found = scan(feathered, SEAMLINES=others)
-    assert "not given: 2 (7, 8" in found.log.warnings[0]
+    assert "not given: 2 (such as 7, 8" in found.log.warnings[0]
 
 
 @pytest.mark.parametrize("with_images", [True, False])

@@ -41,7 +41,7 @@ FIELDS = [
     "feather_width",
     "visibility",
     "misfit",
-    *("contrast_1", "sharpness_1", "added_1", "explained"),
+    *("contrast_1", "sharpness_1", "added_1", "explained", "loss"),
 ]
 RATIOS = (0.123456789012, 0.9, None)
 

@@ -201,7 +201,7 @@ def test_bad_input_is_a_sentence(data_folder: Path, tmp_path: Path) -> None:
     assert_refused("orthorectify", "does not exist", IMAGE=str(tmp_path / "lost.tif"), HEIGHT=3)
     assert_refused("orthorectify", "has no RPC", IMAGE=str(folder / "N44E005.hgt"), HEIGHT=3)
     geom = str(folder / "left_image.geom")
-    assert_refused("orthorectify", "no sensor model file", IMAGE=left, HEIGHT=3, MODEL_FILE=geom)
+    assert_refused("orthorectify", "not a sensor model file", IMAGE=left, HEIGHT=3, MODEL_FILE=geom)
     away = str(data_folder / "seams" / "brighton" / "source_label.tif")
     assert_refused("orthorectify", "does not cover the image", IMAGE=left, DEM=away)
 

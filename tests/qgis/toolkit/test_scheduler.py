@@ -2,18 +2,24 @@
 from __future__ import annotations
 
 import os
+import signal
+import socketserver
 import subprocess
 import sys
+import threading
 import venv
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
+from seam_inspector.plugin.imagery.errors import CancelledError, SettingsError
+from seam_inspector.plugin.toolkit.executors import open_executor
 
 from tests.numbers.synthetic import write_raster
-from tests.qgis.clusters import needs_dask, two_workers
+from tests.qgis.clusters import needs_dask, two_workers, worker_processes
 from tests.qgis.runs import Run, assert_refused, assert_sentence, run
 from tests.qgis.scenes import BLURRED, SHARP, Scene, whole, windows
 from tests.releases import built, cloned
@@ -110,8 +116,8 @@ def test_workers_that_lack_a_package_are_told(
 @pytest.mark.parametrize(
     ("address", "words"),
     [
-        ("tcp://127.0.0.1:9", r"scheduler at tcp://127\.0\.0\.1:9 does not answer .*; check the address"),
-        ("nowhere", "scheduler at nowhere does not answer .*; check the address or leave it empty"),
+        ("tcp://127.0.0.1:9", r"scheduler at tcp://127\.0\.0\.1:9 does not answer .*; check the address, .* 8786"),
+        ("nowhere", "scheduler at nowhere does not answer .*; check the address, .* 8786, or leave it empty"),
         ("udp://127.0.0.1:9", r"scheduler at udp://127\.0\.0\.1:9 does not answer"),
     ],
 )
@@ -121,6 +127,81 @@ def test_an_address_without_a_scheduler_gets_a_sentence(
     monkeypatch.setattr("seam_inspector.plugin.toolkit.executors._ANSWER_SECONDS", 0.2)
     given = {"WINDOWS": windows(SHARP), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources}
     assert_refused("inspectwindows", words, SCHEDULER=address, **given)
+
+
+@contextmanager
+def port_that_says(words: bytes) -> Iterator[str]:
+    """The address of a server that is no scheduler: it says so much to whoever comes, then nothing."""
+
+    class Talk(socketserver.BaseRequestHandler):
+        def handle(self) -> None:
+            self.request.sendall(words)
+            ended.wait()
+
+    ended = threading.Event()
+    with socketserver.ThreadingTCPServer(("127.0.0.1", 0), Talk) as server:
+        server.daemon_threads = True
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"tcp://127.0.0.1:{server.server_address[1]}"
+        ended.set()
+        server.shutdown()
+
+
+def assert_not_opened(
+    address: str, error: type[Exception], words: str, is_cancelled: Callable[[], bool] = lambda: False
+) -> None:
+    with pytest.raises(error, match=words), open_executor(address, is_cancelled):
+        pass
+
+
+OTHERS = (
+    b"SSH-2.0-OpenSSH_9.2p1\r\n", b"HTTP/1.1 400 Bad Request\r\n\r\n", (2**62).to_bytes(8, "little"),
+    (16).to_bytes(8, "little") + (1).to_bytes(8, "little") + (0).to_bytes(8, "little"),
+)  # fmt: skip
+
+
+@needs_dask
+@pytest.mark.parametrize("words", OTHERS, ids=["ssh", "http", "oversized frame", "empty frame"])
+def test_what_answers_but_is_not_a_scheduler_gets_a_sentence(words: bytes) -> None:
+    with port_that_says(words) as address:
+        assert_not_opened(address, SettingsError, r"(is not a|does not).* 8786")
+
+
+@needs_dask
+def test_a_silent_port_is_waited_for_a_time_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("seam_inspector.plugin.toolkit.executors._ANSWER_SECONDS", 0.3)
+    with port_that_says(b"") as address:
+        assert_not_opened(address, SettingsError, r"does not answer .* 8786")
+
+
+@needs_dask
+def test_a_silent_port_is_left_when_the_run_is_cancelled() -> None:
+    asked = iter([False, False, True])
+    with port_that_says(b"") as address:
+        assert_not_opened(address, CancelledError, "cancelled", lambda: next(asked))
+
+
+@needs_dask
+def test_a_worker_in_place_of_its_scheduler_gets_a_sentence(cluster: str) -> None:
+    from distributed import Client
+
+    with Client(cluster) as client:
+        worker = next(iter(client.nthreads()))
+    assert_not_opened(worker, SettingsError, "is not a Dask scheduler")
+
+
+@needs_dask
+def test_workers_that_stand_still_are_left_when_the_run_is_cancelled(tmp_path: Path) -> None:
+    with two_workers(tmp_path) as address:
+        stopped = worker_processes(address)
+        for process in stopped:
+            os.kill(process, signal.SIGSTOP)
+        try:
+            asked = iter([False] * 5 + [True])
+            assert_not_opened(address, CancelledError, "cancelled", lambda: next(asked))
+        finally:
+            for process in stopped:
+                os.kill(process, signal.SIGCONT)
 
 
 @needs_dask

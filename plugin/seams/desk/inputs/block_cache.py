@@ -34,12 +34,14 @@ from ...jobs import ScanOrder
 from ...measure import messages
 from ...measure.inspection import Block, make_block, window_request
 from ...measure.scan.lines.seam_features import SeamFeature
+from ...measure.scan.scan_journal import content_of
 from ...measure.scan.scan_settings import ScanSettings
 from ...measure.seam_cells import Cell
 from ...measure.source_images import Source
 from ...measure.window.window_request import InspectionSettings, WindowRequest
 from ...measure.window_records import WindowRecord
 from ...tables import input_layers, window_layer
+from ..windows.windows_mosaic import KnownMosaic
 from .project_inputs import Inputs
 
 
@@ -60,6 +62,8 @@ class BlockCache(QObject):
         self._indexed: dict[str, tuple[Source, ...]] = {}  # of source indexes, which may vanish
         self._cells: dict[str, tuple[Cell, ...]] = {}  # likewise
         self._states: dict[object, int] = {}
+        self.doubt: Message | None = None
+        """Why the mosaic is not for the windows that are looked at."""
         self.forget()
 
     def forget(self) -> None:
@@ -101,6 +105,12 @@ class BlockCache(QObject):
         layer = self._project.mapLayer(self.inputs.mosaic)
         return layer if isinstance(layer, QgsRasterLayer) else None
 
+    def known_mosaic(self) -> KnownMosaic | None:
+        """The mosaic as it is known again; None while it is not open."""
+        if self._opened is None:
+            return None
+        return KnownMosaic(self._opened.mosaic.ref.path, self._opened.content)
+
     def settings(self) -> InspectionSettings:
         """How windows are measured."""
         inputs = self.inputs
@@ -110,6 +120,8 @@ class BlockCache(QObject):
         """Why there is no block; None when there is one."""
         if self._opened is None:
             return self._unopened
+        if self.doubt is not None:
+            return self.doubt
         if self._block is None and self._failure is None:
             try:
                 self._block = self._made_of(self._opened)
@@ -230,6 +242,20 @@ class BlockCache(QObject):
             raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
         return found
 
+    def shapes(
+        self, layer: QgsVectorLayer, fids: Sequence[int], crs: QgsCoordinateReferenceSystem
+    ) -> list[QgsGeometry]:
+        """Windows of a layer in another reference system, in the order of their ids here.
+
+        Raises WindowError when they can't be transformed.
+        """
+        transform = QgsCoordinateTransform(layer.crs(), crs, self._project.transformContext())
+        found = window_layer.read_shapes(layer, fids)
+        shapes = [found[fid] for fid in fids if fid in found]
+        if not all(_is_transformed(geometry, transform) for geometry in shapes):
+            raise WindowError(imagery_messages.EXTENT_NOT_TRANSFORMED())
+        return shapes
+
     def requests(self, block: Block, layer: QgsVectorLayer, rows: Sequence[WindowRecord]) -> Iterator[WindowRequest]:
         """The requests for windows, to be made in any thread, as there may be thousands."""
         crs = layers.mosaic_crs(block.mosaic)
@@ -301,6 +327,8 @@ class OpenedFiles:
     """The orthoimages of the source index."""
     cells: tuple[Cell, ...] = ()
     """Which source each part of the mosaic was cut from."""
+    content: str = ""
+    """By which the mosaic is known again, wherever it lies."""
 
 
 def block_files(project: QgsProject, inputs: Inputs) -> InputFiles:
@@ -354,7 +382,7 @@ def opening_job(project: QgsProject, inputs: Inputs, files: InputFiles) -> Job:
                 raise SettingsError(messages.CELLS_WITHOUT_SOURCE())
             transform = QgsCoordinateTransform(cells.crs, crs, context)
             known = input_layers.seam_cells(cells.source.getFeatures(), transform)
-        return OpenedFiles(mosaic, tuple(indexed), tuple(known))
+        return OpenedFiles(mosaic, tuple(indexed), tuple(known), content_of(files.mosaic.path))
 
     def job(_cancelled: Cancelled) -> Iterator[tuple[float, object]]:
         try:

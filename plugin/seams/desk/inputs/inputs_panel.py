@@ -15,7 +15,7 @@ from ....imagery.errors import WARNING, SettingsError
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.widgets import SummaryBox, single_shot
 from ....toolkit.translation import filled, sentence, shown_metres, tr
-from ...measure import messages
+from ...measure import limits, messages
 from ...measure.inputs.raster_facts import source_doubts
 from ...measure.window_placing import fitting_side_m, window_side_px
 from ...tables.input_layers import LOCATION_FIELD
@@ -54,6 +54,7 @@ class InputsPanel(QWidget):
             (QgsProject.instance().cleared, self.suggesting.forget_choices),
             (QgsProject.instance().layersAdded, self._take_layers),
             (QgsProject.instance().layersRemoved, self._layers_removed),
+            (QgsProject.instance().layerTreeRoot().nameChanged, self._layer_renamed),
             (QApplication.instance().focusChanged, self._focus_moved),
         ]
         for signal, slot in self._connections:
@@ -113,6 +114,9 @@ class InputsPanel(QWidget):
     def _layers_removed(self, _ids: list[str]) -> None:
         self.suggesting.follow()
         self.refresh()
+
+    def _layer_renamed(self, *_: object) -> None:
+        self.box.set_summary(*self._summary())
 
     def _suggest_layers(self) -> None:
         if self.isVisible():
@@ -198,19 +202,20 @@ class InputsPanel(QWidget):
         return self.mosaic.currentText(), " · ".join(parts), sentence(problem) if problem is not None else ""
 
     def _fit_side(self) -> None:
-        """A side that the mosaic has no room for, or too few pixels, gives way to one that suits it."""
+        """A side that the mosaic has no room for, or too few pixels, gives way to one that suits it, and the spacing to
+        twice that."""
         inputs, grid = self._session.inputs, self._session.mosaic_grid()
         if grid is None:
             return
         fitting = fitting_side_m(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
         if fitting != inputs.side_m:
             self._fitted = inputs.side_m, fitting
-            self._session.set_inputs(replace(inputs, side_m=fitting))
+            self._session.set_inputs(replace(inputs, side_m=fitting, spacing_m=2 * fitting))
 
     def _show_side(self, *_: object) -> None:
         """What becomes of the side: pixels, and the metres that these span; and what it was changed from."""
         inputs, grid = self._session.inputs, self._session.mosaic_grid()
-        text = tip = ""
+        text, tip, pixels = "", "", 0
         if grid is not None:
             try:
                 pixels = window_side_px(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
@@ -222,11 +227,14 @@ class InputsPanel(QWidget):
         self.side_px.setText(text)
         self.side_px.setToolTip(tip)
         note = ""
+        if 0 < pixels < limits.MEASURABLE_SIDE_PX:
+            note = filled(tr("few windows below {pixels} px can be measured"), pixels=limits.MEASURABLE_SIDE_PX)
         if text and self._fitted is not None and self._fitted[1] == inputs.side_m:
             asked, fits = self._fitted
-            note = tr("{asked} m is too small for this mosaic") if asked < fits else tr(
-                "{asked} m is too large for this mosaic")
-            note = filled(note, asked=shown_metres(asked))
+            note = tr("{asked} m is too small for this mosaic: {side} m, every {spacing} m") if asked < fits else tr(
+                "{asked} m is too large for this mosaic: {side} m, every {spacing} m")
+            spacing = shown_metres(inputs.spacing_m)
+            note = filled(note, asked=shown_metres(asked), side=shown_metres(fits), spacing=spacing)
         self.side_note.setText(note)
         self.side_note.setVisible(bool(note) and not self.box.isCollapsed())  # else it lies on the folded box's title
 

@@ -49,8 +49,8 @@ class MoreBox(QgsCollapsibleGroupBoxBasic):
              tr("Steps of the decomposition. Level 1 holds the finest detail, each further one detail twice as "
                 "coarse.")),
             ("reference", tr("Verdict &by"), _word_box(zip(REFERENCES, references), self),
-             tr("What the verdict is taken by: what is kept along the seam; the whole window against the hard cut of "
-                "the sources; or each source's whole clip, as in Pyka's papers")),
+             tr("What decides the verdict: what is kept along the seam; the whole window against the hard cut of the "
+                "sources; or each source's whole clip, as in Pyka's papers")),
             ("min_kept", tr("Least &kept"), _share_box(limits.MAX_SIGNIFICANT_KEPT, self),
              tr("By the seam, a loss is significant when at most this share of the finest detail is kept along it")),
             ("max_ratio", tr("Largest &ratio"), _share_box(imagery_limits.MAX_SIGNIFICANT_RATIO, self),

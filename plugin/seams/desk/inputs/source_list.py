@@ -79,12 +79,12 @@ class SourceList(QWidget):
         self._is_following = False
         self.list = QListWidget(self)
         self.suggested = self._button(
-            tr("suggested"), tr("Check the rasters that may be sources of this mosaic, and no others")
+            tr("suggested"), tr("Tick only the rasters that may be sources of this mosaic")
         )
-        self.none = self._button(tr("none"), tr("Check no raster; missing ones are removed"))
+        self.none = self._button(tr("none"), tr("Untick all rasters and remove missing ones"))
         self.list.setToolTip(
-            tr("The orthoimages that the mosaic was made from. What is left out says why; check it to take it all the "
-               "same. Uncheck a missing one to remove it from the inputs.")
+            tr("The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; "
+               "tick it to use it anyway. Untick a missing one to remove it from the inputs.")
         )
         self.list.setAccessibleName(tr("Sources"))
         self.list.setItemDelegate(_Names(self.list))

@@ -218,7 +218,7 @@ class WindowTool(DrawingTool):
             tone = OutlineTone.DOUBTFUL
             near = self._session.nearest_judgeable(window, seam_point is not None) if may_move else None
             if near is not None and is_near(window, near) and not self._is_new:
-                note = tr("{metres:.1f} m aside, where it can be judged; with Ctrl here")
+                note = tr("{metres:.1f} m aside, where it can be judged; Ctrl places it here")
                 text = f"{described(grid, near, self._session.coverage(near))}\n"
                 text += filled(note, metres=metres_apart(grid, window, near))
                 return _Draft(grid.window_extent(near), near, text, OutlineTone.GOOD, seam_point and middle(grid, near))

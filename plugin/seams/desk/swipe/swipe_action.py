@@ -257,7 +257,7 @@ class SwipeAction(QObject):
         self.menu.aboutToShow.connect(self._fill_menu)
         self.action = QAction(QIcon(icon_path("swipe")), tr("Swipe"), parent)
         self.action.setToolTip(
-            tr("Compare the mosaic with a source on the map: drag the handle, X exchanges the sides, Esc ends")
+            tr("Compare the mosaic with a source on the map: drag the handle, X swaps the sides, Esc ends")
         )
         self.action.setCheckable(True)
         self.action.setMenu(self.menu)
@@ -359,9 +359,9 @@ class SwipeAction(QObject):
         if not choices:
             self.menu.addAction(tr("No source here")).setEnabled(False)
         self.menu.addSeparator()
-        flip = self.menu.addAction(tr("Exchange the sides (X)"), self.swipe.flip)
+        flip = self.menu.addAction(tr("Swap the sides (X)"), self.swipe.flip)
         flip.setEnabled(self.swipe.is_on)
-        lying = self.menu.addAction(tr("Lying handle"))
+        lying = self.menu.addAction(tr("Horizontal handle"))
         lying.setToolTip(tr("Compare above and below instead of left and right"))
         lying.setCheckable(True)
         lying.setChecked(not self.swipe.divider.is_upright)

@@ -204,7 +204,7 @@ class SwipeHandle(QWidget):
         super().__init__(canvas)  # not of its viewport, which scrolls its children
         self._canvas, self._divider = canvas, divider
         self._is_dragged = False
-        self.setToolTip(rich_tip(tr("Drag to compare the mosaic with the other image. X exchanges them, Esc ends.")))
+        self.setToolTip(rich_tip(tr("Drag to compare the mosaic with the other image. X swaps them, Esc ends.")))
 
     def place(self) -> None:
         """Lie where the divider is."""

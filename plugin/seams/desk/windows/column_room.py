@@ -12,6 +12,7 @@ from qgis.PyQt.QtCore import QSize, Qt
 from qgis.PyQt.QtGui import QFontMetrics
 from qgis.PyQt.QtWidgets import QMenu, QStyle, QStyleOptionHeader, QTableView, QWidget
 
+from ....imagery.documents import json_document
 from ....toolkit.translation import filled, tr
 from ...measure.causes import Cause
 from ...words import VERDICTS, cause_word, observer_word, verdict_word
@@ -33,7 +34,7 @@ class ColumnChoice:
 def load_choice() -> ColumnChoice:
     """What was chosen last; nothing where that can't be understood."""
     try:
-        stored = json.loads(QgsSettings().value(_KEY, "") or "{}")
+        stored = json_document(QgsSettings().value(_KEY, "") or "{}")
         return ColumnChoice(*(tuple(map(str, stored.get(name, ()))) for name in ("shown", "order")))
     except (ValueError, TypeError, AttributeError):
         return ColumnChoice()
@@ -136,7 +137,7 @@ class ColumnMeter:
             samples = {
                 "cause": [cause_word(cause.value) for cause in Cause], "paper_verdict": list(verdicts),
                 "observer": observers, "observer_2": observers,
-                "window_id": ["000"], "sources": ["00"], "kept": ["100.9 %"],
+                "window_id": ["000"], "sources": ["00"], "loss": ["888 m²"],
             }  # fmt: skip
             natural = width(*samples.get(column.name, ["0.00"]))
             least, airy = natural, natural + em
@@ -155,7 +156,7 @@ class ColumnMeter:
             option.sortIndicator = QStyleOptionHeader.SortIndicator.SortDown
         style, metrics = header.style(), header.fontMetrics()
         least = style.sizeFromContents(QStyle.ContentsType.CT_HeaderSection, option, QSize(), header).width()
-        needed = metrics.horizontalAdvance(title + "n") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
+        needed = metrics.horizontalAdvance(title + "m") + 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMargin)
         if is_sorted:
             needed += 2 * style.pixelMetric(QStyle.PixelMetric.PM_HeaderMarkSize)
         return max(int(least), int(needed))  # the style's own word is too little in Fusion

@@ -13,7 +13,6 @@ from qgis.PyQt.QtWidgets import QComboBox, QSizePolicy, QWidget
 from ....imagery.statistics import FIRST, SECOND, UNSURE, VISIBLE
 from ....toolkit.translation import tr
 from ...measure.window_records import WindowRecord
-from ...window_summary import judged_value
 from ...words import VERDICTS, verdict_word
 from .window_columns import verdict_chip
 
@@ -42,11 +41,8 @@ def along_the_seam(row: WindowRecord) -> tuple[float, float, int]:
 
 
 def worst_first(row: WindowRecord) -> tuple[int, float] | None:
-    """By the verdict, then by what it was taken by: numbers of another verdict may be smaller, but mean less."""
-    if row.verdict not in _WORST:
-        return None
-    value = judged_value(row)
-    return _WORST.index(row.verdict), math.inf if value is None else value
+    """By the verdict, then by how much detail is missing."""
+    return None if row.verdict not in _WORST else (_WORST.index(row.verdict), -(row.loss or 0.0))
 
 
 def tool_and_observer_disagree(row: WindowRecord) -> bool:
@@ -69,7 +65,7 @@ TABLE = WindowOrder(
 ORDERS = (
     WindowOrder(
         "seam", QT_TR_NOOP("along the seam"),
-        QT_TR_NOOP("Seam by seam and along each, as the windows were placed."), along_the_seam,
+        QT_TR_NOOP("Seam by seam, in the order in which the windows were placed."), along_the_seam,
     ),
     WindowOrder(
         "worst", QT_TR_NOOP("worst first"),
@@ -78,12 +74,12 @@ ORDERS = (
     ),
     WindowOrder(
         "tool", QT_TR_NOOP("tool differs"),
-        QT_TR_NOOP("First the windows where the tool's verdict and an observer's word disagree."),
+        QT_TR_NOOP("Starts with the windows where the tool and an observer disagree."),
         lambda row: along_the_seam(row) if tool_and_observer_disagree(row) else None, tells_verdict=True,
     ),
     WindowOrder(
         "operators", QT_TR_NOOP("operators differ"),
-        QT_TR_NOOP("First the windows where the two operators disagree."),
+        QT_TR_NOOP("Starts with the windows where the two operators disagree."),
         lambda row: along_the_seam(row) if operators_disagree(row) else None, tells_verdict=True,
     ),
     TABLE,
@@ -136,11 +132,11 @@ class KindBox(_Box):
             self.addItem(verdict_chip(verdict), verdict_word(verdict), partial(_has_verdict, verdict))
         self._kinds = ["", *(verdict or "not_inspected" for verdict in VERDICTS)]
         for kind, text, test, tip in (
-            ("not_judged", tr("not judged"), partial(self._is_said, ""), tr("Windows without the observer's word.")),
+            ("not_judged", tr("not judged"), partial(self._is_said, ""), tr("Windows that no observer has judged.")),
             ("unsure", tr("not sure"), partial(self._is_said, UNSURE), tr("Windows where the observer was not sure.")),
             ("stale", tr("changed"), attrgetter("stale"), tr("Windows to be inspected again.")),
             ("tool_differs", tr("tool differs"), tool_and_observer_disagree,
-             tr("Windows where the tool's verdict and an observer's word disagree.")),
+             tr("Windows where the tool and an observer disagree.")),
             ("operators_differ", tr("operators differ"), operators_disagree,
              tr("Windows where the two operators disagree.")),
         ):

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from typing import Any
 
-from qgis.core import QgsProject
+from qgis.core import QgsGeometry, QgsProject
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.errors import Message, SeamInspectorError
@@ -81,6 +81,10 @@ class NewWindows(QObject):
         job = jobs.placing_job(lines, block.mosaic, inputs.side_m, inputs.spacing_m, settings)
         self._background.start(tr("Place windows"), job, partial(self._take, inputs.mosaic), _PLACING, steps=1)
 
+    def copy(self, outlines: Sequence[QgsGeometry]) -> None:
+        """Add windows of these outlines, in the mosaic's reference system, to a new layer."""
+        self._start(self._copying(outlines))
+
     def abandon(self) -> None:
         """What is under way is of a layer that is followed no more; a layer that is just being taken over is ours."""
         if self._is_at_work:
@@ -93,7 +97,13 @@ class NewWindows(QObject):
 
     def _drawing(self, window: PixelWindow) -> Iterator[None]:
         yield from self._with_layer(block := self._block.required())
-        self.drawn.emit([fid for fids in self._added(block, [window], 0) for fid in fids])
+        outlines = self._outlines(block, [window])
+        self.drawn.emit([fid for fids in self._added(outlines, 0) for fid in fids])
+
+    def _copying(self, outlines: Sequence[QgsGeometry]) -> Iterator[None]:
+        yield from self._with_layer(self._block.required())
+        for _ in self._added(outlines, _AT_ONCE):
+            yield
 
     def _placing(self, mosaic: str, placement: Placement) -> Iterator[None]:
         if mosaic != self._block.inputs.mosaic:
@@ -103,7 +113,7 @@ class NewWindows(QObject):
         if found:
             yield from self._with_layer(block := self._block.required())
             windows = self._not_there_yet(block, found)
-            for _ in self._added(block, windows, _AT_ONCE):
+            for _ in self._added(self._outlines(block, windows), _AT_ONCE):
                 yield
         write_log(placement.dropped)
         self.told.emit(_placed_message(len(windows), len(found) - len(windows), placement.dropped))
@@ -128,9 +138,7 @@ class NewWindows(QObject):
 
     def _not_there_yet(self, block: Block, windows: Sequence[PixelWindow]) -> list[PixelWindow]:
         """Those that are none of the layer's: placing twice doesn't double."""
-        layer = self._watch.layer
-        assert layer is not None
-        places = [layers.extent(outline) for outline in self._block.outlines(block, layer, windows)]
+        places = [layers.extent(outline) for outline in self._outlines(block, windows)]
         there = [row.extent for row in self._watch.rows() if row.extent is not None]
         pixel = min(places[0][2] - places[0][0], places[0][3] - places[0][1]) / windows[0].width
         taken = {_in_pixels(extent, places[0], pixel) for extent in there}
@@ -138,10 +146,15 @@ class NewWindows(QObject):
             window for window, place in zip(windows, places) if _in_pixels(place, places[0], pixel) not in taken
         ]
 
-    def _added(self, block: Block, windows: Sequence[PixelWindow], at_once: int) -> Iterator[list[int]]:
+    def _outlines(self, block: Block, windows: Sequence[PixelWindow]) -> list[QgsGeometry]:
+        """In the layer's reference system."""
         layer = self._watch.layer
         assert layer is not None
-        outlines = self._block.outlines(block, layer, windows)
+        return self._block.outlines(block, layer, windows)
+
+    def _added(self, outlines: Sequence[QgsGeometry], at_once: int) -> Iterator[list[int]]:
+        layer = self._watch.layer
+        assert layer is not None
         with layer_editing.edit_step(layer, tr("Add windows")):
             self._watch.prepare([], self._block.inputs.levels)
             yield from window_layer.add_windows(layer, outlines, self._watch.next_number, at_once)
@@ -187,5 +200,5 @@ def _placed_message(count: int, there: int, dropped: Sequence[Message]) -> Messa
     if there:
         return messages.WINDOWS_PLACED_BESIDES(count=count, there=there)
     if dropped:
-        return messages.WINDOWS_PLACED_IN_PART(count=count, notes=len(dropped))
+        return messages.WINDOWS_PLACED_IN_PART(count=count)
     return messages.WINDOWS_PLACED(count=count)

@@ -60,8 +60,8 @@ class UndoActions(QObject):
         undo_name, redo_name = (stack.undoText(), stack.redoText()) if stack is not None else ("", "")
         self.undo.setEnabled(stack is not None and stack.canUndo())
         self.redo.setEnabled(stack is not None and stack.canRedo())
-        self.undo.setToolTip(_tip(tr("Takes the last change of the windows back ({keys})."), "undo", undo_name))
-        self.redo.setToolTip(_tip(tr("Does again what was taken back ({keys})."), "redo", redo_name))
+        self.undo.setToolTip(_tip(tr("Undoes the last change to the windows ({keys})."), "undo", undo_name))
+        self.redo.setToolTip(_tip(tr("Redoes what was undone ({keys})."), "redo", redo_name))
 
     def _follow(self, stack: QUndoStack | None) -> None:
         """Windows are told of while a step is still being made, which can be undone only at its end."""

@@ -13,8 +13,8 @@ from qgis.PyQt.QtGui import QColor, QIcon, QPainter, QPen, QPixmap, QPolygonF
 from ....toolkit.desk.theme import plain_icon
 from ....toolkit.desk.widgets import rich_tip
 from ....toolkit.translation import filled, percent, shown_number, tr
-from ...measure.window.window_tables import MEASURED, PLACED, SAID, WindowField
-from ...window_summary import cause_numbers, explanation_of, judged_kept, window_sentence
+from ...measure.window.window_tables import MEASURED, PLACED, SAID, WindowField, in_filter
+from ...window_summary import cause_numbers, explanation_of, judged_kept, shown_area, window_sentence, window_why
 from ...words import VERDICTS, cause_sentence, cause_word, observer_word, verdict_colour, verdict_word
 
 if TYPE_CHECKING:
@@ -41,9 +41,8 @@ def windows_sentence(rows: Sequence[WindowRecord]) -> str:
 
 
 def window_tip(row: WindowRecord, result: WindowResult | None = None) -> str:
-    """The sentence about a window, and the numbers behind it, as rich text that wraps, for a tooltip."""
-    found = explanation_of(row, result)
-    return rich_tip(window_sentence(row, result), *(cause_numbers(found) if found is not None else ()))
+    """The sentence about a window, and all that stands behind it, as rich text that wraps, for a tooltip."""
+    return rich_tip(window_sentence(row, result), *window_why(row, result))
 
 
 def _chip(verdict: str, stale: bool, side: int) -> QPixmap:
@@ -130,7 +129,7 @@ class TableColumn(NamedTuple):
 
 def columns_of(levels: int) -> tuple[TableColumn, ...]:
     """From left to right, for ratios at levels 1..R."""
-    return WINDOW_ID, _VERDICT, _KEPT, *map(_ratio_column, range(1, levels + 1)), PAPER, CAUSE, *_LAST
+    return WINDOW_ID, _VERDICT, _LOSS, *map(_ratio_column, range(1, levels + 1)), PAPER, CAUSE, *_LAST
 
 
 def _verdict_text(row: WindowRecord) -> str:
@@ -156,7 +155,7 @@ WINDOW_ID = TableColumn(
 )  # fmt: skip
 _VERDICT = TableColumn(
     "verdict", QT_TR_NOOP("verdict"),
-    QT_TR_NOOP("What was found, by the seam or by what the inputs say. Sorted by it, the worst comes first."),
+    QT_TR_NOOP("What was found, by the seam or by the inputs. Sorted by this column, the worst comes first."),
     _verdict_text, lambda row: _SEVERITY.get(row.verdict),
 )  # fmt: skip
 _KEPT = TableColumn(
@@ -216,7 +215,7 @@ def _causes(words: str) -> str:
 _TEXTS: dict[str, Callable[[str], str]] = {"words": str, "causes": _causes}
 _NUMBERS: dict[str, Callable[[float], str]] = {
     "number": shown_number, "tenths": partial(shown_number, decimals=1), "percent": _percent, "metres": _metres,
-    "of 100": lambda value: f"{value} %", "whole": str,
+    "square metres": shown_area, "of 100": lambda value: f"{value} %", "whole": str,
     "px": lambda value: filled(tr("{length} px"), length=shown_number(value, 1)),
 }  # fmt: skip
 
@@ -244,11 +243,12 @@ def _column(field: WindowField) -> TableColumn:
     )
 
 
+_LOSS = _column(in_filter()["loss"])
 JUDGING_COLUMNS = tuple(_column(one) for one in SAID if one.heading)
 """Shown as soon as one window has something there."""
 
 _CHOSEN = (*sorted(MEASURED, key=lambda one: one.shown in _TEXTS), *PLACED)  # numbers first
-CHOSEN_COLUMNS = tuple(_column(one) for one in _CHOSEN if one.heading)
+CHOSEN_COLUMNS = (_KEPT, *(_column(one) for one in _CHOSEN if one.heading and one.name != _LOSS.name))
 """Shown when the operator chooses them."""
 
 

@@ -17,6 +17,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery.grids import Extent
 from ....toolkit import layers as layer_editing
 from ....toolkit.desk.widgets import single_shot
+from ....toolkit.table_fields import whole_number
 from ....toolkit.translation import tr
 from ...measure.window_records import WindowRecord
 from ...tables import window_layer
@@ -65,8 +66,9 @@ class WindowWatch(QObject):
         """The number of the inputs' state."""
         self._first_state: int | None = None
         self._known: dict[int, set[tuple[object, Version]]] = {}  # fingerprints of values, by number
-        stale = self._layer.customProperty(_STALE, []) or [] if self._layer is not None else []
-        self._marks = {int(number) for number in stale if str(number).lstrip("-").isdigit()}
+        stale = self._layer.customProperty(_STALE, []) if self._layer is not None else []
+        numbers = map(whole_number, stale if isinstance(stale, list) else [stale])
+        self._marks = {number for number in numbers if number is not None}
 
     @property
     def layer(self) -> QgsVectorLayer | None:

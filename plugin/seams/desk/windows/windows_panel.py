@@ -81,8 +81,8 @@ class WindowsPanel(QWidget):
         self._count = QLabel(self)
         self.table = WindowsTable(self._windows, self)
         self.table.setToolTip(
-            tr("Double click zooms to a window; Del removes the selected ones, Ctrl+C copies them. A right click on "
-               "the headings chooses columns, a drag moves them.")
+            tr("A click goes to a window on the map; Del removes the selected ones, Ctrl+C copies them. A right click "
+               "on the headings chooses columns, a drag moves them.")
         )
         self.table.setAccessibleName(tr("Windows"))
         self._search.setShowSearchIcon(True)
@@ -229,11 +229,13 @@ class WindowsPanel(QWidget):
             self.table.setAutoScroll(True)
 
     def _lead(self, *_: object) -> None:
-        """The operator selected rows."""
+        """The operator selected rows; the map goes to a single one."""
         if not self._is_following:
             fids = self.table.selected_fids()
             if set(fids) != set(self._session.selected()):
                 self._session.select(fids)
+                if len(fids) == 1:
+                    self.zoomRequested.emit(fids[0])
 
     def _tell_order(self, *_: object) -> None:
         if not self._is_following:
@@ -311,9 +313,9 @@ class WindowsPanel(QWidget):
             (tr("Judge invisible"), "mActionHideAllLayers", partial(self._judge, INVISIBLE),
              tr("The loss of detail can't be seen at 2x magnification."), None),
             (tr("Judge not sure"), "mActionHelpContents", partial(self._judge, UNSURE),
-             tr("It can't be said. The window counts as not judged in all results."), None),
+             tr("You can't tell. The window counts as not judged in all results."), None),
             (tr("Take judgement back"), "mActionUndo", partial(self._judge, ""),
-             tr("The selected windows are not judged yet."), None),
+             tr("Marks the selected windows as not judged."), None),
             None,
             (tr("Copy rows"), "mActionEditCopy", self.copy,
              tr("The selected rows with their headings, for a spreadsheet."), QKeySequence.StandardKey.Copy),

@@ -6,7 +6,7 @@ linear filter. What the mosaic lacks beside it was lost at the seams.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -58,6 +58,8 @@ class ExpectedMosaic:
     shares: Mapping[int, np.ndarray] | None = None
     """Of each source in squares of 8 px, (rows / 8, columns / 8) float32, where more than two are mixed; 0 elsewhere.
     None where that is nowhere."""
+    filters: Filters = field(default_factory=lambda: Filters({}, False))
+    """What makes ``shown`` of ``toned``; the numbers are those of planes, of which several may be of one source."""
 
     @property
     def is_filtered(self) -> bool:
@@ -130,12 +132,12 @@ def expected_mosaic(
         unmoved = {i: one.plane + one.gain * (given[i] - planes[i]) for i, one in in_tone.items()}
         unfiltered = cut_of(mosaic, unmoved, labels)
     if not found.taps:
-        return ExpectedMosaic(cut, unfiltered, labels, shown, shown, shares)
+        return ExpectedMosaic(cut, unfiltered, labels, shown, shown, shares, found)
     if not found.came_over_cuts:
         placed = {i: found.placed(i, plane) for i, plane in toned.items()}
-        return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed, shares)
+        return ExpectedMosaic(cut_of(mosaic, shown, labels), unfiltered, labels, shown, placed, shares, found)
     plane = filtered(cut, next(iter(found.taps.values())))
-    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned, shares)
+    return ExpectedMosaic(np.where(labels == UNKNOWN, mosaic, plane), unfiltered, labels, shown, toned, shares, found)
 
 
 @dataclass(frozen=True, eq=False)

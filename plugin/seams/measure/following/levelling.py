@@ -58,12 +58,12 @@ def levelled(
         if not patch and np.count_nonzero(where) < _FEWEST_SQUARES:
             where = share > _MIN_OWN
         gains = gain_field(mosaic_means, reference, where, patch)
-        gain = _to_pixels(gains, source.shape)
+        gain = to_pixels(gains, source.shape)
     else:
         gains = square_means(gain)
     # A square that two sources share tells neither's tone.
     bias = _spread_out(mosaic_means - gains * reference, share)
-    plane = _to_pixels(bias, source.shape)
+    plane = to_pixels(bias, source.shape)
     plane += gain * source
     return Levelled(plane, gain)
 
@@ -192,7 +192,7 @@ def _spread_out(bias: np.ndarray, share: np.ndarray) -> np.ndarray:
     return np.asarray((known + least * mean) / (weights + least), np.float32)
 
 
-def _to_pixels(squares: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+def to_pixels(squares: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """Linear between the middles of the squares."""
     down, across = (_interpolation(few * 2**LEVELS, few) for few in squares.shape)
     rows = np.empty((len(down), squares.shape[1]), np.float32)

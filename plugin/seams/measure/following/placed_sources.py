@@ -4,8 +4,8 @@ Where the sources as they are given explain it badly, they are tried once more w
 """
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -38,6 +38,8 @@ class PlacedSources:
     """Number of the source that each plane is of."""
     left_out: tuple[int, ...] = ()
     """Sources that explain nothing but what others do, as copies of the mosaic: they would hide what happened."""
+    moves: Mapping[int, Shift] = field(default_factory=dict)
+    """By how much those planes were moved that were."""
 
 
 def follow_sources(
@@ -72,7 +74,8 @@ def follow_sources(
     placed = tuple(shifted(planes[i], s.x, s.y) for i, s in moved.items())
     fine_placed = tuple(map(high_pass, placed))
     both = PlacedSources(
-        follow_planes((*fine, *fine_placed)), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved)
+        follow_planes((*fine, *fine_placed)), (*planes, *placed), (*fine, *fine_placed), (*range(count), *moved),
+        moves=dict(enumerate(moved.values(), count)),
     )
     found = _without_idle_planes(both, shape)
     explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.following.unexplained.mean() <= unexplained / 2
@@ -141,7 +144,8 @@ def _without_idle_planes(both: PlacedSources, shape: tuple[int, int]) -> PlacedS
         return both
     fine = (both.fine[0], *(both.fine[1 + k] for k in kept))
     return PlacedSources(
-        follow_planes(fine), tuple(both.planes[k] for k in kept), fine, tuple(both.source_of[k] for k in kept)
+        follow_planes(fine), tuple(both.planes[k] for k in kept), fine, tuple(both.source_of[k] for k in kept),
+        moves={place: both.moves[k] for place, k in enumerate(kept) if k in both.moves},
     )
 
 

@@ -15,7 +15,7 @@ from ....imagery.filters import correlated
 from ....imagery.shifts import shifted
 from ..seam_cells import UNKNOWN, is_one_of, present
 from .border import BORDER_PX
-from .boxes import near_border
+from .boxes import enlarged, in_squares, near_border
 from .levelling import Levelled
 
 REACH_PX = 2
@@ -82,9 +82,12 @@ MIN_FILTERED_GAIN = 0.002  # of the fine detail that a filter has to explain mor
 MAX_LEFT_UNFILTERED = 0.005  # of the fine detail: with no more left over, labels are as sure without a filter
 MIN_SINGLE_GAIN = 0.02  # of one source's detail, that a filter of its own has to explain more than one for all
 LEAST_MOVED_PX = 0.05  # what lies nearer lies where it was
+MOST_LEFT_OF_BEST = 0.5  # of what is left over of the ground that is explained best, by a filter that is learned there
 
 _FEWEST_SAMPLES = 300
 _EVERY = 4  # rows and columns apart are looked at to see whether a filter explains more
+_ROUNDS = 3
+_SQUARE_PX = 32  # of which whole ones are of one image or another
 SAMPLE = np.s_[::_EVERY, ::_EVERY]
 """Of the rows and columns of a plane."""
 
@@ -147,7 +150,38 @@ def through_filter(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray) ->
     if taps is None:
         return source
     made = filtered(source, taps)
-    return made if _explains_more(mosaic, source, made, where) else source
+    found = made if _explains_more(mosaic, source, made, where) else source
+    return _of_best_ground(mosaic, source, found, where)
+
+
+def _of_best_ground(mosaic: np.ndarray, source: np.ndarray, shown: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """``shown``, the source through the filter of all its ground; through that of the half that is explained best where
+    that tells that the rest is of another image: it explains this half far better (least trimmed squares, Rousseeuw
+    1984)."""
+    best = _best_explained(mosaic, source, where)
+    for _ in range(_ROUNDS):
+        taps = fit_filter(mosaic, source, best)
+        if taps is None:
+            break
+        made = filtered(source, taps)
+        own, before, after = _chosen(best[SAMPLE], *(one[SAMPLE] for one in (mosaic, shown, made)))
+        if np.square(own - after).sum() > MOST_LEFT_OF_BEST * np.square(own - before).sum():
+            break
+        shown, best = made, _best_explained(mosaic, made, where)
+    return shown
+
+
+def _best_explained(mosaic: np.ndarray, shown: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """The half of a part, (rows, columns) bool, that a source is correlated with best, square by square."""
+    side, counted, own, its = _SQUARE_PX // _EVERY, where[SAMPLE], mosaic[SAMPLE], shown[SAMPLE]
+    area, energy, source, shared = (
+        in_squares(counted * values, side).sum(axis=(1, 3)) for values in (np.float32(1), own**2, its**2, own * its)
+    )
+    known = (2 * area >= side**2) & (energy > 0)
+    if not known.any():
+        return where
+    fit = np.where(known, shared * np.abs(shared) / np.maximum(energy * source, 1e-9), -np.inf)
+    return where & enlarged(fit >= np.median(fit[known]), _SQUARE_PX, where.shape)
 
 
 def cut_of(mosaic: np.ndarray, planes: Mapping[int, np.ndarray], labels: np.ndarray) -> np.ndarray:

@@ -167,6 +167,8 @@ LEAST_SAME_CONTENT = 0.3  # median correlation of those
 SINGLE_SHARE = 0.9  # of places that one other candidate explains: it is the same image, and none put together
 SAME_IMAGE_PLACE = 0.98  # of each of two images, that the other covers
 MOST_TURNING = 36  # places at which it is seen whether one turns with the mosaic
+MOST_LABELS = 32  # values of a raster that says which class or which image a pixel is of; images have more
+LEAST_EVEN = 0.9  # of the pixels of labels that are as the next one; noise alone makes it less
 MOST_COMPARED = 8  # places at which a raster is compared with other candidates
 
 Cancelled = Callable[[], bool]
@@ -273,12 +275,15 @@ class _Look:
 
     def _against(self, one: _Placed, patches: Sequence[_Patch]) -> Message | None:
         """What speaks against a candidate."""
+        is_like = any(patch.like >= MEDIAN_LIKE for patch in patches)
+        if not is_like and (count := self._label_count(one)):
+            return messages.HOLDS_LABELS(count=count)
         if len(patches) < FEWEST:
             return messages.MAY_BE_MOSAIC() if one.is_whole else None
         likes = np.array([patch.like for patch in patches])
         if likes.min() >= LEAST_LIKE and np.median(likes) >= MEDIAN_LIKE:
             return self._against_alike(one, patches)
-        if not (likes >= MEDIAN_LIKE).any():
+        if not is_like:
             if one.is_whole:
                 return messages.NOT_FOLLOWED()
             if np.median([patch.coarse for patch in patches]) < LEAST_SAME_CONTENT:
@@ -314,6 +319,18 @@ class _Look:
             if self._is_same_image(one, first):
                 return messages.SAME_IMAGE(name=first)
         return messages.MAY_BE_MOSAIC() if one.is_whole and not unlike else None
+
+    def _label_count(self, one: _Placed) -> int:
+        """How many values a raster has that holds labels, as far as was looked; 0 for an image."""
+        raster = self._pool.open(one.source.ref)
+        values: set[float] = set()
+        for window in _windows(raster.raster, raster.raster.extent, PLACES):
+            block = raster.read(window)
+            band = block.bands[0]
+            values.update(np.unique(band[block.valid]).tolist())
+            if len(values) > MOST_LABELS or (band[:, 1:] == band[:, :-1]).mean() < LEAST_EVEN:
+                return 0
+        return len(values) if len(values) > 1 else 0
 
     def _is_same_image(self, one: _Placed, name: str) -> bool:
         """Whether the candidate that is like it everywhere lies where it does and comes before it."""

@@ -13,21 +13,22 @@ OTHER_SYSTEM = Message("In another reference system than the mosaic and others h
 OTHER_TYPE = Message("Pixels of {own}, the mosaic's and others' are {mosaic}: a converted copy.", INFO)
 # by its pixels
 BEING_LOOKED_AT = Message("Covers the whole mosaic: being compared with it ...", INFO)
-MOSAIC_AGAIN = Message("The mosaic again: alike wherever they were compared. It would hide every loss.", INFO)
+MOSAIC_AGAIN = Message("A copy of the mosaic: alike wherever they were compared. It would hide every loss.", INFO)
 MOSAIC_OR_ITS_SOURCE = Message(
-    "Like the mosaic wherever they were compared: the mosaic again, or the one orthoimage that it was made from; check "
-    "it if it is that.", INFO
+    "Like the mosaic wherever they were compared: a copy of it, or the one orthoimage that it was made from; tick it "
+    "in that case.", INFO
 )
 MOSAIC_PART_AGAIN = Message(
-    "A part of the mosaic again: alike wherever they were compared, though other sources lie there.", INFO
+    "A copy of a part of the mosaic: alike wherever they were compared, though other sources lie there.", INFO
 )
 MADE_OF_MOSAIC = Message("A VRT of the mosaic. It would hide every loss.", INFO)
 ANOTHER_MOSAIC = Message("Another mosaic: partly {first}, partly {second}.", INFO)
 SAME_IMAGE = Message("The same image as {name}.", INFO)
-NOT_FOLLOWED = Message("Covers the whole mosaic and is like it nowhere.", INFO)
-OTHER_CONTENT = Message("Shows something else than the mosaic: a map, or another time.", INFO)
+NOT_FOLLOWED = Message("Covers the whole mosaic and resembles it nowhere.", INFO)
+HOLDS_LABELS = Message("Holds labels, not an image: {count} different values.", INFO)
+OTHER_CONTENT = Message("Shows something other than the mosaic: a map, or another time.", INFO)
 MAY_BE_MOSAIC = Message(
-    "Covers the whole mosaic, as another mosaic would; check it if it is one of the orthoimages.", INFO
+    "Covers the whole mosaic, as another mosaic would; tick it if it is one of the orthoimages.", INFO
 )
 PIXELS_NOT_READ = Message("Could not be compared with the mosaic: {why}", INFO)
 # after windows were inspected

@@ -8,7 +8,7 @@ from enum import Enum
 
 import numpy as np
 
-from ....imagery.clips import read_clip
+from ....imagery.clips import MAX_OVERVIEW_PIXELS, read_clip
 from ....imagery.errors import Message, RasterError
 from ....imagery.gdal_calls import vrt_parts
 from ....imagery.grids import Extent, Grid, PixelWindow
@@ -128,6 +128,8 @@ def _compared(mosaic: OpenRaster, known: Raster, other: OpenRaster, coarser: boo
     all_equal, found = not coarser, []
     for window, under in _places(other.raster.grid, known.grid):
         size = (max(window.width // THINNED, 1), max(window.height // THINNED, 1)) if coarser else None
+        if under.width * under.height > MAX_OVERVIEW_PIXELS:
+            return Likeness.OTHER  # so much finer is no mosaic of which somebody has an overview
         ours, theirs = mosaic.read(under, size, averaged=coarser), other.read(window, size, averaged=coarser)
         both = theirs.valid & ours.valid
         first, second = ours.bands[mine].astype(np.float64), theirs.bands[others].astype(np.float64)

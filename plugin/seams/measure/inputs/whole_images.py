@@ -13,11 +13,11 @@ import numpy as np
 
 from ....imagery.clips import Clip
 from ....imagery.errors import Message, RasterError
+from ....imagery.gdal_calls import is_remote
 from ....imagery.grids import PixelWindow, extents_meet
 from ....imagery.open_raster import OpenRaster, placed
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster
-from ....imagery.remote_files import is_remote
 from ..source_images import Footprints, Source
 from . import messages
 from .mosaic_copies import likeness_of, scattered

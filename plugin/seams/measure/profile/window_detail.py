@@ -18,9 +18,6 @@ from .ground import LevelGround, grounds
 from .seam_profile import SeamProfile
 from .seam_sums import SeamSums
 
-_EDGE_CELLS = 1
-"""In which periodic wavelets show what lies at the other edge of all that was read."""
-
 
 @dataclass(frozen=True, eq=False)
 class WindowDetail:
@@ -40,11 +37,8 @@ class WindowDetail:
 
     @cached_property
     def ground(self) -> list[LevelGround | None]:
-        """By level; where there is enough of it without the edge, at which another source than at the other edge may be
-        followed."""
-        end_row, end_column = (int(one.max(initial=0)) + 1 - _EDGE_CELLS for one in (self.cells.row, self.cells.column))
-        inner = grounds(self.cells.within((slice(_EDGE_CELLS, end_row), slice(_EDGE_CELLS, end_column))))
-        return inner if all(inner) else [one or more for one, more in zip(inner, grounds(self.cells, self.whole))]
+        """By level."""
+        return grounds(self.cells, self.whole)
 
     @property
     def judged(self) -> CellTable:
@@ -108,7 +102,6 @@ LOSS_CELL_PX = 8
 """Side of a cell of the picture."""
 SAMPLE_PX = 2
 """A coefficient of the finest level stands for so many pixels either way."""
-_EDGE = 4  # samples at the window's edge, in which periodic wavelets show what lies at the other one
 _SMOOTH_CELLS = 1.0  # standard deviation: with less, sound ground shows spots; with more, a narrow feather fades
 _SMOOTH_ROUGH_CELLS = 2.5
 """Where the ground itself is rough, as compression leaves it."""
@@ -147,10 +140,8 @@ def loss_picture(
     far = np.zeros([length // CELL_PX for length in labels.shape], bool)
     far[cells.row[is_far], cells.column[is_far]] = True
     explained = explained_samples(labels)
-    known = np.zeros_like(explained)
-    known[_EDGE:-_EDGE, _EDGE:-_EDGE] = explained[_EDGE:-_EDGE, _EDGE:-_EDGE]
-    own, reference = (_in_cells(np.einsum("dij,dij->ij", one, one) * known) for one in (finest[:, 0], finest[:, 1]))
-    area = _in_cells(known) * SAMPLE_PX**2
+    own, reference = (_in_cells(np.einsum("dij,dij->ij", one, one) * explained) for one in (finest[:, 0], finest[:, 1]))
+    area = _in_cells(explained) * SAMPLE_PX**2
     around = _over_neighbours(reference) / np.maximum(_over_neighbours(area), 1)  # of some CELL_PX, as the fit's is
     expected = reference * ground.amplitude(around)
     is_told = _in_cells(explained) >= _LEAST_EXPLAINED * _in_cells(np.ones_like(explained))

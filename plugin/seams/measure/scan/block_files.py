@@ -25,8 +25,9 @@ class BlockFiles:
 
     @property
     def names(self) -> set[str]:
-        """Of all that is there."""
-        with os.scandir(self.folder) as found:
+        """Of all that is there: nothing where the folder is not, as its disk may be gone. Whoever saves is told."""
+        files = set[str]()
+        with suppress(OSError), os.scandir(self.folder) as found:
             files = {one.name for one in found if one.is_file(follow_symlinks=False)}
         return {name for name in files if not name.startswith(_UNFINISHED)}
 

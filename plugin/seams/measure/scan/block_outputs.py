@@ -10,11 +10,11 @@ import numpy as np
 from ....imagery.errors import SettingsError
 from ....imagery.messages import system_reason
 from ....imagery.records import packed, unpacked
-from ....imagery.while_measuring import measuring
 from ..following.boxes import in_squares
 from ..profile.cell_table import CellTable
 from ..profile.ground import EnergyResponse, LevelGround, grounds
 from ..seam_cells import UNKNOWN
+from ..while_measuring import measuring
 from . import messages
 from .block_files import BlockFiles
 from .block_runs import NOTHING, block_labels, whole_block
@@ -54,8 +54,8 @@ class BlockOutputs:
     """That are followed anywhere, ascending."""
     units: int
     """In which the mosaic has pixels."""
-    unexplained: int
-    """Of these, that follow no source."""
+    unexplained: np.ndarray
+    """(n, 2) rows and columns, among those of the mosaic, of these that follow no source."""
 
     @property
     def cells(self) -> np.ndarray | None:
@@ -71,7 +71,7 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     labels, scan = block_labels(files, key, request.numbers), whole_block(files, key)
     chains = cleaned_chains(_labels_around(request), request.tile, LABEL_PX) if request.traces else []
     if scan is None or labels is None:
-        return BlockOutputs(key, chains, None, (), 0, 0)
+        return BlockOutputs(key, chains, None, (), 0, np.zeros((0, 2), np.intp))
     ground = grounds(scan.cells, around=lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
     try:
         files.save(_ground_name(key), packed({"ground": np.array([_row(one) for one in ground])}))
@@ -123,10 +123,11 @@ def _cells_around(files: BlockFiles, key: BlockKey) -> list[CellTable]:
     return [one.cells for one in scans if one is not None]
 
 
-def _explained(scan: BlockScan) -> tuple[int, int]:
-    """Units with pixels of the mosaic, and those of them that follow no source anywhere."""
+def _explained(scan: BlockScan) -> tuple[int, np.ndarray]:
+    """How many units have pixels of the mosaic, and which of the whole mosaic's follow no source anywhere."""
     followed = (in_squares(scan.labels, LABELS // UNITS) != UNKNOWN).any(axis=(1, 3))
-    return int(np.count_nonzero(~scan.outside)), int(np.count_nonzero(~scan.outside & ~followed))
+    unexplained = np.argwhere(~scan.outside & ~followed) + np.array(scan.key) * UNITS
+    return int(np.count_nonzero(~scan.outside)), unexplained
 
 
 def _ground_name(key: BlockKey) -> str:

@@ -226,7 +226,7 @@ def _name(look: BlockLook, key: BlockKey, lacks: object = ()) -> str:
 
 _OWN = {
     "squares": SQUARES, "dense": UNITS, "outside": UNITS, "labels": LABELS, "mixture": CELLS, "clear": CELLS,
-    "grey": CELLS,
+    "grey": CELLS, "grain": CELLS,
 }
 """And how many samples each has along a side."""
 _TABLES = {"cells": CellTable.names(), "beside": MixtureTable.names()}
@@ -373,11 +373,12 @@ def global_numbers(sources: Sequence[str], numbers: Mapping[str, int]) -> np.nda
 def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
     """A block with what was looked at once more."""
     labels_px, cells_px = len(first.labels) // UNITS, len(first.mixture) // UNITS
-    labels, mixture, clear, grey = (
+    labels, mixture, clear, grey, grain = (
         np.where(enlarged(second.dense, times), new, old)
         for times, new, old in (
             (labels_px, second.labels, first.labels), (cells_px, second.mixture, first.mixture),
             (cells_px, second.clear, first.clear), (cells_px, second.grey, first.grey),
+            (cells_px, second.grain, first.grain),
         )
     )
     cells, beside = first.cells, first.beside
@@ -385,7 +386,7 @@ def both_looks(first: BlockScan, second: BlockScan) -> BlockScan:
         second.dense[one.row % CELLS // cells_px, one.column % CELLS // cells_px] for one in (cells, beside)
     )
     return replace(
-        first, labels=labels, mixture=mixture, clear=clear, grey=grey, dense=first.dense | second.dense,
+        first, labels=labels, mixture=mixture, clear=clear, grey=grey, grain=grain, dense=first.dense | second.dense,
         cells=CellTable.joined([cells.chosen(~replaced), second.cells]),
         beside=MixtureTable.joined([beside.chosen(~was_beside), second.beside]),
         notices=first.notices + second.notices,

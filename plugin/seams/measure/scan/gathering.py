@@ -5,26 +5,31 @@ their chains are joined to seams and cut in pieces, which they then measure (``p
 """
 from __future__ import annotations
 
+import json
+import os
 from collections import defaultdict, deque
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import ExitStack
-from functools import partial
+from functools import cached_property, partial
 from typing import Any, Callable
 
 import numpy as np
 from osgeo import ogr
+from scipy import ndimage
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import CancelledError, Message, SeamInspectorError
 from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import own_threads
+from ....imagery.rasters import RasterRef
 from ..inspection import in_order
 from ..profile.seam_sums import StripProfile
+from ..visibility import white_grey
 from . import messages
 from .block_outputs import BlockOutputs, OutputsRequest, block_outputs
 from .block_runs import several
-from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, BlockKey
+from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, BlockKey
 from .lines.label_borders import Chain, LabelTile
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
@@ -37,10 +42,18 @@ from .scan_result import ScanResult, judge_piece, without_verdict, worst_windows
 
 LEAST_UNEXPLAINED = 0.03
 """Of the mosaic, to be told."""
+LEAST_PART = 0.01
+"""Of the mosaic that follow no source together: an orthoimage that lacks leaves whole parts, chance leaves scatter."""
 _BLOCKS_OF_PIECES = 4
 """Side by side, whose pieces are measured together; it must not depend on who measures, as the last digits do on it."""
 _TRACED, _CUT, _MEASURED = 0.5, 0.6, 0.95
 """Shares of the time at the ends of what there is to do."""
+
+
+def _listed(rasters: Iterable[RasterRef]) -> str:
+    """Paths of rasters as JSON: so somebody else finds what a scan was made of, wherever the program was started."""
+    paths = (path for one in rasters for path in one.paths)
+    return json.dumps([os.path.abspath(path) if os.path.exists(path) else path for path in paths], ensure_ascii=False)
 
 
 class Gathering:
@@ -49,7 +62,8 @@ class Gathering:
     def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
         self._request, self._journal = request, journal
         self._blocks = request.blocks
-        self._units = self._unexplained = 0
+        self._units = 0
+        self._unexplained: list[np.ndarray] = []  # (n, 2) rows and columns of units of the mosaic
 
     def result(
         self, loss_path: str, goes_on: Callable[[float], bool], executor: Executor, ahead: int
@@ -83,11 +97,11 @@ class Gathering:
             seams_of(borders), request.settings.piece_m, grid
         )
         crew.tell(_CUT)
-        pieces, found, seen = self._measured(pieces, crew)
+        pieces, found, seen, grains = self._measured(pieces, crew)
         judged = tuple(
             judge_piece(piece, (self._name(piece.left), self._name(piece.right)), profile,
-                        request.mosaic.ground_sample_distance, jnd)
-            for piece, profile, jnd in zip(pieces, found, seen)
+                        request.mosaic.ground_sample_distance, jnd, grain)
+            for piece, profile, jnd, grain in zip(pieces, found, seen, grains)
         )
         worst = worst_windows(judged, request.mosaic, request.settings.worst_count, request.settings.levels)
         notices = (*self._notices(), *without_verdict(judged))
@@ -96,14 +110,14 @@ class Gathering:
         if picture is not None:
             picture.wait()
         crew.tell(1.0)
-        return ScanResult(judged, known or tuple(polygons.result()), tuple(worst), notices)
+        return ScanResult(judged, known or tuple(polygons.result()), tuple(worst), (), notices, self._told)
 
     def _name(self, side: Side) -> str | None:
         """Of a source as its file has it, else as the seams do."""
         if isinstance(side, str):
             number = self._request.named[0].get(side)
-            return side if number is None else self._request.sources[number].ref.name
-        return None if side is None else self._request.sources[side].ref.name
+            return side if number is None else self._request.source_names[number]
+        return None if side is None else self._request.source_names[side]
 
     def _borders(self, picture: _LossPicture | None, crew: _Crew, traces: bool) -> list[SourceBorder]:
         """Of what is followed, none unless they are traced; the picture of losses on the way."""
@@ -118,11 +132,13 @@ class Gathering:
         for one in found:
             chains += one.chains
             self._units += one.units
-            self._unexplained += one.unexplained
+            self._unexplained.append(one.unexplained)
             if picture is not None:
                 picture.add(one)
         if picture is not None:
-            picture.finish(self._told, [source.ref.name for source in self._request.sources])
+            sources = _listed(source.ref for source in self._request.sources)
+            settings = {**self._told, "mosaic": _listed([mosaic.ref]), "sources": sources}
+            picture.finish(settings, self._request.source_names)
         return trace_borders(chains, mosaic.grid, columns, LABEL_PX)
 
     def _outputs(self, key: BlockKey, rows: int, columns: int, cell_px: int, traces: bool) -> OutputsRequest:
@@ -141,22 +157,26 @@ class Gathering:
 
     def _measured(
         self, pieces: Sequence[SeamPiece], crew: _Crew
-    ) -> tuple[list[SeamPiece], list[StripProfile], list[float | None]]:
-        """Pieces with what lies beside them, what each kept, and its loss in just noticeable differences at 2x."""
+    ) -> tuple[list[SeamPiece], list[StripProfile], list[float | None], list[float | None]]:
+        """Pieces with what lies beside them, what each kept, its loss in just noticeable differences at 2x, and the
+        largest rms of its sources' finest detail as a share of white."""
         index = PieceIndex(pieces, self._blocks.grid)
         groups = self._groups(pieces)
         whole, brightest = list(pieces), 0.0
         found: list[StripProfile] = [NOTHING] * len(pieces)
-        grey = np.full(len(pieces), np.nan)
+        grey, grain = np.full((2, len(pieces)), np.nan)
         requests = (self._pieces(pieces, index, numbers) for numbers in groups)
         measured: Iterator[MeasuredPieces] = crew.map(measure_pieces, requests, len(groups), _CUT, _MEASURED)
         for one in measured:
-            grey[one.numbers], brightest = one.grey, max(brightest, one.brightest)
+            grey[one.numbers], grain[one.numbers] = one.grey, one.grain
+            brightest = max(brightest, one.brightest)
             for place, number in enumerate(one.numbers.tolist()):
                 found[number] = one.found[place]
                 if one.beside is not None:
                     whole[number] = sided(pieces[number], one.beside[place].tolist(), self._request.named[0])
-        return whole, found, visibilities(found, grey, brightest, self._request.mosaic)
+        white = white_grey(self._request.mosaic, brightest)
+        grains = [None if np.isnan(one) else one / white for one in grain.tolist()]
+        return whole, found, visibilities(found, grey, white), grains
 
     def _groups(self, pieces: Sequence[SeamPiece]) -> list[np.ndarray]:
         """Numbers of the pieces that are measured together, by where their middles lie, row by row."""
@@ -176,28 +196,48 @@ class Gathering:
             self._numbers(around.with_margin(BLOCK_PX)), self._request.settings.levels, bool(self._request.seams),
         )
 
-    @property
-    def _told(self) -> dict[str, str]:
-        """What the picture says beside its settings."""
-        told = {"seams": "given" if self._request.seams else "found"}
-        share = self._share_unexplained
-        return told if share is None else {**told, "unexplained": f"{share:.4f}"}
+    @cached_property
+    def _lacking(self) -> tuple[float, tuple[float, float] | None] | None:
+        """The share of the mosaic that follows no source, in parts that are no scatter, and a place in the largest of
+        them; None where not all of it was looked at. To be asked when all blocks are accounted for."""
+        if self._request.seam_squares is not None:
+            return None
+        where = np.concatenate([np.zeros((0, 2), np.intp), *self._unexplained])
+        if not len(where):
+            return 0.0, None
+        units = np.zeros(where.max(axis=0) + 1, bool)
+        units[tuple(where.T)] = True
+        parts, _ = ndimage.label(units)
+        sizes = np.bincount(parts[units])
+        sizes[sizes < LEAST_PART * self._units] = 0
+        if not sizes.any():
+            return 0.0, None
+        inside = ndimage.distance_transform_edt(np.pad(parts == sizes.argmax(), 1))
+        row, column = np.subtract(np.unravel_index(inside.argmax(), inside.shape), 0.5) * UNIT_PX
+        place = self._request.mosaic.grid.to_map(float(column), float(row))
+        return float(sizes.sum() / self._units), place
 
     @property
-    def _share_unexplained(self) -> float | None:
-        """Of the mosaic, that follows no source; None where not all of it was looked at."""
-        return None if self._request.seam_squares is not None else self._unexplained / max(self._units, 1)
+    def _told(self) -> dict[str, str]:
+        """What the layers and the picture say beside the settings."""
+        told = {"seams": "given" if self._request.seams else "found"}
+        if self._lacking is not None:
+            share, place = self._lacking
+            told["unexplained"] = f"{share:.4f}"
+            if place is not None:
+                told["unexplained_at"] = f"{place[0]:.10g} {place[1]:.10g}"
+        return told
 
     def _no_seam(self, polygons: Sequence[SourcePolygon]) -> tuple[Message, ...]:
         """Where none was found, what the mosaic follows instead; ``polygons``: of what is followed."""
-        names = ", ".join(self._request.sources[one.source].ref.name for one in polygons)
+        names = ", ".join(self._request.source_names[one.source] for one in polygons)
         return (messages.SCAN_WITHOUT_SEAMS(name=names),) if names else ()
 
     def _notices(self) -> tuple[Message, ...]:
-        share = self._share_unexplained
-        if share is None or share < LEAST_UNEXPLAINED:
+        share, place = self._lacking or (0.0, None)
+        if place is None or share < LEAST_UNEXPLAINED:
             return ()
-        return (messages.MOSAIC_UNEXPLAINED(share=100 * share),)
+        return (messages.MOSAIC_UNEXPLAINED(share=100 * share, x=place[0], y=place[1]),)
 
 
 NOTHING = StripProfile(None, 0.0, 0.0, 0.0)

@@ -15,9 +15,9 @@ from ....imagery.raster_pool import open_raster
 from ....imagery.records import packed, understanding, unpacked
 from ....imagery.remote_files import remote_settings
 from ....imagery.wavelets import judged_plane, placed_components
-from ....imagery.while_measuring import measuring
 from ..following.boxes import in_squares
 from ..profile.cell_table import CELL_PX
+from ..while_measuring import measuring
 from .block_runs import BlockLook
 from .blocks.block_grid import BlockKey, rectangles
 from .blocks.scan_block import BlockRequest
@@ -107,7 +107,7 @@ def lone_cells(
         near &= ndimage.binary_erosion(full, np.ones((3, 3)), border_value=1)[place]  # whose neighbours are full, too
     if not near.any():
         return LoneTable.empty(_COLOURS if len(bands) >= _COLOURS else 1)
-    finest = _finest(plane, valid, around.margins_of(window), wavelet)
+    finest = _finest(plane, valid, wavelet)
     colours = [_by_cell(plane)[place]]
     if len(bands) >= _COLOURS:
         second = _by_cell(bands[1])[place]
@@ -118,20 +118,12 @@ def lone_cells(
     return LoneTable(row, column, np.stack([one[near] for one in colours], axis=1).astype(np.float32), *parts)
 
 
-def _finest(
-    plane: np.ndarray, valid: np.ndarray | None, margins: tuple[tuple[int, int], tuple[int, int]], wavelet: str
-) -> np.ndarray:
-    """Energies of the finest details, as if the mosaic went on as in a mirror where there is no margin."""
+def _finest(plane: np.ndarray, valid: np.ndarray | None, wavelet: str) -> np.ndarray:
+    """Energies of the finest details."""
     if valid is not None:
         plane = np.where(valid, plane, plane[valid].mean(dtype=np.float64).astype(plane.dtype))
-    missing = [[max(MARGIN_PX - there, 0) for there in axis] for axis in margins]
-    padded = np.pad(plane, missing, mode="symmetric") if any(map(any, missing)) else plane
-    (details,) = placed_components(padded[np.newaxis], wavelet, 1)
-    own = tuple(
-        slice(before // _GRID_PX, (before + length) // _GRID_PX)
-        for (before, _), length in zip(missing, plane.shape)
-    )
-    return np.einsum("dij,dij->ij", details[:, 0], details[:, 0])[own]
+    (details,) = placed_components(plane[np.newaxis], wavelet, 1)
+    return np.einsum("dij,dij->ij", details[:, 0], details[:, 0])
 
 
 def _parts(

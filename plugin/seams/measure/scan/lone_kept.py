@@ -1,10 +1,10 @@
 """What pieces of seam kept where no orthoimage is given, with intervals; which length of seam can be judged; verdicts.
 
 kept_1 is the finest detail in the strip beside the seam over that of the ground on both sides, each over what ground
-like that is expected to have. The figures behind the constants below: docs/method/seams_without_sources.md.
+like that is expected to have. The figures behind the constants below: docs/appendix/seams_without_sources.md.
 
-A verdict is given only where the interval allows one. A piece is judged by itself. Where its interval is too wide for
-that, the run of pieces of the same seam that it belongs to may still tell, and the verdict says so."""
+A verdict is given only where the interval allows one, and is that of a piece alone. Where its interval is too wide, the
+stretch of pieces of the same seam that it belongs to may still tell: stretches are told beside the pieces."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -14,6 +14,7 @@ import numpy as np
 from scipy.special import stdtrit
 
 from ....imagery.errors import Message
+from ....imagery.seam_totals import MOST_SPREAD
 from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import BAND_KEPT, ProfileBin, band_width_px
 from ..verdicts import Verdict
@@ -240,39 +241,47 @@ RUNS_LENGTHS = (1.0, 2.0, 4.0)
 
 @dataclass(frozen=True)
 class LoneJudgement:
-    """What is said of one piece."""
+    """What is said of one piece, or of one stretch."""
 
     kept: LoneKept | None
-    """Of the piece itself; None where there is too little to be measured."""
+    """None where there is too little to be measured."""
     verdict: Verdict
-    reason: Message | None
-    """Why there is none, or that it is that of a longer run."""
+    reason: Message | None = None
+    """Why there is none."""
 
 
 def judge_pieces(seams: LoneSeams, lengths_px: Sequence[float], pixel_m: float) -> list[LoneJudgement]:
-    """Every piece, in their order. ``pixel_m``: side of a pixel on the ground."""
-    own = seams.by_piece(len(lengths_px))
-    told: dict[int, tuple[Verdict, Message]] = {}
+    """Every piece by itself, in their order. ``pixel_m``: side of a pixel on the ground."""
+    return [_judged(kept, seams.judgeable_px, pixel_m) for kept in seams.by_piece(len(lengths_px))]
+
+
+def judge_stretches(
+    seams: LoneSeams, lengths_px: Sequence[float], judged: Sequence[LoneJudgement]
+) -> list[tuple[tuple[int, ...], LoneJudgement]]:
+    """Pieces, by number, that tell together what one of them at least does not by itself, the shortest that do."""
     least = seams.judgeable_px
+    wanted = {
+        number for number, one in enumerate(judged)
+        if one.kept is not None and verdict_of(one.kept) in (None, Verdict.REDUCED)
+    }
+    found: list[tuple[tuple[int, ...], LoneJudgement]] = []
     for length in [] if least is None else [factor * least for factor in RUNS_LENGTHS]:
-        wanted = {n for n, kept in enumerate(own) if n not in told and kept is not None and verdict_of(kept) is None}
         for run in runs_of(seams.seam_ids, lengths_px, length) if wanted else ():
             if len(run) < 2 or wanted.isdisjoint(run):
                 continue
             kept = seams.kept(run)
             verdict = None if kept is None else verdict_of(kept)
-            if kept is not None and verdict is not None:
-                reason = messages.JUDGED_WITH_RUN(
-                    length=kept.length_px * pixel_m, low=100 * kept.low, high=100 * kept.high
-                )
-                told.update((number, (verdict, reason)) for number in run if number in wanted)
-    return [_judged(kept, told.get(number), least, pixel_m) for number, kept in enumerate(own)]
+            if verdict is not None:
+                found.append((tuple(run), LoneJudgement(kept, verdict)))
+                wanted.difference_update(run)
+    return found
 
 
 def verdict_of(kept: LoneKept) -> Verdict | None:
     """None where the interval is too wide for one."""
     if kept.tells_loss:
-        return Verdict.SIGNIFICANT if kept.kept <= MAX_SIGNIFICANT_KEPT else Verdict.REDUCED
+        is_number = kept.high <= MOST_SPREAD * kept.low or kept.high <= MAX_SIGNIFICANT_KEPT
+        return Verdict.SIGNIFICANT if kept.kept <= MAX_SIGNIFICANT_KEPT and is_number else Verdict.REDUCED
     return Verdict.PRESERVED if kept.tells_sound else None
 
 
@@ -292,16 +301,12 @@ def runs_of(seam_ids: Sequence[int], lengths_px: Sequence[float], least_px: floa
     return runs
 
 
-def _judged(
-    kept: LoneKept | None, told: tuple[Verdict, Message] | None, least_px: float | None, pixel_m: float
-) -> LoneJudgement:
+def _judged(kept: LoneKept | None, least_px: float | None, pixel_m: float) -> LoneJudgement:
     if kept is None:
         return LoneJudgement(None, Verdict.NOT_COMPARABLE, messages.TOO_LITTLE_BESIDE_SEAM())
     verdict = verdict_of(kept)
     if verdict is not None:
-        return LoneJudgement(kept, verdict, None)
-    if told is not None:
-        return LoneJudgement(kept, *told)
+        return LoneJudgement(kept, verdict)
     low, high = 100 * kept.low, 100 * kept.high
     if least_px is None or kept.length_px >= least_px:
         return LoneJudgement(kept, Verdict.NOT_COMPARABLE, messages.LONE_INTERVAL_TOO_WIDE(low=low, high=high))

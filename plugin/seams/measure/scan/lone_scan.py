@@ -4,6 +4,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
+from dataclasses import replace
 from functools import lru_cache
 from typing import Callable
 
@@ -19,12 +20,12 @@ from .blocks.seam_sides import SeamSides, SeamSquares
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece
 from .lone_blocks import LONE_LOOK, MARGIN_PX, REACH_PX, LoneTable
-from .lone_kept import LoneJudgement, LoneSeams, judge_pieces
+from .lone_kept import LoneJudgement, LoneSeams, judge_pieces, judge_stretches
 from .lone_stretches import STRIP_PX, LoneStretches, lone_stretches
 from .loss_raster import NODATA, LossRaster, empty_cells, loss_raster
 from .scan_journal import ScanJournal
 from .scan_request import ScanRequest
-from .scan_result import JudgedPiece, ScanResult, without_verdict, worst_windows
+from .scan_result import JudgedPiece, ScanResult, state_by, without_verdict, worst_windows
 
 _HELD = 64  # tables of blocks that are kept: some rows of neighbours
 _CELLS_BESIDE_PX = 12  # what a cell whose middle is within reach sticks out
@@ -70,11 +71,18 @@ class LoneScanning:
             if not goes_on(0.8 * done / len(groups)):
                 return None
         pieces: list[JudgedPiece] = []
+        stretches: list[JudgedPiece] = []
         notices: list[Message] = []
         if parts:
             seams = LoneSeams(LoneStretches.joined(parts), [piece.seam_id for piece in self._pieces])
-            told = judge_pieces(seams, [piece.length_m / pixel_m for piece in self._pieces], pixel_m)
+            lengths = [piece.length_m / pixel_m for piece in self._pieces]
+            told = judge_pieces(seams, lengths, pixel_m)
             pieces = [_judged(piece, one, pixel_m, settings.levels) for piece, one in zip(self._pieces, told)]
+            stretches = [
+                replace(_judged(_joined([self._pieces[number] for number in run]), one, pixel_m, settings.levels),
+                        is_stretch=True)
+                for run, one in judge_stretches(seams, lengths, told)
+            ]
             if (all_seams := seams.kept()) is not None:
                 kept, low, high = (100 * one for one in (all_seams.kept, all_seams.low, all_seams.high))
                 notices.append(messages.LONE_NETWORK(kept=kept, low=low, high=high))
@@ -87,7 +95,8 @@ class LoneScanning:
                 raster.close([])
         worst = worst_windows(pieces, mosaic, settings.worst_count, settings.levels)
         notices += without_verdict(pieces)
-        return ScanResult(tuple(pieces), (), tuple(worst), tuple(notices)) if goes_on(1.0) else None
+        found = ScanResult(tuple(pieces), (), tuple(worst), tuple(stretches), tuple(notices), {"orthoimages": "none"})
+        return found if goes_on(1.0) else None
 
     def _draw(self, raster: LossRaster, judged: Sequence[JudgedPiece], cell_px: int) -> None:
         """What each piece kept, in the cells of its strip."""
@@ -146,7 +155,18 @@ def _judged(piece: SeamPiece, told: LoneJudgement, pixel_m: float, levels: int) 
         return JudgedPiece(piece, left, right, None, None, None, None, told.verdict, told.reason)
     width = kept.band_width_px * pixel_m
     by_level = (kept.kept, *[None] * (levels - 1))
-    return JudgedPiece(piece, left, right, by_level, kept.low, kept.high, width, told.verdict, told.reason)
+    return JudgedPiece(
+        piece, left, right, by_level, kept.low, kept.high, width, told.verdict, told.reason,
+        state=state_by(kept.kept, kept.low, kept.high, told.verdict),
+    )
+
+
+def _joined(pieces: Sequence[SeamPiece]) -> SeamPiece:
+    """Pieces that follow one another as one."""
+    first = pieces[0]
+    vertices = np.concatenate([first.vertices, *(one.vertices[1:] for one in pieces[1:])])
+    length = sum(one.length_m for one in pieces)
+    return SeamPiece(first.seam_id, first.station_m, length, vertices, first.left, first.right)
 
 
 def _filled_in(vertices: np.ndarray, step: float) -> np.ndarray:

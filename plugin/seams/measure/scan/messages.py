@@ -5,12 +5,12 @@ from ....imagery.errors import INFO, WARNING, Message
 
 # settings of a scan
 SCAN_LEVELS = Message("The scan measures 1 to {most} levels and {levels} were given; give 1 to {most}.")
-DENSITY_UNKNOWN = Message("{density} is no density of a scan; give one of: {known}.")
+DENSITY_UNKNOWN = Message("A scan has no density '{density}'; give one of: {known}.")
 SCAN_CELL = Message("The picture of losses has no cells of {cell} pixels; give one of: {known}.")
-SCAN_LENGTHS = Message("{name} is {value:g}; give a number of {least} or more.")
+SCAN_LENGTHS = Message("{name} is {value:g}; give {least} or more.")
 LOSS_NOT_TIFF = Message("The picture of losses is a GeoTIFF; give {path} the ending .tif.")
 CORRIDOR_WITHOUT_SEAMS = Message(
-    "The corridor counts only with seamlines; without them all of the mosaic is read.", WARNING
+    "The corridor applies only with seamlines; without them all of the mosaic is read.", WARNING
 )
 PIECES_LENGTHENED = Message(
     "Pieces of seam are made {needed:.1f} m long: at this pixel size shorter ones can't be measured.", WARNING
@@ -26,7 +26,7 @@ NO_SOURCE_ON_MOSAIC = Message(
     "No orthoimage lies on the mosaic, of {count}; check the reference systems, or give those that it was made from."
 )
 NO_SOURCE_USABLE = Message(
-    "None of the orthoimages can be used, for the reasons that are told; mend that, or leave them all out to scan the "
+    "None of the orthoimages can be used, for the reasons in the log; mend that, or leave them all out to scan the "
     "mosaic along its seamlines alone."
 )
 SOURCES_CROWDED = Message(
@@ -73,15 +73,24 @@ SEAM_POLYGONS_OVERLAP = Message(
     "told, so no seam is measured there.", WARNING
 )
 SEAM_POLYGONS_OVERLAP_NAMED = Message(
-    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all ({names} first of all); which "
-    "one lies on top can't be told, so no seam is measured there.", WARNING
+    "Polygons of the seamline layer overlap in {count} places of {area:.1f} m2 in all (such as {names}); which one "
+    "lies on top can't be told, so no seam is measured there.", WARNING
 )
 SEAM_POLYGONS_GAPE = Message(
     "Between the polygons of the seamline layer there are {count} gaps of {area:.1f} m2 in all; their edges are no "
     "seams.", WARNING
 )
 SEAM_SOURCES_MISSING = Message(
-    "Orthoimages that the seamline layer names and that are not given: {count} ({names} first of all).", WARNING
+    "Orthoimages that the seamline layer names and that are not given: {count} (such as {names}).", WARNING
+)
+SOURCES_TOO_FEW = Message(
+    "Only {between:.0f} of {all:.0f} m of the seamlines lie on two of the given orthoimages or more, so the seams are "
+    "measured as without orthoimages; give those that are missing.", WARNING
+)
+SEAM_SOURCES_AMBIGUOUS = Message(
+    "Names of orthoimages in the seamline layer that fit several of those given: {count} (such as {names}). Borders "
+    "of polygons with such a name stay seams, and the mosaic itself tells what it follows there; write paths with "
+    "their folders into the layer to tell them apart.", WARNING
 )
 SEAM_FEATURES_NOT_TRANSFORMED = Message(
     "Features of the seamline layer that can't be brought into the mosaic's reference system, left out: {count}.",
@@ -131,6 +140,10 @@ PIECE_TOO_SHORT = Message(
     "This piece is {length:.1f} m long and {needed:.1f} m are needed to measure it; take longer pieces, or judge it by "
     "eye."
 )
+PIECE_WITHOUT_DETAIL = Message(
+    "The ground along this piece has no fine detail that could be lost: the orthoimages show hardly more than noise "
+    "there. It does not count.", INFO
+)
 PIECE_NOT_EXPLAINED = Message(
     "None of the given orthoimages explains the mosaic along this piece; add the one that it was made from there."
 )
@@ -141,31 +154,28 @@ SEAMS_WITHOUT_VERDICT = Message(
     "{metres:.0f} of {all:.0f} m of seam have no verdict; the field 'reason' of the seams says why.", WARNING
 )
 MOSAIC_UNEXPLAINED = Message(
-    "{share:.0f} % of the mosaic follow none of the orthoimages, so nothing is measured there. Give those that it was "
-    "made from there; ground without any texture, such as water, is counted as well.", WARNING
+    "{share:.0f} % of the mosaic follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is "
+    "measured there. Give those that it was made from there; ground without any texture, such as water, is counted as "
+    "well.", WARNING
 )
 # seams of a mosaic whose orthoimages are not given
 TOO_LITTLE_BESIDE_SEAM = Message(
     "Too little of this seam can be measured, or of the ground on one side of it; give the orthoimages.", INFO
 )
 LONE_PIECE_TOO_SHORT = Message(
-    "Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. "
-    "On this mosaic some {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.", INFO
+    "Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is "
+    "kept. On this mosaic about {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.", INFO
 )
 LONE_INTERVAL_TOO_WIDE = Message(
     "Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is "
     "kept. Give the orthoimages to have a verdict.", INFO
-)
-JUDGED_WITH_RUN = Message(
-    "Too short to be judged without orthoimages; judged with the {length:.0f} m of seam around it, which keep "
-    "{low:.0f} to {high:.0f} %.", INFO
 )
 LONE_NETWORK = Message(
     "All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.",
     INFO,
 )
 LONE_FROM_LENGTH = Message(
-    "Without orthoimages a piece of seam can be judged on this mosaic from some {length:.0f} m on.", INFO
+    "Without orthoimages a piece of seam can be judged on this mosaic from about {length:.0f} m on.", INFO
 )
 LONE_NEVER = Message(
     "Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.", WARNING

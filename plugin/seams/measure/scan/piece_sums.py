@@ -8,13 +8,13 @@ from functools import partial
 import numpy as np
 
 from ....imagery.grids import Grid, PixelWindow
-from ....imagery.rasters import Raster
-from ....imagery.while_measuring import measuring
+from ....imagery.lines import points_at, vertex_stations
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, whole_cells
 from ..profile.ground import FAR_PX, LevelGround
 from ..profile.seam_profile import strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
-from ..visibility import visibility, white_grey
+from ..visibility import visibility
+from ..while_measuring import measuring
 from .block_files import BlockFiles
 from .block_outputs import held_ground
 from .block_runs import block_labels, global_numbers, whole_block
@@ -59,6 +59,8 @@ class MeasuredPieces:
     """(pieces,) mean of the mosaic in the strip, NaN where it is not known."""
     brightest: float
     """Cell of any strip."""
+    grain: np.ndarray
+    """(pieces,) largest rms of the finest detail of its sources, DN; NaN where nothing was measured densely."""
     beside: np.ndarray | None
     """(pieces, 2) as in ``sources_beside``; None where it was not asked for."""
 
@@ -72,26 +74,27 @@ def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
         slice(first // CELL_PX, -(-(first + length) // CELL_PX))
         for first, length in ((around.row, around.height), (around.column, around.width))
     )
-    sums = PieceSums(request.numbers, request.index, request.levels)
+    sums, along = PieceSums(request.numbers, request.index, request.levels), _CellsAlong(request.pieces, grid)
+    grain = np.full(len(request.pieces), np.nan)
     for key in _blocks_of(around, request.blocks):
         window = request.blocks.window(key)
         scan = whole_block(files, key) if sums.are_near(window) else None
         if scan is not None:
             cells, mixture = scan.cells.within((rows, columns)), with_numbers(scan, request.sources)
             sums.add(cells, mixture.within((rows, columns)), held_ground(files, key), window, scan.grey)
+            np.fmax.at(grain, *along.values(key, scan.grain))
     found = [one if one.profile is None else replace(one, profile=replace(one.profile, bins=()))
              for one in sums.profiles()]
     labels = partial(_labels_at, request) if request.looks_beside else None
     beside = sources_beside(request.pieces, labels, grid, LABEL_PX) if labels is not None else None
-    return MeasuredPieces(request.numbers, found, *sums.grey, beside)
+    return MeasuredPieces(request.numbers, found, *sums.grey, grain, beside)
 
 
 def visibilities(
-    found: Sequence[StripProfile], grey: np.ndarray, brightest: float, mosaic: Raster
+    found: Sequence[StripProfile], grey: np.ndarray, white: float
 ) -> list[float | None]:
-    """Of pieces, in just noticeable differences at 2x; ``mosaic``: what grey values mean on a screen. ``grey``,
-    ``brightest``: as ``MeasuredPieces`` has them."""
-    white = white_grey(mosaic, brightest)
+    """Of pieces, in just noticeable differences at 2x. ``grey``: as ``MeasuredPieces`` has it; ``white``: what is
+    white on a screen."""
     return [
         visibility(one.profile.kept, one.profile.energy, mean, white) if one.profile else None
         for one, mean in zip(found, grey.tolist())
@@ -190,3 +193,22 @@ class PieceSums:
         values, area = grey[table.row[strip] % CELLS, table.column[strip] % CELLS], table.area[0, strip]
         self._grey += [np.bincount(piece[strip], one, len(self._numbers)) for one in (area * values, area)]
         self._brightest = float(np.fmax.reduce(values, initial=self._brightest))
+
+
+class _CellsAlong:
+    """The cells that pieces run through."""
+
+    def __init__(self, pieces: Sequence[SeamPiece], grid: Grid) -> None:
+        parts = [np.zeros((0, 3), np.int64)]
+        for number, piece in enumerate(pieces):
+            path = grid.to_pixels(piece.vertices)
+            along = vertex_stations(path)
+            count = max(int(along[-1] // CELL_PX), 1)
+            cells = np.floor(points_at(path, along, (np.arange(count) + 0.5) / count * along[-1]) / CELL_PX)
+            parts.append(np.column_stack([np.full(count, number), cells]).astype(np.int64))
+        self._piece, self._column, self._row = np.concatenate(parts).T
+
+    def values(self, key: BlockKey, cells: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Places of pieces, and what ``cells`` (CELLS, CELLS) of a block have there."""
+        own = (self._row // CELLS == key[0]) & (self._column // CELLS == key[1])
+        return self._piece[own], cells[self._row[own] % CELLS, self._column[own] % CELLS]

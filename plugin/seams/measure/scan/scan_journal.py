@@ -20,11 +20,11 @@ from osgeo import gdal
 from ....imagery import messages as imagery_messages
 from ....imagery.documents import xml_root
 from ....imagery.errors import Message, SettingsError
-from ....imagery.gdal_calls import gdal_silenced, vrt_parts
+from ....imagery.gdal_calls import gdal_silenced, is_remote, readable_path, vrt_parts
 from ....imagery.messages import system_reason
 from ....imagery.rasters import RasterRef
 from ....imagery.record_store import RecordStore
-from ....imagery.remote_files import forget_fetched, is_remote, readable_path
+from ....imagery.remote_files import forget_fetched
 from ..source_images import Source
 from . import messages
 from .block_files import BlockFiles
@@ -64,7 +64,7 @@ def fingerprint_of(
     asked = sum(is_remote(source.ref.path) for source in sources) <= MOST_ASKED
     listed: dict[str, set[str]] = {}
     parts = {
-        "version": _digest([_version()]),
+        "version": _digest([plugin_version()]),
         "mosaic": _digest([mosaic.path, *_states(mosaic.path, ask=True)]),
         "sources": _digest(
             item
@@ -121,6 +121,14 @@ def _states(path: str, ask: bool) -> Iterator[str]:
 def local_states(paths: Iterable[str]) -> dict[str, str]:
     """What is known of the files of this machine that rasters are read from, by their paths."""
     return {file: state for path in paths if not is_remote(path) for file, state in _local_states(path).items()}
+
+
+def content_of(path: str) -> str:
+    """The same for a copy of a raster elsewhere: a digest of the sizes and of some bytes of its files, or the address
+    where it is remote."""
+    if is_remote(path):
+        return path
+    return _digest(_local_state(_local_file(one), with_time=False) for one in _with_parts(path))
 
 
 def _local_states(path: str) -> dict[str, str]:
@@ -222,7 +230,7 @@ def _local_file(path: str) -> str:
     return next((part for part in named if part and os.path.isfile(part)), path)
 
 
-def _version() -> str:
+def plugin_version() -> str:
     """The plugin's version; that of what measures is the package's, wherever it is installed."""
     metadata = Path(__file__).parents[4] / "metadata.txt"
     found = re.search(r"^version=(.*)$", metadata.read_text(encoding="utf-8"), re.M) if metadata.is_file() else None

@@ -16,7 +16,7 @@ from ..inputs.mosaic_copies import leave_out_copies
 from ..inputs.whole_images import whole_images
 from ..limits import FULL
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
-from ..seam_cells import UNKNOWN
+from ..seam_cells import UNKNOWN, names_apart
 from ..source_images import Footprints, Source
 from . import messages
 from .blocks.block_grid import BlockGrid, BlockKey
@@ -30,6 +30,8 @@ from .scan_settings import ScanSettings
 
 SHORTEST_PIECE_PX = 1.25 * MIN_STRIP_PX / (2 * STRIP_PX)
 """With a strip that is just large enough, and a quarter more as pieces may be shorter than asked for."""
+LEAST_BETWEEN = 0.5
+"""Of the given seams that lie on two sources or more; with less the mosaic is scanned as one without orthoimages."""
 LOOK_EVERY = 4
 """Squares along both sides of which one is looked at where seamlines are given."""
 
@@ -72,15 +74,20 @@ class ScanRequest:
 
     def numbers_named(self, names: Iterable[str]) -> tuple[dict[str, int], Message | None]:
         """Numbers of the sources that names mean, those of their parts, too; and which names mean none."""
-        files = [(name, number) for number, one in enumerate(self.sources) for name in one.ref.names]
-        return source_numbers(names, [name for name, _ in files], [number for _, number in files])
+        files = [(path, number) for number, one in enumerate(self.sources) for path in one.ref.paths]
+        return source_numbers(names, [path for path, _ in files], [number for _, number in files])
+
+    @cached_property
+    def source_names(self) -> list[str]:
+        """What the sources are called in the results."""
+        return names_apart([one.ref.path for one in self.sources])
 
     @cached_property
     def dates(self) -> dict[str, str]:
         """When sources were taken, as far as the seams say, by the names of their files and by those in the seams."""
         given = self.given.dates if self.given else {}
         numbers, _ = self.numbers_named(given)
-        return {**given, **{self.sources[number].ref.name: given[name] for name, number in numbers.items()}}
+        return {**given, **{self.source_names[number]: given[name] for name, number in numbers.items()}}
 
     @cached_property
     def footprints(self) -> Footprints:
@@ -104,6 +111,19 @@ class ScanRequest:
         """Of the blocks that are read."""
         squares = self.seam_squares
         return [key for key in self.blocks if squares is None or squares.is_read(key)]
+
+    @property
+    def seams_m(self) -> float:
+        """Metres of the given seams on the mosaic."""
+        return sum(piece.length_m for piece in self.pieces)
+
+    @property
+    def between_two_m(self) -> float:
+        """Metres of them that lie on two sources or more, without which nothing can be told of a seam."""
+        middles = ((piece, piece.vertices[len(piece.vertices) // 2].tolist()) for piece in self.pieces)
+        return sum(
+            piece.length_m for piece, (x, y) in middles if len(self.footprints.meeting((x, y, x, y))) > 1
+        )
 
     @property
     def crowded(self) -> int:
@@ -183,10 +203,13 @@ def scan_request(
     request = ScanRequest(mosaic, tuple(kept), settings, given)
     if kept and not request.footprints.meeting(mosaic.extent):
         raise SettingsError(messages.NO_SOURCE_ON_MOSAIC(count=len(kept)))
+    if kept and given is not None and (between := request.between_two_m) < LEAST_BETWEEN * request.seams_m:
+        notices.append(messages.SOURCES_TOO_FEW(between=between, all=request.seams_m))
+        request = replace(request, sources=())
     if crowded := request.crowded:
         notices.append(messages.SOURCES_CROWDED(count=crowded, most=UNKNOWN))
     if given is not None:
         outside = cut_off(request.seams, request.pieces, mosaic.grid)
-        unnamed = request.named[1] if kept else None
+        unnamed = request.named[1] if request.sources else None
         notices = [*notices, *given.notices, *(one for one in (outside, unnamed) if one is not None)]
     return request, notices

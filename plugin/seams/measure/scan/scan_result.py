@@ -4,8 +4,9 @@ The tables have one entry per column. The field names are contracts; layers and 
 """
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Callable
 
 import numpy as np
@@ -17,16 +18,21 @@ from ....imagery.lines import points_at, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column, Row, rows_of
+from ....imagery.seam_totals import PIECE, STANDARD_LEAST_KEPT, STRETCH, PieceState, SeamTotals, piece_state
 from ..following.likely_source import MIN_FIT, MIN_TEXTURE
 from ..limits import MAX_SIGNIFICANT_KEPT
 from ..profile.seam_profile import MIN_STRIP_PX, STRIP_PX
 from ..profile.seam_sums import StripProfile
-from ..verdicts import MAX_INTERVAL_FACTOR, Verdict, judge_by_seam
+from ..verdicts import MAX_KEPT_LOW, Verdict, judge_by_seam
 from ..window_placing import PlacedWindow, WindowIndex
 from . import messages
 from .lines.seam_pieces import SeamPiece
 from .lines.seam_tracing import SourcePolygon
+from .scan_journal import plugin_version
+from .scan_settings import ScanSettings
 
+MOST_GRAIN = 1.5 / 255
+"""Rms of a source's finest detail, as a share of white: what sensors leave on even ground, and compression takes."""
 LEAST_WITHOUT_VERDICT = 0.02  # of the seams: more is told
 
 
@@ -60,6 +66,10 @@ class JudgedPiece:
     """When the source on the left hand was taken, where the seams say so."""
     right_date: str | None = None
     """The same of the one on the right hand."""
+    state: PieceState = PieceState.NOT_MEASURED
+    """What it counts as, where ``STANDARD_LEAST_KEPT`` has to be kept."""
+    is_stretch: bool = False
+    """Whether it is what several pieces keep together, and no piece that adds up."""
 
     @property
     def least_kept(self) -> float | None:
@@ -69,9 +79,25 @@ class JudgedPiece:
 
 def judge_piece(
     piece: SeamPiece, sides: tuple[str | None, str | None], found: StripProfile, ground_sample_distance: float,
-    visibility: float | None = None,
+    visibility: float | None = None, grain: float | None = None,
 ) -> JudgedPiece:
-    """The verdict on one piece by its profile, and how visible its loss is, JND."""
+    """The verdict on one piece by its profile, and how visible its loss is, JND.
+
+    ``grain``: largest rms of its sources' finest detail, as a share of white; None where that is not known.
+    """
+    one = _judged_by_profile(piece, sides, found, ground_sample_distance, visibility)
+    if grain is None or grain > MOST_GRAIN or one.state is not PieceState.NOT_MEASURED:
+        return one
+    return JudgedPiece(
+        piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, messages.PIECE_WITHOUT_DETAIL(),
+        state=PieceState.NO_DETAIL,
+    )
+
+
+def _judged_by_profile(
+    piece: SeamPiece, sides: tuple[str | None, str | None], found: StripProfile, ground_sample_distance: float,
+    visibility: float | None,
+) -> JudgedPiece:
     if found.profile is None:
         needed = MIN_STRIP_PX / (2 * STRIP_PX) * ground_sample_distance
         short = messages.PIECE_TOO_SHORT(length=piece.length_m, needed=needed) if piece.length_m < needed else None
@@ -84,11 +110,19 @@ def judge_piece(
             piece, *sides, None, None, None, None, Verdict.NOT_COMPARABLE, messages.PIECE_NOT_EXPLAINED()
         )
     verdict, why = judge_by_seam(profile, True, 1.0, MAX_SIGNIFICANT_KEPT)
-    if verdict is Verdict.NOT_COMPARABLE and profile.high > MAX_INTERVAL_FACTOR * profile.low:
+    if verdict is Verdict.NOT_COMPARABLE and profile.low <= MAX_KEPT_LOW:
         why = messages.PIECE_INTERVAL_TOO_WIDE(low=100 * profile.low, high=100 * profile.high)
     width = profile.band_width_px * ground_sample_distance
     feather = None if profile.feather_width_px is None else profile.feather_width_px * ground_sample_distance
-    return JudgedPiece(piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, visibility, feather)
+    return JudgedPiece(
+        piece, *sides, profile.kept, profile.low, profile.high, width, verdict, why, visibility, feather,
+        state=state_by(profile.kept[0], profile.low, profile.high, verdict),
+    )
+
+
+def state_by(kept: float | None, low: float | None, high: float | None, verdict: Verdict) -> PieceState:
+    """What a piece counts as by the standard limit."""
+    return piece_state(kept, low, high, STANDARD_LEAST_KEPT, verdict is not Verdict.NOT_COMPARABLE)
 
 
 def dated(one: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
@@ -98,15 +132,15 @@ def dated(one: JudgedPiece, dates: Mapping[str, str]) -> JudgedPiece:
 
 def without_verdict(pieces: Sequence[JudgedPiece]) -> tuple[Message, ...]:
     """How much of the seams could not be judged, where that is worth telling."""
-    lacking, total = metres(pieces, Verdict.NOT_COMPARABLE), metres(pieces)
+    lacking, total = metres(pieces, PieceState.NOT_MEASURED), metres(pieces)
     if lacking < LEAST_WITHOUT_VERDICT * total or not lacking:
         return ()
     return (messages.SEAMS_WITHOUT_VERDICT(metres=lacking, all=total),)
 
 
-def metres(pieces: Sequence[JudgedPiece], *verdicts: Verdict) -> float:
-    """Length of all pieces, or of those with one of some verdicts."""
-    return sum((one.piece.length_m for one in pieces if not verdicts or one.verdict in verdicts), 0.0)
+def metres(pieces: Sequence[JudgedPiece], *states: PieceState) -> float:
+    """Length of all pieces, or of those that count as one of some states."""
+    return math.fsum(one.piece.length_m for one in pieces if not states or one.state in states)
 
 
 WINDOWS_ALONG = 4
@@ -195,8 +229,18 @@ class ScanResult:
     """Which source each part came from; numbers of the request's sources."""
     worst: tuple[PlacedWindow, ...]
     """The least kept places, the least first."""
+    stretches: tuple[JudgedPiece, ...] = ()
+    """What pieces keep together that are too short to be judged one by one, as without orthoimages."""
     notices: tuple[Message, ...] = ()
     """What was left out, assumed or could not be judged."""
+    told: Mapping[str, str] = field(default_factory=dict)
+    """What its layers and its picture say of it beside the settings: whether ``seams`` were ``given`` or ``found``, and
+    which share of the mosaic is ``unexplained``, ``unexplained_at`` where most of that lies together."""
+
+    @property
+    def features(self) -> tuple[JudgedPiece, ...]:
+        """Of the layer SEAMS: all pieces, then the stretches."""
+        return self.pieces + self.stretches
 
     @property
     def seam_metres(self) -> float:
@@ -205,8 +249,8 @@ class ScanResult:
 
     @property
     def failed_metres(self) -> float:
-        """Length of those with a significant loss."""
-        return metres(self.pieces, Verdict.SIGNIFICANT)
+        """Length of the pieces that failed: that keep less than ``STANDARD_LEAST_KEPT``."""
+        return metres(self.pieces, PieceState.FAILED)
 
     @property
     def worst_kept(self) -> float | None:
@@ -225,6 +269,8 @@ SEAM_COLUMNS: tuple[Column[JudgedPiece], ...] = (
     Column("left_date", "text", lambda one: one.left_date),
     Column("right_date", "text", lambda one: one.right_date),
     Column("length", "real", lambda one: one.piece.length_m),
+    Column("level", "text", lambda one: STRETCH if one.is_stretch else PIECE),
+    Column("state", "text", lambda one: one.state.value),
     Column("kept", "real", lambda one: one.kept, by_level=True),
     Column("kept_low", "real", lambda one: one.low),
     Column("kept_high", "real", lambda one: one.high),
@@ -246,9 +292,19 @@ def seam_rows(result: ScanResult) -> list[Row]:
     The fields are those of the layer SEAMS (docs/reference/tables.md), and ``geometry``: the line as WKT in the
     mosaic's reference system.
     """
-    levels = max((len(one.kept) for one in result.pieces if one.kept), default=1)
-    rows = rows_of(SEAM_COLUMNS, result.pieces, levels)
-    return [{**row, GEOMETRY: _line_wkt(one.piece.vertices)} for row, one in zip(rows, result.pieces)]
+    features = result.features
+    return [{**row, GEOMETRY: _line_wkt(one.piece.vertices)} for row, one in zip(_field_rows(features), features)]
+
+
+def seam_notes(result: ScanResult, settings: ScanSettings) -> dict[str, str]:
+    """What stands beside the rows of SEAMS: how they were measured, and their totals."""
+    totals = SeamTotals.of_rows(_field_rows(result.features))
+    return {"version": plugin_version(), **settings.told, **result.told, **totals.metadata}
+
+
+def _field_rows(features: Sequence[JudgedPiece]) -> list[Row]:
+    levels = max((len(one.kept) for one in features if one.kept), default=1)
+    return list(rows_of(SEAM_COLUMNS, features, levels))
 
 
 def _line_wkt(vertices: np.ndarray) -> str:

@@ -13,7 +13,6 @@ from typing import Callable
 from ....imagery.atomic_files import drop_unfinished
 from ....imagery.errors import Message, SettingsError
 from ....imagery.raster_pool import own_threads, rasters_kept
-from ....imagery.rasters import Raster
 from ..inspection import Block, PathLike
 from . import messages
 from .block_runs import BlockRun, ScanStep, whole_block
@@ -83,7 +82,10 @@ class WholeScan:
         with rasters_kept(), own_threads(executor, ahead) as crew:
             found = self._result(loss_path, goes_on, *crew)
         dates = self.request.dates
-        return found and replace(found, pieces=tuple(dated(piece, dates) for piece in found.pieces))
+        return found and replace(
+            found, pieces=tuple(dated(one, dates) for one in found.pieces),
+            stretches=tuple(dated(one, dates) for one in found.stretches),
+        )
 
     def finish(self) -> None:
         """All results are where they belong: nothing is left to go on from."""
@@ -139,7 +141,7 @@ def scan(
     SeamlineError for seamlines that are none, RasterError when the picture can't be written.
     """
     path = os.fspath(seamlines)
-    given, told = _given(path, block.mosaic, source_field) if path else (None, [])
+    given, told = _given(path, block, source_field) if path else (None, [])
     request, notices = scan_request(block.mosaic, block.sources, settings or ScanSettings(), given)
     told += notices
 
@@ -160,6 +162,7 @@ def scan(
     return replace(result, notices=tuple(dict.fromkeys((*told, *result.notices))))
 
 
-def _given(path: str, mosaic: Raster, source_field: str) -> tuple[GivenSeams, list[Message]]:
-    features, lost = read_seam_features(path, mosaic.wkt)
-    return given_seams(features, mosaic.grid, source_field), [] if lost is None else [lost]
+def _given(path: str, block: Block, source_field: str) -> tuple[GivenSeams, list[Message]]:
+    features, lost = read_seam_features(path, block.mosaic.wkt)
+    paths = [one.ref.path for one in block.sources]
+    return given_seams(features, block.mosaic.grid, source_field, paths), [] if lost is None else [lost]

@@ -1,22 +1,24 @@
 """The second half of an inspection: why contrast was lost, what is kept along the seam, and the verdict that counts."""
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ....imagery import limits as imagery_limits
 from ....imagery.errors import Message
 from ....imagery.wavelets import Curve, correlation
-from ....imagery.while_measuring import measuring
 from .. import messages
 from ..causes import Cause
 from ..compared_image import Change, MeasuredClip
 from ..explanation import Explanation, explain
 from ..following.hard_cut import cut_hard, window_loss
 from ..profile.window_detail import LossPicture
-from ..seam_cells import UNKNOWN, cell_labels, source_stem
-from ..verdicts import Judgement, Ratios, Verdict, curve_ratios, judge, judge_by_seam
+from ..seam_cells import UNKNOWN, cell_labels
+from ..verdicts import MIN_EXPLAINED, Judgement, Ratios, Verdict, curve_ratios, judge, judge_by_seam
+from ..while_measuring import measuring
 from ..window_records import COMPOSITE, SEAM
 from .measured_window import MeasuredWindow, in_file_values, measure_window
 from .window_request import WindowRequest
@@ -50,6 +52,8 @@ def explain_window(measured: MeasuredWindow) -> WindowResult:
     judgement = _judged(paper, mosaic.curves[band], found, band, request)
     if Cause.MISSING_SOURCE in found.causes and judgement.reason is None:
         judgement = replace(judgement, reason=messages.VERDICT_OF_THE_REST(share=100 * (1 - found.explained)))
+    if judgement.reason is not None and (found.explained < MIN_EXPLAINED or Cause.MISSING_SOURCE in found.causes):
+        judgement = replace(judgement, reason=_with_other_pixels(judgement.reason, measured))
     if judged[0].clip.resampled and judgement.reason is None:
         judgement = replace(judgement, reason=messages.ALL_RESAMPLED())
     return WindowResult(
@@ -66,6 +70,19 @@ def window_lost(measured: MeasuredWindow) -> LossPicture | None:
     settings, judged = measured.request.settings, measured.judged
     labels = known_labels(measured.request, judged)
     return window_loss(measured.mosaic, judged, settings.wavelet, settings.levels, labels)
+
+
+def _with_other_pixels(reason: Message, measured: MeasuredWindow) -> Message:
+    """Why the mosaic is not explained, the pixel size of the coarsest or finest source first where that is another."""
+    own = measured.request.mosaic.ground_sample_distance
+    others = [one.clip.raster for one in measured.sources if one.clip.resampled]
+    name, pixel = max(
+        ((one.ref.name, one.ground_sample_distance) for one in others), key=lambda one: abs(math.log(one[1] / own)),
+        default=("", own),
+    )  # fmt: skip
+    if abs(pixel / own - 1) <= imagery_limits.MAX_PIXEL_SIZE_DIFFERENCE:
+        return reason
+    return messages.OTHER_PIXEL_SIZE(name=name, pixel=round(pixel, 3), own=round(own, 3), more=reason)
 
 
 def _in_file_values(found: Explanation, own: float, factors: Sequence[float]) -> Explanation:
@@ -95,10 +112,9 @@ def known_labels(request: WindowRequest, sources: Sequence[MeasuredClip]) -> np.
     cell says any."""
     if not request.cells or request.window is None:
         return None
-    refs = [one.clip.raster.ref for one in sources]
-    whole = {source_stem(name): ref.name for ref in refs for name in ref.names}
-    cells = [replace(one, source=whole.get(source_stem(one.source), one.source)) for one in request.cells]
-    known = cell_labels(cells, [ref.name for ref in refs], request.mosaic.grid, request.around)
+    paths = [(path, place) for place, one in enumerate(sources) for path in one.clip.raster.ref.paths]
+    files, places = [path for path, _ in paths], [place for _, place in paths]
+    known = cell_labels(request.cells, files, request.mosaic.grid, request.around, places)
     return known if (known != UNKNOWN).any() else None
 
 

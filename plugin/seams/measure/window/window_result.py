@@ -10,10 +10,11 @@ from ....imagery.wavelets import Curve, Directions
 from ..causes import Cause
 from ..compared_image import Change
 from ..explanation import Explanation
+from ..limits import SHARPNESS_TOLERANCE
 from ..profile.seam_profile import SeamProfile
 from ..profile.window_detail import LossPicture
 from ..verdicts import MAX_KEPT_LOW, Judgement, Ratios, Verdict
-from ..window_records import COMPOSITE, REFERENCES
+from ..window_records import COMPOSITE, REFERENCES, SEAM
 from .window_request import WindowRequest
 
 
@@ -114,6 +115,31 @@ class WindowResult:
     def loss(self) -> LossPicture | None:
         """The picture of where detail was lost; None where that can't be told."""
         return self.explanation.loss if self.explanation else None
+
+    @property
+    def lost_m2(self) -> float | None:
+        """The finest detail that is missing, as so many square metres of the window hold: what the verdict was taken
+        by, in one unit for all windows. 0 where no loss is sure; None without a verdict.
+        """
+        if self.window is None or self.judgement.verdict is Verdict.NOT_COMPARABLE:
+            return None
+        if self.judgement.verdict is Verdict.PRESERVED:
+            return 0.0
+        area_m2 = self.window.width * self.window.height * self.ground_sample_distance**2
+        return area_m2 * max(self._lost_share, 0.0)
+
+    @property
+    def _lost_share(self) -> float:
+        """Of the window's finest detail energy: along its seam, or in all of it where that is more."""
+        found = self.explanation
+        if self.reference != SEAM or found is None:
+            ratios = self.judgement.ratios
+            if found is not None and self.reference == COMPOSITE:
+                ratios = next(iter(found.ratios.values()))
+            return 1 - (ratios.detail[0] or 0.0)
+        along = found.evidence.lost if self.profile is not None and self.profile.high < 1 else 0.0
+        sharpness = 1.0 if found.sharpness is None else found.sharpness
+        return max(along, 1 - sharpness**2 if sharpness < 1 - SHARPNESS_TOLERANCE else 0.0)
 
     @property
     def band_width_m(self) -> float | None:

@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cache
 from typing import Any, NamedTuple
 
 from ....imagery import messages as imagery_messages
-from ....imagery.errors import QT_TR_NOOP, Message
-from ....imagery.records import Column, NotUnderstoodError, Row, record_of, rows_of, value_of
+from ....imagery.errors import QT_TR_NOOP
+from ....imagery.records import Column, NotUnderstoodError, Row, record_of, rows_of, sentences_of, value_of
 from ....imagery.shifts import Shift
 from ....imagery.statistics import JUDGING_FIELDS
 from ....imagery.wavelets import DIRECTIONS, Curve
@@ -114,7 +113,7 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
     help: str = ""
     shown: str = "number"
     """How its column shows it: ``number``, ``tenths``, ``percent`` (of a share), ``of 100``, ``metres``, ``px``,
-    ``whole``, ``words``, ``observer`` or ``causes``."""
+    ``square metres``, ``whole``, ``words``, ``observer`` or ``causes``."""
     called: tuple[str, ...] = ()
     """What else the filter calls it."""
     is_share: bool = False
@@ -214,6 +213,14 @@ MEASURED = (
         title=QT_TR_NOOP("share that the sources explain"), heading=QT_TR_NOOP("explained"), shown="percent",
         is_share=True,
         help=QT_TR_NOOP("Share of the pixels whose detail the given sources explain."),
+    ),
+    WindowField(
+        "loss", "real", lambda result: result.lost_m2,
+        title=QT_TR_NOOP("loss (m2)"), heading=QT_TR_NOOP("loss"), shown="square metres",
+        help=QT_TR_NOOP(
+            "The finest detail that is missing, along the seam or in the whole window, as so many square metres of the "
+            "window hold; 0 where no loss is sure."
+        ),
     ),
 )  # fmt: skip
 """OUTPUT of ``inspectwindows``: one polygon per window, as measured; ``observer`` is the operator's word, not ours."""
@@ -344,14 +351,7 @@ def result_record(result: WindowResult) -> bytes:
 def result_of(record: bytes) -> WindowResult | None:
     """None for what can't be read, or is of another version."""
     try:
-        found: Any = value_of(WindowResult, record, _sentences())
+        found: Any = value_of(WindowResult, record, sentences_of(imagery_messages, messages))
     except NotUnderstoodError:
         return None
     return found if isinstance(found, WindowResult) else None
-
-
-@cache
-def _sentences() -> dict[str, Message]:
-    """Those that a result may hold."""
-    every = (*vars(imagery_messages).values(), *vars(messages).values())
-    return {one.template: one for one in every if isinstance(one, Message)}

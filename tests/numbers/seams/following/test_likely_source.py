@@ -137,6 +137,12 @@ def test_a_missing_image_of_a_triplet_is_not_taken_for_its_neighbours(alike: flo
     assert found[:, :160].mean() < 0.02
 
 
+def test_a_source_that_was_resampled_leaves_more_over_than_others() -> None:
+    """As much everywhere, so it is none that is missing."""
+    first, second, resampled = alike_planes(0.985)
+    assert found_in(cut_at(BORDER, first, resampled), [first, second]).unexplained.mean() < 0.01
+
+
 @pytest.mark.parametrize("width", [1, 33, 120])
 def test_images_of_a_triplet_that_are_all_given_explain_their_mosaic(width: int) -> None:
     first, second, _ = alike_planes(0.85)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from scipy import ndimage
 from seam_inspector.plugin.seams.measure.following.followed_source import high_pass
-from seam_inspector.plugin.seams.measure.following.source_filters import REACH_PX, filtered, fit_filter
+from seam_inspector.plugin.seams.measure.following.source_filters import REACH_PX, filtered, fit_filter, through_filter
 
 from tests.numbers.synthetic import texture
 
@@ -119,3 +119,16 @@ def test_filtering_is_scipys_correlation(plane: np.ndarray) -> None:
         float(taps[i, j]) * padded[i : i + SHAPE[0], j : j + SHAPE[1]] for i in range(5) for j in range(5)
     )
     np.testing.assert_allclose(filtered(plane, taps), expected, rtol=1e-4, atol=1e-3)
+
+
+@pytest.mark.parametrize("kernel", ["nothing", "unsharp", "half a pixel, cubic", "blur 0.6 px"])
+def test_ground_of_another_image_does_not_spoil_the_filter(plane: np.ndarray, kernel: str) -> None:
+    """Two fifths of the mosaic are of an image that shows the same ground 2 px beside, as a neighbour that is not given
+    does: the source explains its own part as if all were its."""
+    beside = np.roll(plane, (2, 1), (0, 1))
+    is_own = np.arange(SHAPE[1]) < 0.6 * SHAPE[1]
+    made = ndimage.correlate(np.where(is_own, plane, beside), KERNELS[kernel], mode="nearest")
+    own, source = high_pass(made), high_pass(plane)
+    found = through_filter(own, source, EVERYWHERE)
+    part = np.s_[12:-12, 12 : int(0.6 * SHAPE[1]) - 12]
+    assert np.square(own - found)[part].mean() < 0.005 * np.square(own)[part].mean()

@@ -126,6 +126,20 @@ def test_sources_that_cover_the_whole_mosaic_stay_where_there_are_two(
     assert reasons(mosaic, both[0]) == {"west": messages.MAY_BE_MOSAIC.template}
 
 
+def test_a_raster_of_labels_says_that_it_is_one(make_raster: MakeRaster, images: list[np.ndarray]) -> None:
+    west, east, _ = images
+    labels = np.repeat(np.where(np.arange(512) < 256, 1, 2).astype(np.uint8)[None, None], 512, axis=1)
+    lake = (40 + np.random.default_rng(3).normal(0, 2, (1, 512, 350))).astype(np.uint8)  # few values, and an image
+    mosaic = make_raster("mosaic.tif", np.concatenate([west[:1, :, :256], east[:1, :, 256:]], axis=-1))
+    paths = [make_raster(f"{name}.tif", pixels) for name, pixels in (
+        ("west", west[:1, :, :350]), ("labels", labels), ("piece", labels[..., 100:400]), ("lake", lake)
+    )]  # fmt: skip
+    found = reasons(mosaic, *paths)
+    assert found["labels"] == found["piece"] == messages.HOLDS_LABELS.template
+    assert found["west"] == ""
+    assert found["lake"] != messages.HOLDS_LABELS.template
+
+
 def test_what_can_not_be_read_is_left_out_and_a_mosaic_that_can_not_raises(
     make_raster: MakeRaster, images: list[np.ndarray], tmp_path: Path
 ) -> None:

@@ -48,7 +48,6 @@ def smoothed(cells: np.ndarray) -> np.ndarray:
 def energies(plane: np.ndarray) -> np.ndarray:
     """Of PyWavelets' finest details, in cells."""
     finest = np.sum(np.square(placed_wavedec(plane, WAVELET, 1)[1]), axis=0)
-    finest[:4], finest[-4:], finest[:, :4], finest[:, -4:] = 0, 0, 0, 0  # what lies at the other edge
     step = LOSS_CELL_PX // 2
     return np.array([
         [finest[row : row + step, column : column + step].sum() for column in range(0, finest.shape[1], step)]

@@ -10,6 +10,7 @@ from osgeo import gdal, ogr
 from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.lines import find_seams
+from seam_inspector.plugin.seams.measure.limits import MAX_SIGNIFICANT_KEPT
 from seam_inspector.plugin.seams.measure.scan.lines.piece_index import PieceIndex
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import cut_in_pieces
 from seam_inspector.plugin.seams.measure.scan.lone_blocks import LoneTable, lone_cells
@@ -18,6 +19,7 @@ from seam_inspector.plugin.seams.measure.scan.lone_kept import (
     LoneKept,
     LoneSeams,
     judge_pieces,
+    judge_stretches,
     runs_of,
     verdict_of,
 )
@@ -183,19 +185,35 @@ def lengths(mosaic: LoneMosaic) -> list[float]:
 
 
 def test_a_feather_is_significant_and_a_hard_cut_preserved(made: LoneMosaic) -> None:
-    feathered = judge_pieces(made.seams(made.blended(48)), lengths(made), 1.0)
-    assert {one.verdict for one in feathered} == {Verdict.SIGNIFICANT}
-    hard = judge_pieces(made.seams(made.blended(0)), lengths(made), 1.0)
-    assert Verdict.PRESERVED in {one.verdict for one in hard} <= {Verdict.PRESERVED, Verdict.NOT_COMPARABLE}
+    seams = made.seams(made.blended(48))
+    feathered = judge_pieces(seams, lengths(made), 1.0)
+    assert Verdict.PRESERVED not in {one.verdict for one in feathered}
+    stretches = judge_stretches(seams, lengths(made), feathered)
+    assert {one.verdict for _, one in stretches} == {Verdict.SIGNIFICANT}
+    sound = made.seams(made.blended(0))
+    hard = judge_pieces(sound, lengths(made), 1.0)
+    assert {one.verdict for one in hard} <= {Verdict.PRESERVED, Verdict.NOT_COMPARABLE}
+    assert {one.verdict for _, one in judge_stretches(sound, lengths(made), hard)} == {Verdict.PRESERVED}
 
 
-def test_a_short_piece_is_judged_with_its_neighbours() -> None:
+def test_short_pieces_have_no_verdict_and_are_told_together() -> None:
+    """A piece never says what only the seam around it tells."""
     mosaic = lone_mosaic(piece_px=32)
-    told = judge_pieces(mosaic.seams(mosaic.blended(32)), lengths(mosaic), 0.5)
-    by_run = [one for one in told if one.reason is not None and one.verdict is Verdict.SIGNIFICANT]
-    assert by_run
-    assert all("m of seam around it" in str(one.reason) for one in by_run)
-    assert sum(one.verdict is Verdict.SIGNIFICANT for one in told) > 0.9 * len(told)
+    seams = mosaic.seams(mosaic.blended(32))
+    told = judge_pieces(seams, lengths(mosaic), 0.5)
+    open_ = {number for number, one in enumerate(told) if one.verdict is Verdict.NOT_COMPARABLE}
+    assert len(open_) > 0.5 * len(told)
+    for one in told:
+        assert one.kept is not None
+        if one.verdict is Verdict.SIGNIFICANT:
+            assert one.kept.high <= max(2 * one.kept.low, MAX_SIGNIFICANT_KEPT)
+    stretches = judge_stretches(seams, lengths(mosaic), told)
+    assert {number for run, _ in stretches for number in run} >= open_
+    assert {one.verdict for _, one in stretches} == {Verdict.SIGNIFICANT}
+    for run, one in stretches:
+        assert one.kept is not None
+        assert len(run) > 1
+        assert one.kept.high <= 2 * one.kept.low
 
 
 def test_a_lonely_short_piece_says_how_much_seam_is_needed() -> None:
@@ -225,6 +243,7 @@ def test_verdicts_follow_the_interval() -> None:
         return verdict_of(LoneKept(value, low, high, 0.0, 256.0))
 
     assert kept(0.6, 0.5, 0.8) is Verdict.SIGNIFICANT
+    assert kept(0.6, 0.3, 0.8) is Verdict.REDUCED  # surely less than all, and no number
     assert kept(0.8, 0.7, 0.95) is Verdict.REDUCED
     assert kept(1.0, 0.75, 1.2) is Verdict.PRESERVED
     assert kept(0.8, 0.5, 1.3) is None

@@ -85,7 +85,7 @@ def test_it_changes_with_every_file(files: dict[str, str], change: Callable[[dic
 
 def test_the_version_is_that_in_the_package(repository: Path) -> None:
     lines = (repository / "metadata.txt").read_text(encoding="utf-8").splitlines()
-    assert f"version={scan_journal._version()}" in lines
+    assert f"version={scan_journal.plugin_version()}" in lines
 
 
 def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
@@ -101,7 +101,7 @@ def test_it_changes_with_settings_seams_version_and_the_order_of_the_sources(
     assert str(what_changed(first, second)) == "the sources or one of their files"
     first, second = (fingerprint_of(RasterRef(files["mosaic"]), refs, None, place=(x, 1.0)) for x in (0.0, 25.0))
     assert str(what_changed(first, second)) == PLACES
-    monkeypatch.setattr(scan_journal, "_version", lambda: "0")
+    monkeypatch.setattr(scan_journal, "plugin_version", lambda: "0")
     assert str(what_changed(before, taken(files))) == "the plugin's version"
 
 

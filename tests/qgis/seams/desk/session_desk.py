@@ -48,14 +48,18 @@ class Desk:
         self.project = QgsProject.instance()
         self.project.setPresetHomePath(str(folder))
         self.folder = folder
-        self.mosaic = self.raster(scene.mosaic)
-        self.sources = [self.raster(scene.west), self.raster(scene.east)]
-        self.seamlines = layer("LineString", [line((256, 0), (256, 256))])
-        self.project.addMapLayer(self.seamlines)
+        self.lay_out(scene)
         self.messages: list[str] = []
         self.levels: list[int] = []
         self.session = Session()
         self.listen(self.session)
+
+    def lay_out(self, scene: Scene) -> None:
+        """The layers of a block, in a project that has none."""
+        self.mosaic = self.raster(scene.mosaic)
+        self.sources = [self.raster(scene.west), self.raster(scene.east)]
+        self.seamlines = layer("LineString", [line((256, 0), (256, 256))])
+        self.project.addMapLayer(self.seamlines)
 
     def listen(self, session: Session) -> None:
         session.messageRaised.connect(self._heard)

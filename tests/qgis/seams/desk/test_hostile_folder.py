@@ -11,7 +11,8 @@ from qgis.core import QgsCoordinateReferenceSystem
 from seam_inspector.plugin.imagery.record_store import RecordStore
 from seam_inspector.plugin.resolution.line_layers import create_bar_layer
 from seam_inspector.plugin.seams.desk.mosaic_scans import _is_ours
-from seam_inspector.plugin.seams.desk.unsaved_windows import _KIND, owner_of
+from seam_inspector.plugin.seams.desk.unsaved_windows import _KIND, left_by
+from seam_inspector.plugin.seams.desk.windows.windows_mosaic import KnownMosaic, _known
 from seam_inspector.plugin.seams.jobs import ScanFiles
 from seam_inspector.plugin.seams.tables.window_layer import free_path
 
@@ -62,8 +63,8 @@ def test_links_by_the_names_of_our_own_files_are_not_followed(qgis_app: object, 
     assert free_path(home).name == "windows_2.gpkg"
     made = create_bar_layer(QgsCoordinateReferenceSystem("EPSG:32633"), home)
     assert "bar_groups_2.gpkg" in made.source()
-    assert owner_of(home / "a.gpkg.unsaved") is None
-    assert owner_of(home / "b.gpkg.unsaved") is None
+    assert left_by(home / "a.gpkg.unsaved") is None
+    assert left_by(home / "b.gpkg.unsaved") is None
     assert not outside.exists()
 
 
@@ -80,3 +81,9 @@ def test_a_scan_takes_no_names_that_are_taken(tmp_path: Path) -> None:
     assert not _is_ours(files)
     files.picture.with_name("a_loss.tif.scan").write_bytes(b"")
     assert _is_ours(files)
+
+
+@pytest.mark.parametrize("noted", [b"[" * 100_000, b"{", b"[1, 2]", b'["a"]', b"7", b'{"path": "a"}', b"\xff"])
+def test_a_mosaic_that_somebody_else_noted_is_none(noted: bytes) -> None:
+    assert _known(noted) is None
+    assert _known(b'["a.tif", "b"]') == KnownMosaic("a.tif", "b")

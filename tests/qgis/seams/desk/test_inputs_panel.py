@@ -154,7 +154,7 @@ def test_what_is_no_source_by_its_pixels_is_unchecked_once_it_was_looked_at(
     desk.check("part", True)
     wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
     assert not desk.listed()["part"]
-    assert "part of the mosaic again" in desk.reason("part")
+    assert "copy of a part of the mosaic" in desk.reason("part")
 
 
 @pytest.mark.parametrize("is_suggested_before", [False, True])
@@ -171,7 +171,7 @@ def test_sources_that_somebody_set_stay_whatever_the_look_finds(
     desk.session.set_inputs(replace(desk.session.inputs, mosaic=desk.id("cut"), sources=sources))
     desk.panel.refresh()
     wait_until(lambda: not desk.panel.suggesting.sources.is_looking, "for the look")
-    assert "part of the mosaic again" in desk.reason("part")
+    assert "copy of a part of the mosaic" in desk.reason("part")
     assert set(desk.session.inputs.sources) == before
     desk.panel.sources.suggested.click()
     assert {"east", "west"} <= desk.sources
@@ -303,11 +303,12 @@ def test_following_the_session_changes_nothing(desk: Desk) -> None:
     ("side", "levels", "becomes", "shown", "note"),
     [
         (100.0, 3, 100.0, "1024 px, 102.4 m", ""),
-        (10.0, 3, 10.0, "128 px, 12.8 m", ""),
-        (12.79, 3, 12.79, "128 px, 12.8 m", ""),  # not 12.8, as tenths would say
-        (3.0, 3, 6.4, "64 px, 6.4 m", "3.0 m is too small for this mosaic"),
-        (10.0, 8, 25.6, "256 px, 25.6 m", "10.0 m is too small for this mosaic"),
-        (300.0, 3, 51.2, "512 px, 51.2 m", "300.0 m is too large for this mosaic"),
+        (10.0, 3, 10.0, "128 px, 12.8 m", "few windows below 256 px can be measured"),
+        # not 12.8, as tenths would say
+        (12.79, 3, 12.79, "128 px, 12.8 m", "few windows below 256 px can be measured"),
+        (3.0, 3, 25.6, "256 px, 25.6 m", "3.0 m is too small for this mosaic: 25.6 m, every 51.2 m"),
+        (10.0, 8, 25.6, "256 px, 25.6 m", "10.0 m is too small for this mosaic: 25.6 m, every 51.2 m"),
+        (300.0, 3, 51.2, "512 px, 51.2 m", "300.0 m is too large for this mosaic: 51.2 m, every 102.4 m"),
     ],
 )
 def test_side_is_shown_in_pixels_and_one_that_does_not_fit_is_replaced(

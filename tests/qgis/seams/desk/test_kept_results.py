@@ -86,7 +86,7 @@ def test_what_cannot_be_read_is_measured_again(desk: Desk, tmp_path: Path, damag
     if damage == "garbage":
         path.write_bytes(held[:200] + os.urandom(len(held) - 200))
     elif damage == "cut":
-        path.write_bytes(held[:-1])
+        path.write_bytes(held[: len(held) // 2])
     elif damage == "older":
         path.write_bytes(held.replace(b"windows, 3", b"windows, 1"))
     else:
@@ -107,7 +107,7 @@ def test_what_cannot_be_read_is_measured_again(desk: Desk, tmp_path: Path, damag
 def test_a_folder_that_cannot_be_written_to_is_told_once(desk: Desk, tmp_path: Path) -> None:
     path = saved(windows(BLURRED, SHARP), tmp_path / "given.gpkg")
     (tmp_path / "given.gpkg.given.results").mkdir()
-    (tmp_path / "given.gpkg.results").mkdir()
+    (tmp_path / "given.gpkg.given.unsaved").mkdir()
     (tmp_path / "given.gpkg.unsaved").mkdir()
     desk.use(QgsVectorLayer(path, "given", "ogr"))
     desk.session.inspect_pending()
@@ -116,7 +116,7 @@ def test_a_folder_that_cannot_be_written_to_is_told_once(desk: Desk, tmp_path: P
     assert all(row.verdict for row in desk.session.windows())
     assert len(desk.messages) == 2
     assert any(told.startswith("Curves and pictures of the windows can't be kept in") for told in desk.messages)
-    assert any(told.startswith("What is judged is safe only once you save the layer") for told in desk.messages)
+    assert any(told.startswith("Your verdicts are safe only once you save the layer") for told in desk.messages)
 
 
 def test_a_layer_in_no_file_says_once_that_nothing_is_kept(desk: Desk) -> None:
@@ -127,7 +127,7 @@ def test_a_layer_in_no_file_says_once_that_nothing_is_kept(desk: Desk) -> None:
     for row in desk.session.windows():
         desk.session.judge([row.fid], "visible")
     (told,) = desk.messages
-    assert told.startswith("The windows in made are in no file: they and what is judged are lost when QGIS ends.")
+    assert told.startswith("The windows in made are in no file: they and their verdicts are lost when QGIS ends.")
 
 
 def test_shapefiles_are_kept_too(desk: Desk, tmp_path: Path) -> None:

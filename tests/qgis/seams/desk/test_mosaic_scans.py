@@ -200,8 +200,8 @@ def test_levels_that_a_scan_does_not_have_are_told(desk: ScanDesk) -> None:
 @pytest.mark.parametrize(
     ("seconds", "words"),
     [
-        (0, "less than a minute left"), (59, "less than a minute left"), (61, "some 1 min left"),
-        (240, "some 4 min left"), (5300, "some 88 min left"), (5500, "some 2 h left"), (40000, "some 11 h left"),
+        (0, "less than a minute left"), (59, "less than a minute left"), (61, "about 1 min left"),
+        (240, "about 4 min left"), (5300, "about 88 min left"), (5500, "about 2 h left"), (40000, "about 11 h left"),
     ],
 )
 def test_the_time_left_is_told_no_more_precisely_than_it_is_known(seconds: float, words: str) -> None:

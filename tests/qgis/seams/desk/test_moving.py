@@ -1,10 +1,15 @@
 """Windows of a project without a file: a folder that is named, moved beside the project when it is saved."""
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
-from qgis.core import QgsProject, QgsVectorLayer
+from qgis.core import QgsVectorLayer
+from qgis.gui import QgsMessageBar
+from qgis.PyQt.QtWidgets import QPushButton
+from seam_inspector.plugin.seams.desk.dock import FoundMessage
+from seam_inspector.plugin.seams.tables.window_layer import count_windows
 
 from tests.qgis.scenes import Scene
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle, wait_until
@@ -66,27 +71,135 @@ def test_where_they_can_not_be_moved_they_stay_and_it_is_said(unsaved: Desk, tmp
     assert Path(desk.layer().source().split("|")[0]) == home / "windows_2.gpkg"
 
 
-def test_windows_of_a_project_that_was_never_saved_are_found_after_a_crash(
-    unsaved: Desk, scene: Scene, project: QgsProject, tmp_path: Path
+def crash(desk: Desk, folder: Path) -> None:
+    """What is on the disk stays as it is; then QGIS starts anew."""
+    settle(0.1)
+    held = {path: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+    if desk.layer().isEditable():
+        desk.layer().rollBack()
+    desk.project.clear()
+    settle()
+    for path, content in held.items():
+        path.write_bytes(content)
+    desk.project.clear()
+    settle()
+
+
+def open_block(desk: Desk, scene: Scene) -> None:
+    desk.lay_out(scene)
+    desk.set(desk.inputs())
+
+
+def discard(desk: Desk, scene: Scene) -> None:
+    """The next project without a file."""
+    if desk.layer().isEditable():
+        desk.layer().rollBack()
+    desk.project.clear()
+    settle()
+    open_block(desk, scene)
+
+
+@pytest.mark.parametrize("discarded", [0, 1, 2])
+@pytest.mark.parametrize("is_saved", [False, True])
+def test_windows_of_any_project_that_was_never_saved_are_offered_after_a_crash(
+    unsaved: Desk, scene: Scene, tmp_path: Path, discarded: int, is_saved: bool
 ) -> None:
     desk = unsaved
-    fid = desk.add()
-    desk.session.judge([fid], "visible")
-    settle(0.1)
-    held = {path: path.read_bytes() for path in tmp_path.glob("windows.gpkg*")}
-    desk.layer().rollBack()
+    for _ in range(discarded):
+        desk.session.judge([desk.add()], "unsure")
+        discard(desk, scene)
     found: list[Path] = []
-    desk.session.windowsFound.connect(found.append)
-    project.clear()
+    desk.session.windowsFound.connect(lambda path, message: found.append(path))
+    desk.session.judge([desk.add(), desk.add(SHARP_WINDOW)], "visible")
+    if is_saved:  # the layer, which empties its edits, and not the project
+        assert desk.layer().commitChanges()
+    crash(desk, tmp_path)
+    windows = tmp_path / (f"windows_{discarded + 1}.gpkg" if discarded else "windows.gpkg")
+    assert set(found) == {windows}
+    open_block(desk, scene)
+    desk.session.open_windows(windows)
+    desk.wait_for_opening()
+    assert [(row.verdict, row.observer) for row in desk.session.windows()] == [
+        ("significant", "visible"), ("preserved", "visible")
+    ]
+    assert all(desk.session.result(row.fid) is not None for row in desk.session.windows())
+    found.clear()
+    discard(desk, scene)
+    assert not found
+
+
+def test_the_windows_of_two_crashes_are_offered_one_after_the_other(
+    unsaved: Desk, scene: Scene, tmp_path: Path
+) -> None:
+    desk, bar = unsaved, QgsMessageBar()
+    for _ in range(2):
+        desk.session.judge([desk.add()], "visible")
+        crash(desk, tmp_path)
+        open_block(desk, scene)
+    offer = FoundMessage(bar, desk.session.open_windows, bar)
+    desk.session.windowsFound.connect(offer.show)
+    desk.project.clear()
+    said = []
+    for _ in range(2):
+        settle(0.1)
+        said.append(bar.currentItem().text())
+        bar.currentItem().findChild(QPushButton).click()
+        assert [row.observer for row in desk.session.windows()] == ["visible"]
+        desk.layer().commitChanges()
+        desk.project.clear()
+    assert [name in text for name, text in zip(("windows_2.gpkg", "windows.gpkg"), said)] == [True, True]
+    offer.close()
+
+
+def test_what_discarded_projects_leave_empty_goes(unsaved: Desk, scene: Scene, tmp_path: Path) -> None:
+    desk = unsaved
+    desk.add()
+    discard(desk, scene)
+    desk.session.judge([desk.add()], "visible")
+    assert desk.layer().commitChanges()
+    assert [path.name for path in sorted(tmp_path.glob("windows*.gpkg"))] == ["windows.gpkg", "windows_2.gpkg"]
+    for path in tmp_path.iterdir():
+        os.utime(path, (0, 0))
+    discard(desk, scene)
     settle()
-    assert found == []
-    for path, content in held.items():  # as the crash would have left them
-        path.write_bytes(content)
-    project.clear()
-    wait_until(lambda: found, "for what was left")
-    assert found == [tmp_path / "windows.gpkg"]
-    desk.mosaic, desk.sources = desk.raster(scene.mosaic), [desk.raster(scene.west), desk.raster(scene.east)]
-    desk.session.open_windows(found[0])
+    assert [path.name for path in tmp_path.iterdir() if path.name.startswith("windows.gpkg")] == []
+    assert count_windows(tmp_path / "windows_2.gpkg") == 1
+
+
+@pytest.mark.parametrize("folder", ["project", "moved"])
+@pytest.mark.parametrize("name", ["project.qgz", "renamed.qgz"])
+def test_what_was_judged_comes_back_into_a_project_that_was_moved_or_renamed(
+    unsaved: Desk, tmp_path: Path, folder: str, name: str
+) -> None:
+    """It was saved before its windows were made, and never with them."""
+    desk, home, moved = unsaved, tmp_path / "project", tmp_path / folder
+    home.mkdir()
+    (home / "windows.gpkg").write_text("somebody else's")
+    assert desk.project.write(str(home / "project.qgz"))
+    desk.session.judge([desk.add()], "visible")
+    crash(desk, home)
+    (home / "project.qgz").rename(home / name)
+    home.rename(moved)
+    assert desk.project.read(str(moved / name))
+    wait_until(desk.session.windows, "for the windows")
+    desk.wait_for_opening()
     (row,) = desk.session.windows()
     assert (row.verdict, row.observer) == ("significant", "visible")
-    assert desk.messages[-1].startswith("QGIS ended without saving; the changes of")
+    assert desk.session.result(row.fid) is not None
+    assert Path(desk.layer().source().split("|")[0]) == moved / "windows_2.gpkg"
+
+
+def test_results_move_with_the_windows_of_a_second_project(unsaved: Desk, scene: Scene, tmp_path: Path) -> None:
+    desk, home = unsaved, tmp_path / "project"
+    home.mkdir()
+    desk.add()
+    discard(desk, scene)
+    desk.add()
+    assert desk.project.write(str(home / "project.qgz"))
+    settle()
+    assert {path.name for path in home.glob("*.results")} == {"windows.gpkg.results"}
+    desk.project.clear()
+    assert desk.project.read(str(home / "project.qgz"))
+    desk.wait_for_opening()
+    (row,) = desk.session.windows()
+    assert desk.session.result(row.fid) is not None

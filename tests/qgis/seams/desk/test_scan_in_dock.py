@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import QgsProject
+from qgis.core import QgsApplication, QgsProcessingContext, QgsProject, QgsVectorLayer
 from qgis.gui import QgisInterface
 from qgis.PyQt.QtWidgets import QPushButton
 from seam_inspector.plugin.seams.desk.dock import InspectionDock
@@ -145,3 +145,25 @@ def test_a_closed_project_takes_the_offer_along(
     project.clear()
     settle()
     assert judge_buttons(qgis_iface) == []
+
+
+def test_accept_opens_the_decision_on_the_scan(
+    plugin: Any, scan_scene: ScanScene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import processing
+
+    dock = opened(plugin, scan_scene, tmp_path)
+    scan(dock)
+    asked: list[tuple[str, dict[str, Any]]] = []
+    monkeypatch.setattr(processing, "execAlgorithmDialog", lambda *form: asked.append(form))
+    dock.accept.trigger()
+    ((name, values),) = asked
+    assert name == "seaminspector:acceptmosaic"
+    job = QgsApplication.processingRegistry().createAlgorithmById(name)
+    assert set(values) <= {one.name() for one in job.parameterDefinitions()}
+    context = QgsProcessingContext()
+    context.setProject(QgsProject.instance())
+    assert job.checkParameterValues({**values, "DEFECTS": "TEMPORARY_OUTPUT", "REPORT": None}, context)[0]
+    assert values["LOSS"]
+    (seams,) = values["SEAMS"]
+    assert QgsVectorLayer(seams, "seams", "ogr").featureCount() > 0

@@ -222,6 +222,7 @@ def test_another_data_source_or_reference_system_makes_inspected_windows_stale(d
     desk.mosaic.setDataSource(str(scene.east), "other", "gdal")
     assert desk.rows()[1].stale
     desk.wait_for_opening()
+    desk.session.take_windows()  # they were asked about, as the mosaic is another
     desk.session.inspect_pending()
     desk.wait()
     assert desk.session.result(desk.rows()[1].fid).clips[0].raster == "east.tif"  # type: ignore[union-attr]

@@ -2,6 +2,8 @@
 from __future__ import annotations
 
 import os
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -9,6 +11,7 @@ from qgis.core import Qgis
 from qgis.gui import QgsMessageBar
 from qgis.PyQt.QtWidgets import QPushButton
 from seam_inspector.plugin.seams.desk.dock import FoundMessage
+from seam_inspector.plugin.toolkit.project_settings import load_settings
 
 from tests.qgis.seams.desk.session_desk import SHARP_WINDOW, Desk, settle, wait_until
 
@@ -70,3 +73,40 @@ def test_nothing_is_offered_of_what_the_project_knows_or_let_go(left: Desk, tmp_
     os.utime(home / "windows_2.gpkg")
     read_again(desk, home)
     assert found == []
+
+
+ENDLESS = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i AS {}, i AS {}, i AS {} FROM n"
+
+
+def test_a_view_that_never_ends_beside_a_project_is_not_read(desk: Desk, tmp_path: Path) -> None:
+    """Nobody chose the file: opening the project must not wait for it."""
+    desk.project.setPresetHomePath("")
+    assert desk.project.write(str(tmp_path / "project.qgz"))
+    with closing(sqlite3.connect(tmp_path / "windows.gpkg")) as database:
+        database.execute(f"CREATE VIEW windows AS {ENDLESS.format('window_id', 'verdict', 'observer')}")
+        database.commit()
+    later = (tmp_path / "project.qgz").stat().st_mtime + 10
+    os.utime(tmp_path / "windows.gpkg", (later, later))
+    desk.project.clear()
+    found: list[object] = []
+    desk.session.windowsFound.connect(lambda *of: found.append(of))
+    read_again(desk, tmp_path)
+    assert found == []
+
+
+@pytest.mark.parametrize("text", ["[" * 100_000 + "]" * 100_000, "{", "9" * 10_000, "[]"])
+def test_settings_of_a_project_that_nobody_understands_are_none(desk: Desk, text: str) -> None:
+    desk.project.writeEntry("SeamInspector", "key", text)
+    assert load_settings(desk.project, "key") == {}
+
+
+@pytest.mark.parametrize("stale", [["--5", "\u00b2", "1"], "--5", "\u00b2", 7, {"a": 1}, [[]]], ids=str)
+def test_marks_of_others_in_a_layer_are_no_marks(desk: Desk, stale: object) -> None:
+    desk.add()
+    layer = desk.layer()
+    layer.setCustomProperty("seam_inspector/stale", stale)
+    watch = desk.session._watch
+    watch.watch(None)
+    watch.watch(layer)
+    marked = {number for number, row in desk.rows().items() if row.stale}
+    assert marked == ({1} if isinstance(stale, list) and "1" in stale else set())

@@ -15,7 +15,7 @@ from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from tests.qgis.seams.desk.windows_session import ROWS, Show, WindowsSession, filter_to, window
 from tests.work import calls_of
 
-ID, VERDICT, KEPT, RATIO_1, RATIO_2, RATIO_3, PAPER, CAUSE, SOURCES, OBSERVER, REASON = range(11)
+ID, VERDICT, LOSS, RATIO_1, RATIO_2, RATIO_3, PAPER, CAUSE, SOURCES, OBSERVER, REASON = range(11)
 ASCENDING, DESCENDING = Qt.SortOrder.AscendingOrder, Qt.SortOrder.DescendingOrder
 
 
@@ -47,7 +47,7 @@ def top_window(panel: WindowsPanel) -> int:
 
 def test_cells(panel: WindowsPanel) -> None:
     texts = [cell(panel, 2, column) for column in range(11)]
-    assert texts == ["2", "significant", "56 %", "0.38", "0.52", "0.88", "reduced", "feathering", "2", "visible", ""]
+    assert texts == ["2", "significant", "44 m²", "0.38", "0.52", "0.88", "reduced", "feathering", "2", "visible", ""]
     assert "0.3812" in str(cell(panel, 2, RATIO_1, Qt.ItemDataRole.ToolTipRole))
     assert [cell(panel, 3, column) for column in range(2, 10)] == [""] * 8
     assert cell(panel, 3, VERDICT) == "not inspected"
@@ -72,8 +72,8 @@ def test_changed_windows_are_marked(panel: WindowsPanel) -> None:
         (ID, DESCENDING, [12, 10, 4, 3, 2, 1]),
         (VERDICT, ASCENDING, [2, 12, 1, 10, 4, 3]),
         (VERDICT, DESCENDING, [4, 10, 1, 2, 12, 3]),
-        (KEPT, ASCENDING, [2, 1, 10, 3, 4, 12]),
-        (KEPT, DESCENDING, [10, 1, 2, 3, 4, 12]),
+        (LOSS, ASCENDING, [10, 1, 2, 3, 4, 12]),
+        (LOSS, DESCENDING, [2, 1, 10, 3, 4, 12]),
         (RATIO_1, ASCENDING, [2, 12, 1, 10, 3, 4]),
         (RATIO_1, DESCENDING, [10, 1, 12, 2, 3, 4]),
         (PAPER, ASCENDING, [2, 1, 3, 4, 10, 12]),
@@ -133,7 +133,7 @@ def test_columns_fit_a_narrow_dock_and_a_wide_one(panel: WindowsPanel, session: 
     assert panel.table.horizontalScrollBar().maximum() == 0
     assert panel.table.isColumnHidden(REASON)
     assert panel.table.isColumnHidden(RATIO_2)
-    assert not panel.table.isColumnHidden(KEPT)
+    assert not panel.table.isColumnHidden(LOSS)
     assert not panel.table.isColumnHidden(OBSERVER)
     panel.resize(480, 300)
     QTest.qWait(1)
@@ -156,7 +156,7 @@ def test_as_many_ratios_as_levels(panel: WindowsPanel, session: WindowsSession) 
     panel.table.sortByColumn(RATIO_3, ASCENDING)
     session.put([replace(row, ratios=row.ratios[:2]) for row in ROWS])
     titles = [column.title() for column in panel._windows.columns]
-    assert titles[:10] == ["id", "verdict", "kept", "ratio 1", "2", "paper", "cause", "sources", "observer", "reason"]
+    assert titles[:10] == ["id", "verdict", "loss", "ratio 1", "2", "paper", "cause", "sources", "observer", "reason"]
     assert panel._windows.sorted_by == WINDOW_ID
     assert panel.table.horizontalHeader().sortIndicatorSection() == ID
 
@@ -331,15 +331,17 @@ def test_del_leaves_windows_that_the_filter_hides(panel: WindowsPanel, session: 
     assert session.calls == [("remove", [2])]
 
 
-def test_double_click_and_enter_zoom(panel: WindowsPanel) -> None:
+def test_a_click_and_enter_go_to_a_window(panel: WindowsPanel, session: WindowsSession) -> None:
     zoomed: list[int] = []
     panel.zoomRequested.connect(zoomed.append)
-    place = place_of(panel, 10)
-    viewport = panel.table.viewport()
-    QTest.mouseClick(viewport, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, place)
-    QTest.mouseDClick(viewport, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, place)
+    viewport, none = panel.table.viewport(), Qt.KeyboardModifier.NoModifier
+    QTest.mouseClick(viewport, Qt.MouseButton.LeftButton, none, place_of(panel, 10))
     assert zoomed == [10]
     QTest.keyClick(panel.table, Qt.Key.Key_Return)
+    assert zoomed == [10, 10]
+    QTest.mouseClick(viewport, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.ControlModifier, place_of(panel, 2))
+    assert zoomed == [10, 10]
+    session.select([12])  # on the map, where it is
     assert zoomed == [10, 10]
 
 
@@ -382,8 +384,8 @@ def test_filter_by_an_expression(panel: WindowsPanel, text: str, fids: list[int]
 @pytest.mark.parametrize(
     ("text", "said"),
     [("kept <", "not understood"), ("sharp < 0.7", "'sharp'"), ("kept < )", "not under"), ("abs(1, 2) > 1", "under"),
-     ("kept < 0,7", "Write decimals in the filter with a point"), ("$area > 10", "no geometry"),
-     ("geom_to_wkt($geometry) <> ''", "no geometry"), ("kept < 55", "kept is a share: write 0.55 for 55 %."),
+     ("kept < 0,7", "Write decimals in the filter with a point"), ("$area > 10", "can't use geometry"),
+     ("geom_to_wkt($geometry) <> ''", "can't use geometry"), ("kept < 55", "kept is a share: write 0.55 for 55 %."),
      ("not (70.5 <= kept from) or id = 1", "write 0.705 for 70.5 %"), ("sharpness > 90", "sharpness is a share")],
 )
 def test_a_wrong_expression_gets_a_sentence_and_leaves_no_window_out(
@@ -432,11 +434,11 @@ def test_columns_are_chosen_moved_and_kept(
     choose_column(panel, "verdict")
     assert titles(panel) == [*(title for title in before if title != "verdict"), "band width", "visibility"]
     header = panel.table.horizontalHeader()
-    header.moveSection(header.visualIndex(KEPT), 0)
+    header.moveSection(header.visualIndex(LOSS), 0)
     other = WindowsPanel(session)
     show(other)
     assert titles(other) == titles(panel)
-    assert titles(other)[0] == "kept"
+    assert titles(other)[0] == "loss"
     choose_column(other, "As there is room")
     other.resize(panel.size())
     assert titles(other) == before
@@ -481,7 +483,7 @@ def test_selected_rows_are_copied_with_their_headings(panel: WindowsPanel) -> No
     QTest.keyClick(panel.table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     lines = [line.split("\t") for line in QApplication.clipboard().text().split("\n")]
     assert lines[0] == titles(panel)
-    assert [line[:3] for line in lines[1:]] == [["2", "significant", "56 %"], ["4", "not comparable", ""]]
+    assert [line[:3] for line in lines[1:]] == [["2", "significant", "44 m²"], ["4", "not comparable", ""]]
 
 
 @pytest.mark.parametrize(("language", "separator", "number"), [("en", ",", "0.381234"), ("pl", ";", "0,381234")])
@@ -501,4 +503,4 @@ def test_a_csv_file_as_the_operators_spreadsheet_reads_it(
     assert rows[0]["verdict"] == "significant"
     assert rows[0]["ratio_1"] == number
     assert rows[0]["observer"] == "visible"
-    assert rows[1]["kept"] == ""
+    assert rows[1]["loss"] == ""

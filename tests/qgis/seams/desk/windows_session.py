@@ -104,6 +104,7 @@ def window(
         composite_ratios=(composite_ratio,), cause=cause, kept=kept, fid=fid,
         reference="seam" if kept else "", kept_low=kept[0] - 0.05 if kept and kept[0] is not None else None,
         kept_high=kept[0] + 0.05 if kept and kept[0] is not None else None,
+        loss=100 * max(1 - kept[0], 0.0) if kept and kept[0] is not None else None,
         stale=stale, paper_verdict=paper_verdict, visibility=visibility,
     )  # fmt: skip
 

@@ -47,6 +47,8 @@ class DensePart:
     """(rows, columns) float32 by cells of 16 px: share of the pixels in which one source is followed for sure."""
     grey: np.ndarray
     """(rows, columns) float32 by cells of 16 px: mean of the mosaic."""
+    grain: np.ndarray
+    """(rows, columns) float32 by cells of 16 px: rms of the finest detail of the source that has most of it, DN."""
     cells: CellTable
     beside: MixtureTable
     """What is mixed of what along its seams."""
@@ -111,12 +113,14 @@ def measure_part(
         in_squares(one[own], CELL_PX).mean(axis=(1, 3), dtype=np.float32)
         for one in (following.mixed, following.clear, image.plane)
     )
+    grain = np.max([in_squares(np.square(one[own]), CELL_PX).mean(axis=(1, 3)) for one in followed.fine[1:]], axis=0)
     return DensePart(
         window,
         labels[own][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
         mixed,
         clear,
         grey,
+        np.sqrt(grain),
         cells.within(place).moved(*first),
         beside.within(place).moved(*first),
         float((labels[own][known[own]] == UNKNOWN).mean()),
@@ -161,6 +165,7 @@ def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:
         nothing,
         nothing,
         nothing,
+        np.full_like(nothing, np.nan),
         CellTable.empty(levels),
         MixtureTable.empty(levels),
         unexplained,

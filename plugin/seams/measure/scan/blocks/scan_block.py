@@ -12,21 +12,22 @@ from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
 from .....imagery.rasters import Raster
 from .....imagery.remote_files import remote_settings
-from .....imagery.while_measuring import measuring
 from ...following.boxes import enlarged, widened
 from ...limits import FULL
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...seam_cells import UNKNOWN
 from ...source_images import Source
+from ...while_measuring import measuring
 from ..scan_settings import ScanSettings
 from .block_grid import BLOCK_PX, LABEL_PX, LABELS, SQUARE_PX, SQUARES, UNIT_PX, UNITS, BlockKey, rectangles
 from .block_parts import BLOCK_MARGIN_PX, DensePart, measure_part, measure_plain
-from .block_pixels import MOST_HELD, BlockPixels, thin_valid
+from .block_pixels import BlockPixels, thin_valid
 from .patches import SquareLook, look_at_squares, middle_sources, spread_out
 from .seam_sides import SeamSides
 
 WHOLE_SHARE = 0.4  # of the squares: with more the block is read as a whole
-CROWDED_PX = 384  # side of a part that is measured by more sources than are held, as memory and time grow with both
+MOST_MEASURED_PX = 5_200_000  # of a part, times its sources: memory grows with that, time still faster
+CROWDED_PX = 384  # side of a part that is measured at once however many they are
 MOST_UNEXPLAINED = 0.1  # of a part: beyond it sources that no patch follows are tried, too
 CELLS = BLOCK_PX // CELL_PX
 """Cells along a side of a block."""
@@ -74,6 +75,8 @@ class BlockScan:
     """(CELLS, CELLS) float32: share of the pixels that follow one source for sure; NaN where not measured densely."""
     grey: np.ndarray
     """(CELLS, CELLS) float32: mean of the mosaic; NaN where not measured densely."""
+    grain: np.ndarray
+    """(CELLS, CELLS) float32: rms of the finest detail of the source that has most of it, DN; NaN likewise."""
     cells: CellTable
     beside: MixtureTable
     """What is mixed of what along its seams."""
@@ -227,7 +230,8 @@ def _measured(
 
 
 def _is_crowded(numbers: Sequence[int], window: PixelWindow) -> bool:
-    return len(numbers) > MOST_HELD and max(window.width, window.height) > CROWDED_PX
+    measured = window.width * window.height * len(numbers)
+    return measured > MOST_MEASURED_PX and max(window.width, window.height) > CROWDED_PX
 
 
 def _halves(window: PixelWindow) -> tuple[PixelWindow, PixelWindow]:
@@ -260,6 +264,7 @@ class _Block:
         self._mixture = np.full((CELLS, CELLS), np.nan, np.float32)
         self._clear = np.full((CELLS, CELLS), np.nan, np.float32)
         self._grey = np.full((CELLS, CELLS), np.nan, np.float32)
+        self._grain = np.full((CELLS, CELLS), np.nan, np.float32)
         self._outside = np.zeros((UNITS, UNITS), bool)
         self._tables: list[CellTable] = []
         self._mixtures: list[MixtureTable] = []
@@ -299,6 +304,7 @@ class _Block:
         for target, values, step in (
             (self._labels, part.labels, LABEL_PX), (self._mixture, part.mixture, CELL_PX),
             (self._clear, part.clear, CELL_PX), (self._grey, part.grey, CELL_PX),
+            (self._grain, part.grain, CELL_PX),
         ):
             own = place(step, len(target))
             target[own] = values[: own[0].stop - own[0].start, : own[1].stop - own[1].start]
@@ -334,5 +340,5 @@ class _Block:
         beside = MixtureTable.joined([MixtureTable.empty(levels), *self._mixtures])
         return BlockScan(
             request.key, tuple(one.ref.path for one in request.sources), self._squares, self._dense, self._labels,
-            self._mixture, self._clear, self._grey, table, beside, self._outside, notices,
+            self._mixture, self._clear, self._grey, self._grain, table, beside, self._outside, notices,
         )

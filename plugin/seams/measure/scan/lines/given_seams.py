@@ -13,10 +13,10 @@ from .....imagery import messages as imagery_messages
 from .....imagery.errors import Message, SeamlineError
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Grid
-from ...seam_cells import Cell
+from ...seam_cells import Cell, meant_sources
 from .. import messages
 from .seam_features import SeamFeature, gathered, told
-from .seam_fields import seam_fields
+from .seam_fields import said, seam_fields
 from .seam_pieces import SidedSeam
 
 
@@ -34,17 +34,22 @@ class GivenSeams:
     """When what lies beside the seams was taken, by its name; of those only that are said to be of one date."""
 
 
-def given_seams(features: Iterable[SeamFeature], grid: Grid, source_field: str = "") -> GivenSeams:
+def given_seams(
+    features: Iterable[SeamFeature], grid: Grid, source_field: str = "", paths: Sequence[str] = ()
+) -> GivenSeams:
     """The seams that a layer's lines and polygons describe inside the mosaic's grid, and what lies beside them.
 
-    ``source_field``: see ``seam_fields``. Borders between polygons of one source are no seams, and what lies between
-    two overlapping or gaping polygons has none. Raises SettingsError when the layer has no such field, SeamlineError
+    ``source_field``: see ``seam_fields``. ``paths``: of the sources; a name that fits several of them tells nothing.
+    Borders between polygons of one source are no seams, and what lies between two overlapping or gaping polygons has
+    none. Raises SettingsError when the layer has no such field, SeamlineError
     when it is empty, lies elsewhere, spans far more than a mosaic can, or holds no seam.
     """
     held = list(features)
     rows = [attributes for attributes, _ in held]
     fields = seam_fields(rows, source_field)
-    pieces = gathered(held, fields, grid)
+    names = {said(row.get(name)) for row in rows for name in (fields.source, fields.left, fields.right) if name}
+    ambiguous = {name for name, places in meant_sources(names - {""}, paths).items() if len(places) > 1}
+    pieces = gathered(held, fields, grid, ambiguous)
     network = _Network(grid)
     if pieces.rings:
         network.add_polygons(pieces.rings, pieces.ring_owners)
@@ -68,8 +73,11 @@ def given_seams(features: Iterable[SeamFeature], grid: Grid, source_field: str =
     ]
     if fields.names_by_date and named and pieces.rings:
         notices.append(messages.SEAMS_NAMED_BY_DATE(field=fields.date))
-    elif not named:
+    elif not named and not ambiguous:
         notices.append(messages.SEAMS_UNNAMED())
+    if ambiguous:
+        told_names = ", ".join(sorted(ambiguous)[:_NAMED])
+        notices.append(messages.SEAM_SOURCES_AMBIGUOUS(count=len(ambiguous), names=told_names))
     dates = {name: next(iter(days)) for name, days in pieces.dates.items() if len(days) == 1}
     return GivenSeams(tuple(seams), tuple(pieces.cells), tuple(notices), dates)
 

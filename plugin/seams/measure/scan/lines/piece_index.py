@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from .....imagery.grids import Grid, PixelWindow
+from .....imagery.lines import as_xy
 from .seam_pieces import SeamPiece
 
 STEP_PX = 0.5
@@ -143,8 +144,8 @@ class PieceIndex:
         points, of_point = points[reached], of_point[reached]
         if not len(points):
             return np.empty(0, dtype=int), stretches[:0]
-        tree = cKDTree(_xy(points), balanced_tree=False, compact_nodes=False)
-        _, found = tree.query(_xy(places), distance_upper_bound=reach_px + STEP_PX)
+        tree = cKDTree(as_xy(points), balanced_tree=False, compact_nodes=False)
+        _, found = tree.query(as_xy(places), distance_upper_bound=reach_px + STEP_PX)
         hit = np.flatnonzero(found < len(points))
         return hit, stretches[of_point[found[hit]]]
 
@@ -189,8 +190,3 @@ def _tile(columns: np.ndarray, rows: np.ndarray) -> np.ndarray:
 def _key(column: np.ndarray, row: np.ndarray) -> np.ndarray:
     """One number per tile, row by row."""
     return np.asarray(row) * 2**32 + column
-
-
-def _xy(points: np.ndarray) -> np.ndarray:
-    """(n, 2) float64 of (n,) complex."""
-    return np.column_stack([points.real, points.imag])

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -11,7 +11,7 @@ from osgeo import gdal, ogr
 from .....imagery import lines as seamlines
 from .....imagery import messages as imagery_messages
 from .....imagery.errors import Message, RasterError, SeamlineError
-from .....imagery.gdal_calls import check_raster_path, gdal_silenced
+from .....imagery.gdal_calls import FEATURES, check_raster_path, gdal_silenced, open_dataset
 from .....imagery.grids import Extent, Grid, extents_meet
 from .....imagery.rasters import Raster
 from .....imagery.reference_systems import geometry_on
@@ -52,17 +52,19 @@ class GatheredLines:
     """Features that don't lie on the mosaic."""
 
 
-def gathered(features: Sequence[SeamFeature], fields: SeamFields, grid: Grid) -> GatheredLines:
+def gathered(
+    features: Sequence[SeamFeature], fields: SeamFields, grid: Grid, ambiguous: Collection[str] = ()
+) -> GatheredLines:
     """The lines and polygons of a layer that lie on the mosaic.
 
-    Raises SeamlineError when there is none.
+    ``ambiguous``: names that fit several sources, which are as good as none. Raises SeamlineError when there is none.
     """
     found = GatheredLines()
     empty = True
     for number, (attributes, wkb) in enumerate(features, start=1):
         if wkb:
             try:
-                empty &= not _gather(found, wkb, number, attributes, fields, grid)
+                empty &= not _gather(found, wkb, number, attributes, fields, grid, ambiguous)
             except SeamlineError:
                 empty = False
                 found.broken += 1
@@ -78,7 +80,8 @@ def gathered(features: Sequence[SeamFeature], fields: SeamFields, grid: Grid) ->
 
 
 def _gather(
-    found: GatheredLines, wkb: bytes, number: int, attributes: Attributes, fields: SeamFields, grid: Grid
+    found: GatheredLines, wkb: bytes, number: int, attributes: Attributes, fields: SeamFields, grid: Grid,
+    ambiguous: Collection[str],
 ) -> bool:
     """One feature; whether it has a geometry. Raises SeamlineError when it can't be read or repaired."""
     with gdal_silenced():
@@ -89,10 +92,12 @@ def _gather(
         found.elsewhere += 1
         return True
     source = _said_in(attributes, fields.source)
+    source = "" if source in ambiguous else source
     # Without a name each is a part of its own: two images of one day meet in a seam too.
     date = _said_in(attributes, fields.date)
     owner = source or f"{_UNNAMED}{number}{_UNNAMED}{date if fields.names_by_date else ''}"
-    sides = _said_in(attributes, fields.left), _said_in(attributes, fields.right)
+    left, right = _said_in(attributes, fields.left), _said_in(attributes, fields.right)
+    sides = "" if left in ambiguous else left, "" if right in ambiguous else right
     side_dates = _said_in(attributes, fields.left_date), _said_in(attributes, fields.right_date)
     for name, day in ((told(owner), date), *zip(sides, side_dates)):
         if name and day:
@@ -188,11 +193,8 @@ def read_cells(path: str, mosaic: Raster) -> tuple[Cell, ...]:
 
 
 def _opened(file: str) -> gdal.Dataset | None:
-    try:
-        check_raster_path(file, os.path.basename(file))
-        return gdal.OpenEx(file, gdal.OF_VECTOR | gdal.OF_READONLY)
-    except RuntimeError:  # where GDAL's exceptions are on
-        return None
+    check_raster_path(file, os.path.basename(file))
+    return open_dataset(file, FEATURES)
 
 
 def _attributes(feature: ogr.Feature) -> dict[str, object]:

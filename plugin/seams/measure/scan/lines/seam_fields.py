@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from .....imagery.errors import Message, SettingsError
-from ...seam_cells import source_stem
+from ...seam_cells import meant_sources
 from .. import messages
 
 SOURCE_FIELDS = tuple(
@@ -115,37 +115,17 @@ _TOLD = 3  # names that a notice tells
 
 
 def source_numbers(
-    names: Iterable[str], files: Sequence[str], images: Sequence[int] | None = None
+    names: Iterable[str], paths: Sequence[str], images: Sequence[int] | None = None
 ) -> tuple[dict[str, int], Message | None]:
-    """For each name that a layer of seams holds the place of its orthoimage in ``files``; and which ones have none.
+    """For each name that a layer of seams holds the place of its orthoimage in ``paths``; and which ones have none.
 
-    The folder, the ending and capitals don't count. A name that is a part of one file's name only, as image numbers
-    are, means that file. ``images``: what is found instead of places, where several files may be one image.
+    Endings and capitals don't count. Folders do where files are of one name: a name with its folders means the file
+    whose path ends so. A name that is a part of one file's name only, as image numbers are, means that file.
+    ``images``: what is found instead of places, where several files may be one image.
     """
-    stems = [(source_stem(file), place) for place, file in zip(images or range(len(files)), files)]
-    places = dict(reversed(stems))
-    parts: dict[str, set[int]] = {}
-    for stem, place in stems:
-        for part in _runs(stem):
-            parts.setdefault(part, set()).add(place)
-    found, missing = {}, []
-    for name in sorted(set(names)):
-        stem = source_stem(name)
-        meant = {places[stem]} if stem in places else parts.get("_".join(_words(stem)), set())
-        if len(meant) == 1:
-            found[name] = next(iter(meant))
-        else:
-            missing.append(name)
-    if not missing or not files:
+    meant = meant_sources(names, paths, images)
+    found = {name: next(iter(places)) for name, places in meant.items() if len(places) == 1}
+    missing = sorted(name for name, places in meant.items() if not places)
+    if not missing or not paths:
         return found, None
     return found, messages.SEAM_SOURCES_MISSING(count=len(missing), names=", ".join(missing[:_TOLD]))
-
-
-def _words(stem: str) -> list[str]:
-    return re.findall(r"[^\W_]+", stem)
-
-
-def _runs(stem: str) -> set[str]:
-    """All runs of the words of a name."""
-    words = _words(stem)
-    return {"_".join(words[i:j]) for i in range(len(words)) for j in range(i + 1, len(words) + 1)}

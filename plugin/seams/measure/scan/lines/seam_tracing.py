@@ -12,6 +12,7 @@ from scipy import ndimage
 
 from .....imagery.gdal_calls import gdal_silenced
 from .....imagery.grids import Grid
+from .....imagery.lines import as_xy, signed_area, straightened
 from .label_borders import NONE, Chain, LabelBorder, joined_borders
 from .seam_pieces import SidedSeam
 
@@ -60,25 +61,19 @@ def _regularised(border: LabelBorder) -> np.ndarray:
     """A border without its stairs: (n, 2) columns and rows in samples; its ends stay."""
     path = border.nodes[:, ::-1].astype(float)
     if border.left == NONE:
-        return _straightened(path, _STAIR)
+        return as_xy(straightened(path @ (1, 1j), _STAIR))
     middles = (path[:-1] + path[1:]) / 2
     if (path[0] == path[-1]).all():
         smooth = ndimage.gaussian_filter1d(middles, _SIGMA, axis=0, mode="wrap")
-        return _straightened(np.concatenate([smooth, smooth[:1]]), _STRAIGHT)
+        smooth = np.concatenate([smooth, smooth[:1]])
+        return as_xy(straightened(smooth @ (1, 1j), _STRAIGHT))
     # Continued beyond its ends by its own mirror image, turned upside down: the ends then stay where they are.
     whole = np.concatenate([path[:1], middles, path[-1:]])
     reach = int(4 * _SIGMA + 0.5)
     long = np.pad(whole, ((reach, reach), (0, 0)), mode="reflect", reflect_type="odd")
     smooth = ndimage.gaussian_filter1d(long, _SIGMA, axis=0)[reach:-reach]
     smooth[0], smooth[-1] = path[0], path[-1]
-    return _straightened(smooth, _STRAIGHT)
-
-
-def _straightened(path: np.ndarray, tolerance: float) -> np.ndarray:
-    """A path without the vertices within ``tolerance`` of it (Douglas-Peucker)."""
-    header = struct.pack("<BII", 1, ogr.wkbLineString, len(path))
-    line = ogr.CreateGeometryFromWkb(header + path.astype("<f8").tobytes()).Simplify(tolerance)
-    return np.frombuffer(line.ExportToWkb(ogr.wkbNDR), dtype="<f8", offset=9).reshape(-1, 2)
+    return as_xy(straightened(smooth @ (1, 1j), _STRAIGHT))
 
 
 @dataclass(frozen=True)
@@ -129,7 +124,7 @@ def _joined(leaving: dict[int, tuple[int, np.ndarray]]) -> list[np.ndarray]:
 
 def _multipolygon(rings: list[np.ndarray]) -> bytes:
     """Rings with the inside on their left: those that run counter-clockwise are outlines, the others holes."""
-    areas = [_signed_area(ring) for ring in rings]
+    areas = [signed_area(ring @ (1, 1j)) for ring in rings]
     outlines = sorted((i for i, area in enumerate(areas) if area > 0), key=lambda i: areas[i])
     holes: defaultdict[int, list[int]] = defaultdict(list)
     boxes = {i: (*rings[i].min(axis=0), *rings[i].max(axis=0)) for i in outlines}
@@ -162,12 +157,6 @@ def _polygon(rings: Sequence[np.ndarray]) -> ogr.Geometry:
     """Of an outline and its holes."""
     held = [struct.pack("<I", len(ring)) + ring.astype("<f8").tobytes() for ring in rings]
     return ogr.CreateGeometryFromWkb(struct.pack("<BII", 1, ogr.wkbPolygon, len(rings)) + b"".join(held))
-
-
-def _signed_area(ring: np.ndarray) -> float:
-    """Positive when it runs counter-clockwise."""
-    x, y = (ring - ring[0]).T
-    return float((x[:-1] * y[1:] - x[1:] * y[:-1]).sum()) / 2
 
 
 def _holds(ring: np.ndarray, x: float, y: float) -> bool:

@@ -11,6 +11,7 @@ from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import (
     sided,
     sources_beside,
 )
+from seam_inspector.plugin.seams.measure.seam_cells import meant_sources, names_apart
 
 from tests.numbers.seams.scan.lines.labelled import estimated
 
@@ -87,3 +88,13 @@ def test_names_that_mean_no_file_or_several_are_told() -> None:
     assert missing is not None
     assert missing.values == {"count": 3, "names": "19FD, A, a_2"}
     assert source_numbers(["a"], [])[1] is None
+
+
+def test_folders_tell_files_of_one_name_apart() -> None:
+    paths = ["/flight/A/o.tif", "/flight/B/o.tif", "/flight/B/p.tif"]
+    found, missing = source_numbers(["A/o.tif", r"..\\b\\O", "/elsewhere/p.tif", "o.tif"], paths)
+    assert found == {"A/o.tif": 0, r"..\\b\\O": 1, "/elsewhere/p.tif": 2}
+    assert missing is None
+    assert meant_sources(["o.tif", "x/o.tif", "q"], paths) == {"o.tif": {0, 1}, "x/o.tif": {0, 1}, "q": set()}
+    assert names_apart(paths) == ["A/o.tif", "B/o.tif", "p.tif"]
+    assert names_apart(["o.tif", "o.tif"]) == ["o.tif", "o.tif"]

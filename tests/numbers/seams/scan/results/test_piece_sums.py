@@ -20,7 +20,7 @@ from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDeta
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS
 from seam_inspector.plugin.seams.measure.scan.piece_sums import visibilities
-from seam_inspector.plugin.seams.measure.visibility import window_visibility
+from seam_inspector.plugin.seams.measure.visibility import white_grey, window_visibility
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend, spread
 from tests.numbers.seams.scan.results.one_window import GRID, WINDOW, pieces_of, profiles_of, sums_of
@@ -205,7 +205,8 @@ def test_a_piece_is_seen_as_its_window_is(width: int) -> None:
     expected = window_visibility(detail.profile, detail.judged, made.made, whole, MOSAIC)
     sums = sums_of(pieces_of(made))
     sums.add(detail.cells, detail.mixture, detail.ground, WINDOW, grey)
-    (found,) = visibilities(sums.profiles(), *sums.grey, MOSAIC)
+    grey, brightest = sums.grey
+    (found,) = visibilities(sums.profiles(), grey, white_grey(MOSAIC, brightest))
     assert found == pytest.approx(expected, rel=0.03, abs=0.03)
     assert found is not None
     assert (found > 1) == (width > 0)
@@ -217,7 +218,7 @@ def test_a_piece_on_ground_of_unknown_brightness_is_not_said_to_be_seen() -> Non
     sums = sums_of(pieces_of(made))
     sums.add(detail.cells, detail.mixture, detail.ground, WINDOW)
     assert sums.profiles()[0].profile is not None
-    assert visibilities(sums.profiles(), *sums.grey, MOSAIC) == [None]
+    assert visibilities(sums.profiles(), sums.grey[0], 255.0) == [None]
 
 
 # --- too little -------------------------------------------------------------------------------------------------

@@ -10,6 +10,7 @@ import pytest
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
+from seam_inspector.plugin.imagery.seam_totals import PieceState
 from seam_inspector.plugin.seams.measure.profile.seam_profile import ProfileBin, SeamProfile
 from seam_inspector.plugin.seams.measure.profile.seam_sums import StripProfile
 from seam_inspector.plugin.seams.measure.scan.lines.seam_pieces import SeamPiece
@@ -79,12 +80,24 @@ def test_a_piece_that_was_not_measured_says_why() -> None:
     assert "2" in str(short.reason)
 
 
-def test_metres_are_counted_by_verdict() -> None:
+def test_metres_are_counted_by_what_pieces_count_as() -> None:
     pieces = [judged(0.4), judged(1.0, length_m=10.0), judged(None, length_m=7.5)]
     assert metres(pieces) == 42.5
-    assert metres(pieces, Verdict.SIGNIFICANT) == 25.0
-    assert metres(pieces, Verdict.PRESERVED, Verdict.NOT_COMPARABLE) == 17.5
-    assert metres([], Verdict.SIGNIFICANT) == 0
+    assert metres(pieces, PieceState.FAILED) == 25.0
+    assert metres(pieces, PieceState.PASSED, PieceState.NOT_MEASURED) == 17.5
+    assert metres([], PieceState.FAILED) == 0
+
+
+def test_ground_without_detail_has_nothing_to_lose() -> None:
+    """Only where nothing could be measured, and where the orthoimages show hardly more than noise."""
+    nothing, measured = StripProfile(None, 0.0, 0.0, 0.0), profile(0.5, 0.45, 0.55)
+    for found, grain, state in (
+        (nothing, 0.5 / 255, PieceState.NO_DETAIL), (nothing, 4 / 255, PieceState.NOT_MEASURED),
+        (nothing, None, PieceState.NOT_MEASURED), (measured, 0.5 / 255, PieceState.FAILED),
+    ):
+        one = judge_piece(piece(), ("a.tif", "b.tif"), found, GSD, grain=grain)
+        assert one.state is state
+        assert (one.verdict is Verdict.NOT_COMPARABLE) == (state is not PieceState.FAILED)
 
 
 # --- windows ----------------------------------------------------------------------------------------------------

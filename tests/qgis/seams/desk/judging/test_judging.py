@@ -36,6 +36,20 @@ def test_a_verdict_goes_on_to_the_next_window_to_judge(judging: Judging, session
     assert [row.observer for row in session.rows] == ["visible", "visible", "", "", "invisible", "invisible"]
 
 
+def test_a_key_goes_to_a_window_that_is_not_in_view_before_it_judges(session: WindowsSession) -> None:
+    seen: set[int] = set()
+    judging = Judging(session, is_in_view=seen.__contains__)
+    judging.stepped.connect(seen.add)
+    session.put(five())
+    session.select([2])
+    assert judging.judge("visible")
+    assert seen == {2}
+    assert not any(row.observer for row in session.rows)
+    assert judging.judge("visible")
+    assert [row.window_id for row in session.rows if row.observer] == [2]
+    judging.close()
+
+
 def test_there_is_nothing_to_judge_without_a_selection(judging: Judging, session: WindowsSession) -> None:
     assert not judging.judge("visible")
     assert not judging.take_back()
@@ -145,7 +159,7 @@ def test_many_at_once_only_when_the_operator_says_so(judging: Judging, session: 
     session.select([2, 10])
     judging.take_back()
     assert asked.questions == [
-        "Judge 3 windows as visible?", "Write this into 3 windows?", "Take back what was said of 2 windows?"
+        "Judge 3 windows as visible?", "Write this into 3 windows?", "Take back the verdicts on 2 windows?"
     ]
     assert not {"judge", "note"}.intersection(call[0] for call in session.calls)
 
@@ -174,14 +188,14 @@ def test_orders(panel: WindowsPanel, session: WindowsSession, name: str, fids: l
     session.put(PLACED)  # type: ignore[arg-type]
     panel.show_order(order_named(name))
     assert panel.ordered_fids() == fids
-    session.change(1, kept=(0.1,), seam_id=None)
+    session.change(1, kept=(0.1,), loss=90.0, seam_id=None)
     expected = {"seam": [4, 2, 3, 1], "worst": [4, 2, 1, 3], "tool": [4, 2, 1, 3], "operators": [2, 3, 1, 4]}
     assert panel.ordered_fids() == expected[name]
 
 
 def test_the_worst_are_those_of_the_worst_verdict(panel: WindowsPanel, session: WindowsSession) -> None:
     """A significant loss comes first whatever it was taken by, before the smaller numbers of lesser verdicts."""
-    blurred = replace(window(4, "significant", (0.3, 1, 1), kept=(1.37,)), sharpness=0.31)
+    blurred = replace(window(4, "significant", (0.3, 1, 1), kept=(1.37,)), sharpness=0.31, loss=900.0)
     seam_gone = window(3, "significant", (0.9, 1, 1), kept=(0.55,))
     by_ratio = window(2, "significant", (0.2, 1, 1))
     session.put(
@@ -193,7 +207,7 @@ def test_the_worst_are_those_of_the_worst_verdict(panel: WindowsPanel, session: 
     fids = panel.ordered_fids()
     assert set(fids[:3]) == {2, 3, 4}
     assert fids[3:] == [5, 1, 6, 8, 7]
-    assert fids.index(4) < fids.index(3)  # 0.31 squared is further below its limit than 0.55 below 0.7
+    assert fids.index(4) < fids.index(3)  # a whole window that is blurred has lost more than a strip
 
 
 def test_without_seams_along_the_seam_is_by_number(panel: WindowsPanel, session: WindowsSession) -> None:
@@ -254,11 +268,11 @@ def test_how_well_both_agree_is_told() -> None:
     rows = [window(fid, "reduced", observer="visible" if fid % 2 else "invisible") for fid in range(1, 21)]
     rows = [replace(row, observer_2=row.observer if row.window_id > 4 else "visible") for row in rows]
     said = agreement_sentences(agreement_of(rows))
-    assert said[0] == "Both judged 20 windows and said the same of 18 (90 %)."
+    assert said[0] == "Both judged 20 windows and agreed on 18 (90 %)."
     assert said[1] == "Only the first saw a loss: 0. Only the second: 2."
-    assert said[2].startswith("Cohen's kappa: 0.80 (0.54 to 1.00 by 95 %), substantial agreement.")
+    assert said[2].startswith("Cohen's kappa: 0.80 (95 % interval 0.54 to 1.00), substantial agreement.")
     assert agreement_sentences(agreement_of([window(1)])) == [
-        "No window was judged by both operators yet; who is not sure did not judge."
+        "No window was judged by both operators yet; 'not sure' does not count."
     ]
 
 

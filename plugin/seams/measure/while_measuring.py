@@ -1,4 +1,5 @@
-"""What the process has while our own measure, and gives back after: one thread of BLAS, and memory that is kept.
+"""What the process has while our own measure, and gives back after: one thread of BLAS, memory that is kept, and no
+more of GDAL's cache than that needs.
 
 Several threads of BLAS wait for each other by spinning, which costs more than they help with the small products of a
 window, and takes the cores from other windows. By the libraries' own calls: threadpoolctl, which does the same, lets
@@ -6,10 +7,14 @@ one thread of a process do so.
 
 A window takes hundreds of arrays, a block thousands. Pages fresh from the system cost as much time as the arithmetic on
 them, so what arrays let go of is kept for the next ones. By the C library's call, where it is glibc's.
+
+GDAL keeps what it read until a twentieth of the machine's memory is full. Each pixel is read once, so only what one
+read decodes is worth to be kept.
 """
 from __future__ import annotations
 
 import ctypes
+import os
 import platform
 import sys
 import threading
@@ -17,6 +22,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
+
+import numpy as np
+from osgeo import gdal
 
 _Calls = tuple[Callable[[], int], Callable[[int], object]]
 """How many threads a library has, and the call that sets that."""
@@ -34,29 +42,37 @@ _KEPT = {_MMAP_THRESHOLD: _LARGEST, _TRIM_THRESHOLD: 16 * _LARGEST, _TOP_PAD: 2 
 _GIVEN_BACK = {_MMAP_THRESHOLD: _LARGEST, _TRIM_THRESHOLD: 2 * _LARGEST, _TOP_PAD: 2**17}
 """As glibc has it after that raster."""
 
+_CACHE_PER_CORE = 128 * 2**20
+"""Bytes: tiles of a block's bands, read one band after the other, times ten."""
+
 _lock = threading.Lock()
 _under_way = 0
 _before: list[int] = []
+_cache_before = 0
 
 
 @contextmanager
 def measuring() -> Iterator[None]:
-    """While anything runs in such a block, in whatever thread, each BLAS of the process has one thread, and memory is
-    kept; then as many as before the first, and it goes back to the system. Where no BLAS or another C library is known,
-    nothing changes."""
-    global _under_way
+    """While anything runs in such a block, in whatever thread, each BLAS of the process has one thread, memory is kept,
+    and GDAL's cache is bounded; then as many as before the first, and it goes back to the system. Where no BLAS or
+    another C library is known, nothing changes of these."""
+    global _under_way, _cache_before
     with _lock:
         if not _under_way:
             _before[:] = [count() for count, _ in _libraries()]
             _set([1] * len(_before), _KEPT)
+            _cache_before = gdal.GetCacheMax()
+            gdal.SetCacheMax(min(_cache_before, _CACHE_PER_CORE * (os.cpu_count() or 1)))
         _under_way += 1
     try:
-        yield
+        with np.errstate(over="ignore", invalid="ignore"):  # of values that no image has: nothing is measured there
+            yield
     finally:
         with _lock:
             _under_way -= 1
             if not _under_way:
                 _set(_before, _GIVEN_BACK)
+                gdal.SetCacheMax(_cache_before)
 
 
 def _set(counts: list[int], memory: dict[int, int]) -> None:

@@ -9,12 +9,14 @@ import sys
 from pathlib import Path
 
 import pytest
+from osgeo import gdal
+from seam_inspector.plugin.seams.measure.while_measuring import measuring
 
 PROGRAM = """
 import threading
 import threadpoolctl
 import numpy, scipy.linalg
-from seam_inspector.plugin.imagery.while_measuring import measuring
+from seam_inspector.plugin.seams.measure.while_measuring import measuring
 
 def counts():
     return {library["num_threads"] for library in threadpoolctl.threadpool_info() if library["user_api"] == "blas"}
@@ -57,10 +59,25 @@ def test_one_thread_while_anything_runs(repository: Path) -> None:
     assert before == after == failed
 
 
+@pytest.mark.parametrize("own_mb", [3000, 40])
+def test_gdal_keeps_no_more_than_is_read_at_a_time(own_mb: int) -> None:
+    own = gdal.GetCacheMax()
+    try:
+        gdal.SetCacheMax(own_mb * 2**20)
+        with measuring():
+            with measuring():
+                pass
+            inside = gdal.GetCacheMax()
+        assert inside == min(own_mb, 128 * (os.cpu_count() or 1)) * 2**20
+        assert gdal.GetCacheMax() == own_mb * 2**20
+    finally:
+        gdal.SetCacheMax(own)
+
+
 ARRAYS = """
 import resource
 import numpy as np
-from seam_inspector.plugin.imagery.while_measuring import measuring
+from seam_inspector.plugin.seams.measure.while_measuring import measuring
 
 def fresh_pages():
     before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt

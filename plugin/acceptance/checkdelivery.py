@@ -1,0 +1,186 @@
+"""``seaminspector:checkdelivery``: whether all sheets are there, whole and of the form that was ordered."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingOutputRasterLayer,
+    QgsProcessingParameterCrs,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterString,
+)
+from qgis.PyQt.QtCore import QT_TR_NOOP
+
+from ..imagery.errors import CancelledError, RasterError, SettingsError
+from ..toolkit.algorithms import parameters as common
+from ..toolkit.algorithms.base import SeamInspectorAlgorithm
+from ..toolkit.algorithms.run import Run
+from ..toolkit.translation import tr
+from .measure import messages
+from .sheet_index import index_rows
+
+if TYPE_CHECKING:
+    from .measure.delivered_files import OrderedForm, OrderedSheet
+
+FOLDER, SHEETS, PATTERN, PIXEL, CRS = "FOLDER", "SHEETS", "PATTERN", "PIXEL", "CRS"
+BANDS, DATA_TYPE, MAX_NODATA, OUTPUT, VRT = "BANDS", "DATA_TYPE", "MAX_NODATA", "OUTPUT", "VRT"
+SHEET_COUNT, MISSING_COUNT, FAULTY_COUNT, IS_COMPLETE = "SHEET_COUNT", "MISSING_COUNT", "FAULTY_COUNT", "COMPLETE"
+DATA_TYPES = ("uint8", "uint16", "int16", "float32")
+RASTERS = (".tif", ".tiff", ".jp2", ".img")
+"""Endings of files that are sheets of a delivery."""
+
+
+class CheckDelivery(SeamInspectorAlgorithm):
+    """What an agency checks by hand before it looks at any picture."""
+
+    ID = "checkdelivery"
+    NAME = QT_TR_NOOP("Check a delivery")
+    HELP = QT_TR_NOOP(
+        "Checks the files of a delivery before their seams: sheets that are missing, were not ordered, or have no "
+        "data inside their outline; pixel size, reference system, bands, type of the pixels and names. Writes the "
+        "sheets with what was found at each, ready for 'Accept or reject a delivery', and one mosaic over all of "
+        "them, ready for the scan."
+    )
+
+    def initAlgorithm(self, configuration: Any = None) -> None:
+        whole, polygon = QgsProcessingParameterNumber.Type.Integer, QgsProcessing.SourceType.TypeVectorPolygon
+        self.addDescribed(
+            QgsProcessingParameterFile(FOLDER, tr("Folder"), QgsProcessingParameterFile.Behavior.Folder, optional=True),
+            tr("Of the delivered sheets. Empty: the files that the sheets' field location names."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(SHEETS, tr("Sheets"), [polygon], optional=True),
+            tr(
+                "Outlines of the sheets that were ordered, as polygons with a field sheet, name or location. Empty: "
+                "all files in the folder count as ordered, and only their form is checked."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterString(PATTERN, tr("Pattern of names"), optional=True),
+            tr("The pattern of file names, with * and ?, such as ortho_????_??.tif. Empty: any name."),
+        )
+        self.addDescribed(
+            common.real(PIXEL, tr("Pixel size (metres)"), None, 0.0, optional=True, decimals=4),
+            tr("To 1 %. Empty: as most sheets have it."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), tr("Empty: as most sheets have it.")
+        )
+        self.addDescribed(
+            QgsProcessingParameterNumber(BANDS, tr("Bands"), whole, None, True, 1),
+            tr("How many, without alpha. Empty: as most sheets have."),
+        )
+        self.addDescribed(
+            common.choice(DATA_TYPE, tr("Type of the pixels"), DATA_TYPES, None, optional=True),
+            tr("8 bit is uint8, 16 bit uint16. Empty: as most sheets have it."),
+        )
+        self.addDescribed(
+            common.real(MAX_NODATA, tr("Largest share without data (%)"), 0.0, 0.0),
+            tr("Of a sheet's outline."),
+            advanced=True,
+        )
+        self.addDescribed(
+            QgsProcessingParameterFeatureSink(OUTPUT, tr("Checked sheets"), polygon),
+            tr("Each sheet with its file, what was found at it, and whether that is nothing."),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFileDestination(VRT, tr("Mosaic of all sheets"), "VRT (*.vrt)"),
+            tr("A virtual mosaic over the sheets that fit together; nothing is copied."),
+        )
+        self.addOutput(QgsProcessingOutputRasterLayer(common.MOSAIC, tr("Mosaic of all sheets")))
+        self.addNumbers({
+            SHEET_COUNT: tr("Number of sheets"),
+            MISSING_COUNT: tr("Sheets without a file"),
+            FAULTY_COUNT: tr("Sheets with findings"),
+            IS_COMPLETE: tr("Complete (1) or not (0)"),
+        })
+
+    NAMED_BY_FORMAT = (VRT,)
+
+    def check(self, run: Run) -> None:
+        if not run.path(FOLDER) and not run.parameters.get(SHEETS):
+            raise SettingsError(messages.NO_DELIVERY())
+
+    def prepare(self, run: Run) -> None:
+        from ..toolkit.layers import layer_path
+
+        self.check(run)
+        layer = run.vector_layer(SHEETS) if run.parameters.get(SHEETS) else None
+        self._index = layer_path(layer) if layer is not None else ""
+
+    def execute(self, run: Run) -> dict[str, Any]:
+        from .checked_layer import write_checked
+        from .measure.delivered_files import build_mosaic, checked_sheets, fitting
+
+        sheets = self._sheets(run)
+        found = checked_sheets(sheets, _form(run), run.goes_on)
+        if found is None:
+            raise CancelledError(messages.CHECK_STOPPED())
+        faulty = [one for one in found if one.findings]
+        for one in faulty:
+            run.tell(*(messages.SHEET_FINDING(sheet=one.sheet.name, finding=finding) for finding in one.findings))
+        missing = sum(one.raster is None for one in found)
+        run.tell(messages.DELIVERY_CHECKED(count=len(found), faulty=len(faulty), missing=missing))
+        results: dict[str, Any] = {OUTPUT: write_checked(run, OUTPUT, found)}
+        path, whole = run.file_path(VRT), fitting(found)
+        if path is not None and whole:
+            try:
+                build_mosaic(str(path), whole)
+                results[VRT] = results[common.MOSAIC] = str(path)
+            except RasterError as error:
+                run.tell(error.message)
+        return {
+            **results, SHEET_COUNT: len(found), MISSING_COUNT: missing, FAULTY_COUNT: len(faulty),
+            IS_COMPLETE: int(not faulty),
+        }
+
+    def _sheets(self, run: Run) -> list[OrderedSheet]:
+        """Raises SettingsError where there is neither a sheet nor a file."""
+        from .measure.delivered_files import OrderedSheet
+        from .measure.delivery import in_words
+
+        folder, is_ordered = run.path(FOLDER), bool(run.parameters.get(SHEETS))
+        files = _rasters(Path(folder), with_folders=is_ordered) if folder else []
+        found, homes = [], {Path(folder)}
+        for name, path, outline, wkt in index_rows(run, SHEETS, self._index) if is_ordered else ():
+            own = _of_stem(files, Path(path or name).stem) if folder else Path(path) if path else None
+            is_there = own is not None and own.is_file()
+            found.append(OrderedSheet(name, str(own) if is_there else "", outline, wkt))
+            if own is not None and own in files:
+                files.remove(own)
+                homes.add(own.parent)
+        beside = (path for path in files if path.parent in homes)
+        found += [OrderedSheet(path.stem, str(path), None, "", not is_ordered) for path in beside]
+        if not found:
+            raise SettingsError(messages.NO_SHEETS(folder=folder))
+        return sorted(found, key=lambda one: in_words(one.name))
+
+
+def _rasters(folder: Path, with_folders: bool) -> list[Path]:
+    """By name; ``with_folders``: those in folders of it, too."""
+    paths = folder.rglob("*") if with_folders else folder.glob("*")
+    return sorted(path for path in paths if path.suffix.lower() in RASTERS)
+
+
+def _of_stem(files: Sequence[Path], stem: str) -> Path | None:
+    """The first file that is called so, whatever its ending and its capitals."""
+    return next((path for path in files if path.stem.lower() == stem.lower()), None)
+
+
+def _form(run: Run) -> OrderedForm:
+    from ..toolkit.layers import system_wkt
+    from .measure.delivered_files import OrderedForm
+
+    return OrderedForm(
+        run.real(PIXEL) or None if run.parameters.get(PIXEL) is not None else None,
+        system_wkt(run.crs(CRS)) if run.parameters.get(CRS) else "",
+        run.whole(BANDS) if run.parameters.get(BANDS) is not None else None,
+        run.word(DATA_TYPE), run.text(PATTERN).strip(), run.real(MAX_NODATA) / 100,
+    )  # fmt: skip

@@ -1,0 +1,48 @@
+"""What proves a failure: the mosaic beside the orthoimages that it was made from and the cut that it could have been.
+
+Who measures it is no matter here: the decision knows no orthoimages, and takes a proof from whoever can give one.
+"""
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...imagery.grids import Extent, PixelWindow
+from ...imagery.rasters import Raster
+
+PROOF_SIDE_M = 40.0
+"""Side of the place where least is kept, of which the proof is."""
+PROOF_PX = 160
+"""Side of the part that is shown at 2x: two of them fit beside each other on A4, and four on a page."""
+MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL = "mosaic", "cut", "image"
+
+
+@dataclass(frozen=True, eq=False)
+class ProofPanel:
+    """One of the pictures."""
+
+    kind: str
+    """``mosaic``, ``cut`` (the composite: the same orthoimages cut hard) or ``image`` (an orthoimage)."""
+    name: str
+    """Of the orthoimage's file; empty for the others."""
+    pixels: np.ndarray
+    """(rows, columns, 3) uint8, a pixel of the mosaic each; all panels of a proof are stretched alike."""
+
+
+@dataclass(frozen=True, eq=False)
+class Proof:
+    """The part where most was lost, in all rasters, and what is kept by distance from the seam."""
+
+    panels: tuple[ProofPanel, ...]
+    """The mosaic first, then the cut, then up to two orthoimages."""
+    part: PixelWindow
+    """What the panels show, pixels of the mosaic."""
+    profile_svg: str = ""
+    """The seam profile of ``PROOF_SIDE_M`` around it; empty where none can be told."""
+
+
+Prover = Callable[[Raster, Extent, tuple[str, str]], "Proof | None"]
+"""From a mosaic, a place in its reference system, and what the pieces of seam there call the two orthoimages beside
+them, to the proof; None where there is none."""

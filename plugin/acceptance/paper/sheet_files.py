@@ -1,0 +1,71 @@
+"""SHEETS_OUT: one polygon for each sheet with its verdict, so that sheets can go back."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from qgis.core import QgsFeature, QgsGeometry, QgsPointXY
+
+from ...imagery.records import Column
+from ...toolkit.table_fields import column_features
+from ..measure.decision import AcceptanceOutcome, Decision, MetreFigures
+from .words import rounded
+
+
+@dataclass(frozen=True, eq=False)
+class _DecidedSheet:
+    """A row."""
+
+    figures: MetreFigures
+    outcome: AcceptanceOutcome | None
+    """None without seams, or where the delivery was decided on by a sample."""
+    findings: tuple[str, ...]
+    """What is wrong with its file; none where that was not looked at."""
+
+
+def _word(one: _DecidedSheet) -> str | None:
+    if not one.figures.piece_count:
+        return _NO_SEAMS
+    return one.outcome.value if one.outcome else None
+
+
+_NO_SEAMS = "no_seams"
+SHEET_COLUMNS: tuple[Column[_DecidedSheet], ...] = (
+    Column("sheet", "text", lambda one: one.figures.name),
+    Column("verdict", "text", _word),
+    Column("length", "real", lambda one: rounded(one.figures.total_m)),
+    Column("measured", "real", lambda one: rounded(one.figures.measured_m)),
+    Column("failed", "real", lambda one: rounded(one.figures.failed_m)),
+    Column("failed_share", "real", lambda one: (
+        None if one.figures.failed_share is None else rounded(100 * one.figures.failed_share)
+    )),
+    Column("longest_failure", "real", lambda one: rounded(one.figures.longest_failure_m)),
+    Column("pieces", "integer", lambda one: one.figures.piece_count),
+    Column("failed_pieces", "integer", lambda one: one.figures.failed_count),
+    Column("findings", "text", lambda one: "; ".join(one.findings) or None),
+)
+
+
+def sheet_features(decision: Decision) -> Iterator[QgsFeature]:
+    """In the order of ``decision.sheets``; a sheet of which no place is known has no outline."""
+    rings = decision.delivery.sheet_rings()
+    findings = {one.name: one.findings for one in decision.delivery.outlines}
+    rows = [
+        _DecidedSheet(one, outcome, findings.get(one.name, ()))
+        for one, outcome in zip(decision.sheets, decision.sheet_outcomes)
+    ]
+    for row, feature in zip(rows, column_features(SHEET_COLUMNS, rows)):
+        if outline := rings.get(row.figures.name):
+            feature.setGeometry(_polygon(outline))
+        yield feature
+
+
+def _polygon(rings: Sequence[np.ndarray]) -> QgsGeometry:
+    """What lies within an odd number of rings: parts lie beside each other, holes within parts."""
+    shape = QgsGeometry()
+    for ring in rings:
+        part = QgsGeometry.fromPolygonXY([[QgsPointXY(x, y) for x, y in ring.tolist()]])
+        shape = part if shape.isNull() else shape.symDifference(part)
+    shape.convertToMultiType()
+    return shape

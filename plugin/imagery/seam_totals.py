@@ -1,0 +1,147 @@
+"""What counts of pieces of seam, and the totals of a layer of them.
+
+One definition for the scan that measures pieces and for the decision that adds them up: whoever has the layer gets the
+same metres with a pocket calculator. The scan writes the totals beside its rows, with a digest of these, so that a
+layer tells whether it is as the scan left it.
+"""
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from enum import Enum
+from statistics import NormalDist
+
+from .statistics import NORMAL_95
+
+STANDARD_LEAST_KEPT = 0.7
+"""A piece that keeps less fails, unless something else is agreed: docs/method/seam_profile.md."""
+MOST_SPREAD = 2.0
+"""From the lower to the upper end of the 95 % interval of what is kept: wider ones say nothing by themselves."""
+PIECE, STRETCH = "piece", "stretch"
+"""Words of the field ``level``: pieces add up, a stretch is what several of them keep together."""
+TOTALS_DOMAIN = "SEAM_INSPECTOR"
+"""Of the metadata in which a scan's layer holds its totals, and its picture of losses its settings."""
+
+
+class PieceState(Enum):
+    """What a piece counts as."""
+
+    PASSED = "passed"
+    FAILED = "failed"
+    NOT_MEASURED = "not_measured"
+    """It may have lost detail or not: nothing could be measured, or the interval is too wide to tell."""
+    NO_DETAIL = "no_detail"
+    """The ground has nothing that could be lost. It is no part of what is judged."""
+
+
+def piece_state(
+    kept: float | None, low: float | None, high: float | None, least: float, has_verdict: bool = True
+) -> PieceState:
+    """By what a piece kept, with its 95 % interval; ``least``: with less it fails, with exactly as much it passes.
+
+    A number is measured where its interval lies on one side of the limit, or spans no more than a factor of two. A
+    piece that keeps all, as far as can be told, never fails. Without an interval the scan's verdict vouches for it.
+    """
+    if kept is None:
+        return PieceState.NOT_MEASURED
+    state = PieceState.FAILED if kept < least else PieceState.PASSED
+    if low is None or high is None:
+        return state if has_verdict else PieceState.NOT_MEASURED
+    if not holds(low, high, least):
+        return state
+    told = has_verdict and high <= MOST_SPREAD * low and (state is PieceState.PASSED or high < 1)
+    return state if told else PieceState.NOT_MEASURED
+
+
+def holds(low: float, high: float, limit: float) -> bool:
+    """Whether an interval does not tell on which side of a limit a value lies."""
+    return low < limit <= high
+
+
+def failing_chance(kept: float | None, low: float | None, high: float | None, least: float) -> float:
+    """How likely a piece keeps less than the least, by its interval: 0 or 1 where that lies on one side of it.
+
+    Intervals are those of the logarithm.
+    """
+    if kept is None or low is None or high is None or not holds(low, high, least) or low <= 0:
+        return float(kept is not None and kept < least)
+    error = math.log(high / low) / (2 * NORMAL_95)
+    return NormalDist().cdf(math.log(least / kept) / error)
+
+
+@dataclass(frozen=True)
+class SeamTotals:
+    """Of the rows of a layer of seams."""
+
+    rows: int
+    metres: float
+    """Of all pieces."""
+    failed_metres: float
+    """Of those that failed by the standard limit."""
+    digest: str
+    """SHA-256 of what was measured, whatever the order of the rows."""
+
+    @classmethod
+    def of_rows(cls, rows: Iterable[Mapping[str, object]]) -> SeamTotals:
+        """``rows``: the fields of features by name, numbers as numbers."""
+        found = RowTotals()
+        for row in rows:
+            found.add(row)
+        return found.totals
+
+    @classmethod
+    def of_metadata(cls, metadata: Mapping[str, str]) -> SeamTotals | None:
+        """As ``metadata`` wrote them; None where there are none that can be read."""
+        try:
+            return cls(
+                int(metadata["rows"]), float(metadata["metres"]), float(metadata["failed_metres"]), metadata["digest"]
+            )
+        except (KeyError, ValueError):
+            return None
+
+    @property
+    def metadata(self) -> dict[str, str]:
+        """Words that a layer can hold."""
+        return {
+            "rows": str(self.rows), "metres": repr(self.metres), "failed_metres": repr(self.failed_metres),
+            "digest": self.digest,
+        }  # fmt: skip
+
+
+class RowTotals:
+    """Adds up rows one by one."""
+
+    def __init__(self) -> None:
+        self._lines: list[str] = []
+        self._metres: list[float] = []
+        self._failed: list[float] = []
+
+    def add(self, row: Mapping[str, object]) -> None:
+        """One feature's fields by name."""
+        self._lines.append("\t".join(_written(row.get(name)) for name in _SEALED))
+        length = row.get("length")
+        if row.get("level") != STRETCH and isinstance(length, (int, float)):
+            self._metres.append(length)
+            if row.get("state") == PieceState.FAILED.value:
+                self._failed.append(length)
+
+    @property
+    def totals(self) -> SeamTotals:
+        """Of all rows so far."""
+        digest = hashlib.sha256("\n".join(sorted(self._lines)).encode()).hexdigest()
+        return SeamTotals(len(self._lines), math.fsum(self._metres), math.fsum(self._failed), digest)
+
+
+_SEALED = (
+    "seam_id", "station", "length", "level", "state", "kept_1", "kept_low", "kept_high", "verdict", "left_source",
+    "right_source",
+)  # fmt: skip
+
+
+def _written(value: object) -> str:
+    """The same for a value and for what a file made of it."""
+    if value is None or (isinstance(value, float) and not math.isfinite(value)):
+        return ""
+    return f"{value:.9g}" if isinstance(value, (int, float)) else str(value)

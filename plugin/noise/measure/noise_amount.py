@@ -1,0 +1,78 @@
+"""How much noise there is, whatever the scene: in DN, and as the ratio of the signal to it.
+
+The paper's rule compares noise with the scene's own detail, so 5 DN of it are low among leaves and strong on water.
+Here noise is told from texture by the spectrum of the quietest ground: white noise is as strong at level 2 as at level
+1, texture grows from level to level.
+"""
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from enum import Enum
+
+from .grain import Grain, QuietGround, possible_grains
+
+TEXTURE_RISE = 2.5  # of texture's coefficients from level 1 to 2: f^-2.6 in power; photographs have 2.4 to 4
+EXCELLENT_RATIO, ACCEPTABLE_RATIO = 40.0, 10.0  # signal to noise, ISO 12232: first excellent, first acceptable image
+ROUNDING_SIGMA = 0.5  # DN of whole numbers: rounding alone makes 0.29
+MAX_COARSE_PX = 2.0  # grain up to here is looked for before noise is called little
+_BY_CHANCE = 1.15  # the bound lies above noise that is really there by as much
+
+
+class NoiseAmount(str, Enum):
+    """How much noise there is, by the signal to noise ratio."""
+
+    LITTLE = "little"
+    """A ratio of 40 or more, or no more than rounding."""
+    SOME = "some"
+    """A ratio of 10 to 40."""
+    MUCH = "much"
+    """A ratio below 10."""
+    UNCERTAIN = "uncertain"
+    """Coarse grain that can hide in the texture would make it more."""
+    NOT_MEASURABLE = "not measurable"
+    """There is no noise figure, or no signal to compare it with."""
+
+
+_ORDER = (NoiseAmount.LITTLE, NoiseAmount.SOME, NoiseAmount.MUCH)
+
+
+def white_noise(ground: Sequence[QuietGround | None], sigma: float) -> float:
+    """Standard deviation of white noise, DN: what level 1 of the quiet ground has beyond texture that rises to level 2.
+
+    ``sigma``, that of the finest diagonal component, is the most that it can be, and the answer where a level is
+    unknown.
+    """
+    if len(ground) < 2 or ground[0] is None or ground[1] is None:
+        return sigma
+    rise = TEXTURE_RISE**2
+    variance = (rise * ground[0].quiet ** 2 - ground[1].quiet ** 2) / (rise - 1)
+    return min(math.sqrt(max(variance, 0.0)), sigma)
+
+
+def noise_amount(
+    noise: float, signal: float, least: Sequence[float | None], wavelet: str, are_whole: bool
+) -> NoiseAmount:
+    """The amount of ``noise`` (DN) under a ``signal`` (mean, DN).
+
+    ``least``: of levels 1, 2, ..., the most that noise can be by the quietest ground, DN, None where unknown.
+    ``are_whole``: whether the values are whole numbers.
+    """
+    if signal <= 0:
+        return NoiseAmount.NOT_MEASURABLE
+    found = _amount(noise, signal, are_whole)
+    possible = possible_grains(least, wavelet, MAX_COARSE_PX)
+    if possible is None:
+        return found if found is NoiseAmount.MUCH else NoiseAmount.UNCERTAIN
+    most = _amount(max(map(_sigma, possible)) / _BY_CHANCE, signal, are_whole)
+    return NoiseAmount.UNCERTAIN if _ORDER.index(most) > _ORDER.index(found) else found
+
+
+def _amount(noise: float, signal: float, are_whole: bool) -> NoiseAmount:
+    if signal >= EXCELLENT_RATIO * noise or (are_whole and noise <= ROUNDING_SIGMA):
+        return NoiseAmount.LITTLE
+    return NoiseAmount.SOME if signal >= ACCEPTABLE_RATIO * noise else NoiseAmount.MUCH
+
+
+def _sigma(grain: Grain) -> float:
+    return grain.sigma

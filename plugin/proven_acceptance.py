@@ -1,0 +1,131 @@
+"""``acceptmosaic`` with proof: of each failure the window that the seams' own subject measures there.
+
+The decision knows no orthoimages and the inspection no decisions; here the two meet.
+"""
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from .acceptance.acceptmosaic import AcceptMosaic
+from .seams.algorithms.block_parameters import gathered_sources, given_sources
+from .toolkit.algorithms import parameters as common
+
+if TYPE_CHECKING:
+    from .acceptance.paper.proofs import Proof, ProofPanel, Prover
+    from .imagery.grids import Extent, PixelWindow
+    from .imagery.rasters import Raster, RasterRef
+    from .seams.clip_pictures import ClipPicture, PictureRequest
+    from .seams.measure.inspection import Block
+    from .seams.measure.source_images import Source
+    from .seams.measure.window.window_result import WindowResult
+    from .toolkit.algorithms.run import Run
+
+_MOST_IMAGES = 2
+_PROFILE_PX = 290, 210  # 70 mm on paper with letters of 8 points
+
+
+class ProvenAcceptMosaic(AcceptMosaic):
+    """Measures the 40 m of each failure where least is kept."""
+
+    def prepare(self, run: Run) -> None:
+        super().prepare(run)
+        self._given = given_sources(run)
+
+    def orthoimages(self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]) -> tuple[RasterRef, ...]:
+        if not mosaics:
+            return super().orthoimages(run, scanned, mosaics)
+        from .imagery.rasters import RasterRef
+
+        given = self._given
+        if not (given.refs or run.parameters.get(common.SOURCE_INDEX)):
+            given = replace(given, refs=tuple(map(RasterRef, scanned)))
+            if not given.refs:
+                return ()
+        from .toolkit.layers import mosaic_crs
+
+        first = mosaics[0]
+        self._sources = gathered_sources(run, given, mosaic_crs(first), first.wkt)
+        self._wkt = first.wkt
+        return tuple(one.ref for one in self._sources)
+
+    def prover(self, run: Run, min_kept: float) -> Prover | None:
+        sources: Sequence[Source] = getattr(self, "_sources", ())
+        if not sources:
+            return None
+
+        def prove(mosaic: Raster, extent: Extent, sides: tuple[str, str]) -> Proof | None:
+            from .seams.measure.inspection import Block
+
+            return proof_of(Block(mosaic, tuple(sources)), extent, sides, min_kept) if mosaic.wkt == self._wkt else None
+
+        return prove
+
+
+def proof_of(block: Block, extent: Extent, sides: tuple[str, str], min_kept: float) -> Proof | None:
+    """The part of a place where most was lost, in the mosaic, its orthoimages and their cut; None where no orthoimage
+    explains the place.
+
+    ``sides``: what the two orthoimages beside the seam are called; those of other names that lie there are left out
+    where both are found.
+    """
+    from .acceptance.paper.proofs import PROOF_PX, Proof
+    from .seams.clip_pictures import PictureRequest
+    from .seams.measure.inspection import InspectionSettings, inspect_window, window_request
+    from .seams.report.clip_parts import PlacedLoss, most_lost
+
+    request = window_request(block, 1, extent, InspectionSettings(min_kept=min_kept))
+    request = replace(request, sources=_beside(request.sources, sides))
+    result = inspect_window(request)
+    window = request.window
+    if window is None or result.loss is None or result.window is None or not request.sources:
+        return None
+    side = min(PROOF_PX, window.width, window.height)
+    row, column = most_lost(window, PlacedLoss(result.window, result.loss), side)
+    panels = tuple(_panels(PictureRequest(request), window, (row, column, side)))
+    part = replace(window, column=window.column + column, row=window.row + row, width=side, height=side)
+    return Proof(panels, part, _profile(result, min_kept)) if len(panels) > 1 else None
+
+
+def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, ...]:
+    from .seams.measure.seam_cells import source_stem
+
+    wanted = {source_stem(name) for name in sides if name}
+    named = tuple(one for one in sources if source_stem(one.ref.name) in wanted)
+    return named if len({source_stem(one.ref.name) for one in named}) == _MOST_IMAGES else tuple(sources)
+
+
+def _panels(request: PictureRequest, window: PixelWindow, part: tuple[int, int, int]) -> Iterator[ProofPanel]:
+    """Of a part, given by row, column and side in the window."""
+    from .acceptance.paper.proofs import CUT_PANEL, IMAGE_PANEL, MOSAIC_PANEL, ProofPanel
+    from .seams.clip_pictures import composite_picture, make_pictures
+    from .seams.measure.window.explained_window import WindowComposite, window_composite
+
+    found = make_pictures(request)
+    if not found.pictures or not found.pictures[0].is_mosaic:
+        return
+    mosaic, *images = found.pictures
+    yield ProofPanel(MOSAIC_PANEL, "", _part(mosaic, part))
+    composite = window_composite(request.window)
+    if isinstance(composite, WindowComposite):
+        yield ProofPanel(CUT_PANEL, "", _part(composite_picture(composite, mosaic, found.used), part))
+    images.sort(key=lambda one: -one.covered)
+    for image in sorted(images[:_MOST_IMAGES], key=lambda one: one.raster):
+        yield ProofPanel(IMAGE_PANEL, image.raster, _part(image, part))
+
+
+def _part(picture: ClipPicture, part: tuple[int, int, int]):  # type: ignore[no-untyped-def]
+    row, column, side = part
+    top, left = (0, 0) if picture.inside is None else (picture.inside.row, picture.inside.column)
+    return picture.pixels[top + row : top + row + side, left + column : left + column + side]
+
+
+def _profile(result: WindowResult, min_kept: float) -> str:
+    from .seams.charts.profile_painter import ShownProfile
+    from .seams.report.window_charts import profile_svg
+
+    if result.profile is None:
+        return ""
+    shown = ShownProfile(result.profile, result.ground_sample_distance, min_kept, frozenset({1}))
+    return profile_svg(shown, _PROFILE_PX)

@@ -1,0 +1,41 @@
+"""What a user can be told of seams that are cut anew."""
+from __future__ import annotations
+
+from ....imagery.errors import INFO, WARNING, Message
+
+# why a run of seam stays as it is
+NO_WAY = Message(
+    "Both orthoimages cover too little of the corridor for a cut from one end to the other; make it wider."
+)
+IMAGES_MISFIT = Message(
+    "The two orthoimages lie {misfit:.1f} pixels apart along the best cut, so edges would break; widen the corridor "
+    "or register the images better."
+)
+IMAGES_UNLIKE = Message(
+    "The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images."
+)
+TONES_NOT_TOLD = Message(
+    "Near the seam there is too little ground that shows one orthoimage alone, so its tones can't be told."
+)
+PART_NOT_COVERED = Message("One of the two orthoimages has no pixels along the new cut.")
+BANDS_LACK = Message("{name} lacks bands of the mosaic: {bands}.")
+NOT_BETTER = Message("The new cut keeps no more detail than the old seam, so its patch is left out.")
+
+# settings
+WIDTH_NOT_POSITIVE = Message("The corridor is {width} m wide; give a number of metres above 0.")
+BLEND_OUT_OF_RANGE = Message("The blend is {blend} pixels wide; give 0 to {most}.")
+WHAT_UNKNOWN = Message("'{what}' can't be mended; give one of: {known}.")
+# the whole
+NOT_OF_A_SCAN = Message(
+    "The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes."
+)
+NO_PIECES = Message("The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.")
+PATCH_IS_INPUT = Message("A patch would be written over {path}, which is an input; choose another folder.")
+MENDING_STOPPED = Message(
+    "Mending was stopped; start it again with the same outputs, and it goes on where it was.", INFO
+)
+MENDING_GOES_ON = Message("Mending goes on where it stopped; seams that are cut already: {done}.", INFO)
+SIDES_UNKNOWN = Message(
+    "{metres:.0f} m of the seams name no two orthoimages that are given, so they stay as they are.", WARNING
+)
+NOTHING_TO_MEND = Message("None of the seams is to be mended; choose another WHAT.", INFO)

@@ -1,0 +1,420 @@
+"""Where the cameras of aerial photos were and how they looked, from files.
+
+Read are tables with a header (Metashape's and Pix4D's omega, phi, kappa, Applanix, and any other with such columns),
+PATB, orthority's GeoJSON, OpenSfM's reconstruction (OpenDroneMap), Metashape's XML, MicMac's Orientation XML, Pix4D's
+calibrated camera parameters, Inpho's project and ContextCapture's BlocksExchange.
+"""
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+from xml.etree.ElementTree import Element
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ...imagery.errors import Message, SensorModelError
+from . import messages
+from .camera_files import (
+    UNREADABLE,
+    chosen_camera,
+    document,
+    inpho_blocks,
+    inpho_value,
+    numbers_of,
+    pix4d_photos,
+)
+from .frames import EARTH_CURVATURE, camera_axes
+from .limits import ANGLE_UNITS, WGS84_SEMI_MAJOR_M
+
+AUTO, DEGREES, GON, RADIANS = ANGLE_UNITS
+_IN_DEGREES = {DEGREES: 1.0, GON: 0.9, RADIANS: math.degrees(1)}
+_UNIT_WORDS = ((GON, r"gons?|grads?|grades?"), (DEGREES, r"deg|degrees?|°"), (RADIANS, r"rad|radians?"))
+_FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
+_ALIASES = {
+    "filename": "filename file image imagename imageid imagefile photo photoid photoname label id name frame",
+    "x": "x easting east e x0 xc xl xeasting xlongitude projectedx", "y": "y northing north n y0 yc yl ynorthing "
+    "ylatitude projectedy", "z": "z altitude alt height h z0 zc zl elevation zaltitude ellipsoidheight "
+    "orthometricheight", "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka", "camera": "camera cameraid sensor",
+}  # fmt: skip
+_NAMES = {alias: name for name, aliases in _ALIASES.items() for alias in aliases.split()}
+"""What columns are called, in small letters and digits and without units, and what they hold."""
+_PAIRS = r"(?i)(ellipsoid|orthometric|photo|image|file|camera)[ _](height|id|name)"
+_DIGITS = 1e-4  # how far from orthonormal axes in a text may be
+_SHOWN = 5
+_LEAST_RADIANS = 1.4  # a photo flown to the north or back has 1.57 or 3.14; in degrees nobody flies just so
+_HALF_TURN = 180.0
+_DOWN = np.diag([1.0, -1.0, -1.0])  # from x right, y up, z back to columns, rows and the view
+
+
+@dataclass(frozen=True)
+class FrameExterior:
+    """Where a camera was and how it looked."""
+
+    position: np.ndarray
+    """(3,) x, y, height, m."""
+    axes: np.ndarray
+    """(3, 3), as ``FrameCamera.axes``."""
+    camera: str = ""
+    """The camera's name, where the file says it."""
+    wkt: str = ""
+    """Reference system of x and y, anything that GDAL understands; empty where the file names none."""
+    curvature: float = 0.0
+    """As ``FrameCamera.curvature``."""
+    notices: tuple[Message, ...] = ()
+    """What to say of how it was read."""
+
+
+Named = list[tuple[str, Callable[[], FrameExterior]]]
+"""What makes the orientation of each photo, with its name."""
+
+
+def read_exterior(path: Path, image: str, angles: str = AUTO) -> FrameExterior:
+    """The orientation of an image by its file's name, with or without its ending.
+
+    ``angles`` is one of ``limits.ANGLE_UNITS``. Raises SensorModelError for a file that is none and for one that does
+    not name the image.
+    """
+    try:
+        photos = _photos(document(path), path, angles)
+        found = photos[_index([name for name, _ in photos], path, image)][1]()
+    except (*UNREADABLE, csv.Error):
+        raise SensorModelError(messages.NO_EXTERIOR(name=path.name)) from None
+    sound = found.position.shape == (3,) and found.axes.shape == (3, 3) and np.isfinite(found.position).all()
+    if not sound or not np.allclose(found.axes.T @ found.axes, np.eye(3), atol=_DIGITS):
+        raise SensorModelError(messages.NO_EXTERIOR(name=path.name))
+    return found
+
+
+def _photos(content: Any, path: Path, angles: str) -> Named:
+    if isinstance(content, Element):
+        if content.tag == "BlocksExchange":
+            return _block_photos(content)
+        if content.tag == "document":
+            return _metashape_photos(content)
+        return [("", partial(_micmac_exterior, content))]
+    if isinstance(content, dict) and "features" in content:
+        system = str(content.get("world_crs") or "")
+        rows = [one["properties"] for one in content["features"]]
+        return [(str(row["filename"]), partial(_orthority_exterior, row, system)) for row in rows]
+    if isinstance(content, (dict, list)):
+        return _opensfm_photos(content, path)
+    if "$PHOTO" in content:
+        return _inpho_photos(content, path)
+    pix4d = pix4d_photos(content)
+    if pix4d:
+        offset = _pix4d_offset(path)
+        return [(name, partial(_pix4d_exterior, name, numbers, offset)) for name, numbers in pix4d.items()]
+    return _patb_photos(content) or _table_photos(content, path, angles)
+
+
+def _index(names: Sequence[str], path: Path, image: str) -> int:
+    """Which of the names is the image's. Raises SensorModelError where none is, or several are."""
+    if list(names) == [""]:  # a file of one photo
+        return 0
+    stem = Path(image).stem
+    alike = [index for index, name in enumerate(names) if name == image or stem in (name, Path(name).stem)]
+    exact = [index for index in alike if names[index] == image]
+    found = exact or alike
+    if len(found) != 1:
+        raise SensorModelError(
+            messages.IMAGE_NOT_ORIENTED(name=path.name, image=image, names=", ".join(names[:_SHOWN]))
+        )
+    return found[0]
+
+
+# --- documents -------------------------------------------------------------------------------------------------
+
+
+def _micmac_exterior(root: Element) -> FrameExterior:
+    """``Orientation-IMAGE.xml``: centre and axes (rows down, view forward) as a matrix; one file an image."""
+    outer = root if root.tag == "Externe" else root.find(".//Externe")
+    if outer is None:
+        raise ValueError
+    rows = [(outer.findtext(f"ParamRotation/CodageMatr/L{number}") or "").split() for number in (1, 2, 3)]
+    return FrameExterior(np.array((outer.findtext("Centre") or "").split(), float), np.array(rows, float))
+
+
+def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:
+    angles = [math.degrees(float(angle)) for angle in row["opk"]]
+    return FrameExterior(np.array(row["xyz"], float), camera_axes(*angles), str(row.get("camera") or ""), system)
+
+
+def _opensfm_photos(content: Any, path: Path) -> Named:
+    """A reconstruction, in the plane that touches the Earth at its reference.
+
+    OpenDroneMap replaces that file by an approximate one in UTM and keeps the exact one beside it; where it does not,
+    its offset stands in another folder.
+    """
+    exact = path.with_name("reconstruction.topocentric.json")
+    if exact.is_file() and path.name != exact.name:
+        content = document(exact)
+    parts = content if isinstance(content, list) else [content]
+    offsets = path.parent.parent / "odm_georeferencing" / "coords.txt"
+    system, place = "", np.zeros(3)
+    reference = parts[0]["reference_lla"]
+    origin = [float(reference[name]) for name in ("longitude", "latitude", "altitude")]
+    if offsets.is_file() and not exact.is_file():
+        system, place = _odm_offset(offsets)
+
+    def exterior(shot: dict[str, Any]) -> FrameExterior:
+        axes = Rotation.from_rotvec(np.array(shot["rotation"], float)).as_matrix().T
+        position, camera = -axes @ np.array(shot["translation"], float), str(shot["camera"]).removeprefix("v2 ")
+        if system:
+            return FrameExterior(position + place, axes, camera, system)
+        return replace(_from_plane(origin, position, axes), camera=camera)
+
+    return [(name, partial(exterior, shot)) for part in parts for name, shot in part["shots"].items()]
+
+
+def _odm_offset(path: Path) -> tuple[str, np.ndarray]:
+    """Reference system and offset (3,) of OpenDroneMap's ``coords.txt``: ``WGS84 UTM 32N``, then two numbers."""
+    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    zone = re.search(r"UTM (\d+)([NS])", lines[0])
+    if zone is None:
+        raise ValueError
+    east, north = (float(word) for word in lines[1].split()[:2])
+    return f"EPSG:{(32600 if zone[2] == 'N' else 32700) + int(zone[1])}", np.array([east, north, 0.0])
+
+
+def _metashape_photos(root: Element) -> Named:
+    """The cameras of a project that are aligned, in the chunk's own system, which its transform puts on the Earth."""
+    photos: Named = []
+    for chunk in root.iter("chunk"):
+        components = {one.get("id"): one.find("transform") for one in chunk.iter("component")}
+        for camera in chunk.iter("camera"):
+            own = camera.find("transform")
+            placed = components.get(camera.get("component_id"))
+            placed = chunk.find("transform") if placed is None else placed
+            if own is not None and own.text and placed is not None:
+                photos.append((camera.get("label", ""), partial(_metashape_exterior, camera, placed)))
+    return photos
+
+
+def _metashape_exterior(camera: Element, placed: Element) -> FrameExterior:
+    own = np.reshape((camera.findtext("transform") or "").split(), (4, 4)).astype(float)
+    turn = np.reshape((placed.findtext("rotation") or "").split(), (3, 3)).astype(float)
+    shift = np.array((placed.findtext("translation") or "").split(), float)
+    scale = float(placed.findtext("scale") or 1)
+    centre = scale * turn @ own[:3, 3] + shift
+    if not 0.9 < np.linalg.norm(centre) / WGS84_SEMI_MAJOR_M < 1.1:  # a system of its own, and not the Earth's
+        raise ValueError
+    return replace(_from_geocentric(centre, turn @ own[:3, :3]), camera=camera.get("sensor_id", ""))
+
+
+def _block_photos(root: Element) -> Named:
+    """ContextCapture's: the rotation takes the ground to the camera, whose y is up or down as the group says."""
+    systems = {one.findtext("Id"): (one.findtext("Definition") or "").strip() for one in root.iter("SRS")}
+    photos: Named = []
+    number = 0
+    for block in root.iter("Block"):
+        for group in block.iter("Photogroup"):
+            system = systems.get(group.findtext("SRSId") or block.findtext("SRSId"), "")
+            for photo in group.iter("Photo"):
+                name = re.split(r"[\\/]", photo.findtext("ImagePath") or "")[-1]
+                photos.append((name, partial(_block_exterior, photo, group, str(number), system)))
+            number += 1
+    return photos
+
+
+def _block_exterior(photo: Element, group: Element, camera: str, system: str) -> FrameExterior:
+    turn, pose = photo.find("Pose/Rotation"), photo.find("Pose/Center")
+    if turn is None or pose is None:
+        raise ValueError
+    if turn.find("Omega") is not None:
+        from_camera = Rotation.from_euler("XYZ", numbers_of(turn, "Omega", "Phi", "Kappa"), degrees=True).as_matrix()
+    else:
+        names = [f"M_{row}{column}" for row in range(3) for column in range(3)]
+        from_camera = np.reshape(numbers_of(turn, *names), (3, 3)).T
+    y = group.findtext("CameraOrientation") or "XRightYDown"
+    if y not in ("XRightYDown", "XRightYUp"):
+        raise ValueError
+    axes = from_camera if y == "XRightYDown" else from_camera @ _DOWN
+    centre = np.array(numbers_of(pose, "x", "y", "z"))
+    plane = re.match(r"ENU:([-\d.]+),([-\d.]+)", system)
+    if plane:
+        return replace(_from_plane([float(plane[2]), float(plane[1]), 0.0], centre, axes), camera=camera)
+    return FrameExterior(centre, axes, camera, system)
+
+
+def _inpho_photos(content: str, path: Path) -> Named:
+    """Projects hold the rotation from the ground to the camera."""
+
+    def exterior(block: str) -> FrameExterior:
+        values = [float(word) for word in inpho_value(block, "EXT_ORI").partition("\n")[2].split()[:13]]
+        camera = inpho_value(block, "CAMERA_ID")
+        mount = chosen_camera(content, path, camera).mount
+        own = np.array([[*mount[0], 0.0], [*mount[1], 0.0], [0.0, 0.0, -1.0]])
+        told = (messages.ROTATION_TAKEN(name=path.name, way="$EXT_ORI"),)
+        return FrameExterior(np.array(values[1:4]), (own @ np.reshape(values[4:], (3, 3))).T, camera, notices=told)
+
+    def name(block: str) -> str:
+        return re.split(r"[\\/]", inpho_value(block, "PHOTO_FILE"))[-1] or inpho_value(block, "PHOTO_NUM")
+
+    return [(name(block), partial(exterior, block)) for block in inpho_blocks(content, "PHOTO")]
+
+
+def _pix4d_offset(path: Path) -> np.ndarray:
+    """(3,) what positions are less than their coordinates by: of ``..._offset.xyz`` beside it."""
+    beside = path.with_name(path.name.replace("calibrated_camera_parameters.txt", "offset.xyz"))
+    if beside == path or not beside.is_file():
+        return np.zeros(3)
+    return np.array(beside.read_text(encoding="utf-8", errors="replace").split()[:3], float)
+
+
+def _pix4d_exterior(name: str, numbers: Sequence[float], offset: np.ndarray) -> FrameExterior:
+    return FrameExterior(np.array(numbers[16:19]) + offset, np.reshape(numbers[19:28], (3, 3)).T, name)
+
+
+def _from_plane(origin: Sequence[float], position: np.ndarray, axes: np.ndarray) -> FrameExterior:
+    """Of a camera in the plane (east, north, up) that touches the ellipsoid at a longitude, latitude and height."""
+    longitude, latitude, height = origin
+    up = _local_axes(longitude, latitude)
+    flattening = 1 / 298.257223563
+    squared = flattening * (2 - flattening)
+    sine, cosine = math.sin(math.radians(latitude)), math.cos(math.radians(latitude))
+    normal = WGS84_SEMI_MAJOR_M / math.sqrt(1 - squared * sine**2)
+    centre = np.array([
+        (normal + height) * cosine * math.cos(math.radians(longitude)),
+        (normal + height) * cosine * math.sin(math.radians(longitude)),
+        (normal * (1 - squared) + height) * sine,
+    ])
+    return _from_geocentric(centre + up.T @ position, up.T @ axes)
+
+
+def _from_geocentric(position: np.ndarray, axes: np.ndarray) -> FrameExterior:
+    """Of a camera in geocentric coordinates (WGS 84): in the plane below itself, from which the Earth curves away."""
+    squared = (2 - 1 / 298.257223563) / 298.257223563
+    x, y, z = position.tolist()
+    longitude, distance = math.atan2(y, x), math.hypot(x, y)
+    latitude, height = math.atan2(z, distance * (1 - squared)), 0.0
+    for _ in range(8):  # Heiskanen and Moritz 1967, section 5-3: a factor of 150 each time
+        normal = WGS84_SEMI_MAJOR_M / math.sqrt(1 - squared * math.sin(latitude) ** 2)
+        height = distance * math.cos(latitude) + z * math.sin(latitude) - WGS84_SEMI_MAJOR_M**2 / normal
+        latitude = math.atan2(z, distance * (1 - squared * normal / (normal + height)))
+    degrees = math.degrees(longitude), math.degrees(latitude)
+    system = f"+proj=tmerc +lon_0={degrees[0]:.12f} +lat_0={degrees[1]:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
+    return FrameExterior(
+        np.array([0.0, 0.0, height]), _local_axes(*degrees) @ axes, wkt=system, curvature=EARTH_CURVATURE
+    )
+
+
+def _local_axes(longitude: float, latitude: float) -> np.ndarray:
+    """(3, 3) rows: east, north and up at a place, in geocentric coordinates."""
+    return Rotation.from_euler("ZX", [longitude + 90, 90 - latitude], degrees=True).as_matrix().T
+
+
+# --- tables ----------------------------------------------------------------------------------------------------
+
+
+def _patb_photos(content: str) -> Named:
+    """A number, perhaps a focal length, and a position, then nine elements of a rotation from the camera to the ground.
+
+    No photos where it is another table.
+    """
+    records = [line.split() for line in content.splitlines() if line.strip() and line.strip() != "-99"]
+    photos: Named = []
+    while len(records) > 2:
+        first = records.pop(0)
+        values: list[float | None] = []
+        while records and len(values) < 9:
+            values += [_number(word) for word in records.pop(0)]
+        position = [_number(word) for word in first[-3:]]
+        if len(first) not in (4, 5) or len(values) != 9 or None in values or None in position:
+            return []
+        told = (messages.ROTATION_TAKEN(name=first[0], way="PATB"),)
+        turn = np.reshape(np.array(values, float), (3, 3))
+        photos.append((first[0], partial(FrameExterior, np.array(position, float), turn @ _DOWN, notices=told)))
+    return photos
+
+
+def _number(word: str) -> float | None:
+    """With a decimal point or comma."""
+    try:
+        return float(word.strip().replace(",", "."))
+    except ValueError:
+        return None
+
+
+def _table_photos(content: str, path: Path, angles: str) -> Named:
+    """Values parted by semicolons, tabs, commas or blanks, with a header or in the order of ``_FIELDS``."""
+    lines = [line for line in content.splitlines() if line.strip()]
+    headers = ((number, _header(line)) for number, line in enumerate(lines))
+    start, fields = next(((number + 1, found) for number, found in headers if found), (0, dict(zip(_FIELDS, range(7)))))
+    if "filename" not in fields:
+        raise ValueError
+    rows = _rows([line for line in lines[start:] if not line.lstrip().startswith("#")], fields)
+    turned = np.array([row[1] for row in rows])[:, 3:]
+    unit = angles if angles != AUTO else _angle_unit(lines[:start] + lines[start : start + 1])
+    notices: tuple[Message, ...] = ()
+    largest = float(np.abs(turned).max())
+    if not unit and _LEAST_RADIANS < largest <= math.pi:
+        notices = (messages.ANGLES_PERHAPS_RADIANS(name=path.name),)
+    elif not unit and largest > _HALF_TURN:
+        notices = (messages.ANGLES_PERHAPS_GON(name=path.name, angle=largest),)
+    degrees = turned * _IN_DEGREES[unit or DEGREES]
+    system = _named_system(lines[:start])
+    cameras = [row[0][fields["camera"]] if "camera" in fields else "" for row in rows]
+    return [
+        (row[0][fields["filename"]], partial(_table_exterior, row[1][:3], turn, camera, system, notices))
+        for row, turn, camera in zip(rows, degrees, cameras)
+    ]
+
+
+def _table_exterior(
+    position: Sequence[float], degrees: np.ndarray, camera: str, system: str, notices: tuple[Message, ...]
+) -> FrameExterior:
+    return FrameExterior(np.array(position), camera_axes(*degrees.tolist()), camera, system, notices=notices)
+
+
+def _header(line: str) -> dict[str, int]:
+    """Where each column stands; {} for a line that names too few."""
+    line = re.sub(_PAIRS, r"\1\2", re.sub(r"(?i)#\s*event", "event", line)).strip().lstrip("#")
+    for parted in (";", "\t", ",", None):
+        names = [re.sub(r"\(.*?\)|\[.*?\]|[^a-z0-9]", "", re.sub(_angle_words(), "", word.lower()))
+                 for word in line.split(parted)]  # fmt: skip
+        found = {_NAMES[name]: place for place, name in reversed(list(enumerate(names))) if name in _NAMES}
+        if set(_FIELDS[1:]) <= set(found):
+            return found
+    return {}
+
+
+def _angle_words() -> str:
+    return "|".join(rf"[_ (\[](?:{words})\b[)\]]?" for _, words in _UNIT_WORDS)
+
+
+def _angle_unit(lines: Iterable[str]) -> str:
+    """The unit that a header and what stands around it name; empty where they name none, or several."""
+    text = " ".join(lines).lower()
+    found = [unit for unit, words in _UNIT_WORDS if re.search(rf"(?<![a-z])(?:{words})(?![a-z])", text)]
+    return found[0] if len(found) == 1 else ""
+
+
+def _named_system(lines: Iterable[str]) -> str:
+    """The reference system that a comment above a table names: a WKT, as Metashape writes it."""
+    found = re.search(r"(PROJCS|COMPD_CS|PROJCRS)\[.*\]", "\n".join(lines))
+    return found[0] if found else ""
+
+
+def _rows(lines: Sequence[str], fields: dict[str, int]) -> list[tuple[list[str], list[float]]]:
+    """The cells of each row with its six numbers, parted as its first row asks. Raises ValueError without rows."""
+    places = [fields[name] for name in _FIELDS[1:]]
+    for line in lines[:3]:  # one of units may come first
+        for parted in (";", "\t", ",", " "):
+            found = [_row(one, parted, places) for one in lines]
+            if _row(line, parted, places) is not None:
+                return [one for one in found if one is not None]
+    raise ValueError
+
+
+def _row(line: str, parted: str, places: Sequence[int]) -> tuple[list[str], list[float]] | None:
+    cells = line.split() if parted == " " else [cell.strip() for cell in next(csv.reader([line], delimiter=parted))]
+    numbers = [_number(cells[place]) for place in places] if len(cells) > max(places) else [None]
+    values = [one for one in numbers if one is not None and math.isfinite(one)]
+    return (cells, values) if len(values) == len(places) else None

@@ -1,0 +1,109 @@
+"""A photo's camera on the ground, by the files of its orientations and its terrain."""
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from ...imagery.errors import Message, SensorModelError
+from ...imagery.grids import PixelWindow
+from ...imagery.open_raster import OpenRaster
+from ...imagery.rasters import RasterRef
+from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit
+from . import messages
+from .camera_files import orientation_file, read_interior
+from .exterior_files import AUTO, read_exterior
+from .frames import FrameCamera
+from .heights import ELLIPSOID, HIGHEST_M, LOWEST_M, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
+from .limits import EXTERIOR_DATUMS
+from .rpc import Domain
+from .sensor_model import WGS84, reprojected
+
+AS_TERRAIN = EXTERIOR_DATUMS[0]
+MIN_DIP = 0.02  # sine of the angle below the horizon of the flattest view
+HEIGHTS_PX = 512  # longer side of the overview of the terrain that the range of heights is taken from
+
+
+@dataclass(frozen=True)
+class FrameFiles:
+    """What a photo's orientation is read from."""
+
+    interior: Path | None
+    """None: the file of the exterior orientation holds the camera, too."""
+    exterior: Path
+    """A file, or an OpenDroneMap project's folder."""
+    wkt: str
+    """Reference system of the exterior orientation, if it is stated; empty: what its file says, else the image's."""
+    datum: Datum
+    """What the projection centre's height refers to: one of ``limits.EXTERIOR_DATUMS``, or a grid."""
+    angles: str = AUTO
+    """What the angles of a table are in: one of ``limits.ANGLE_UNITS``."""
+
+
+@dataclass(frozen=True)
+class OrientedFrame:
+    """A photo's camera on the ground."""
+
+    camera: FrameCamera
+    wkt: str
+    """Reference system of its position."""
+    domain: Domain
+    terrain_datum: Datum
+    """What the terrain model's heights are to be taken as: the camera's are of the same kind then."""
+    notices: tuple[Message, ...]
+
+
+def oriented_frame(
+    image: OpenRaster, files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, height: float
+) -> OrientedFrame:
+    """The camera of an image; the ground's heights from ``dem``, else one ``height`` everywhere.
+
+    Raises SensorModelError for files that can't be used and for cameras that don't see the ground.
+    """
+    path = orientation_file(files.exterior)
+    exterior = read_exterior(path, image.ref.name, files.angles)
+    interior = read_interior(files.interior or path, exterior.camera, (image.columns, image.rows))
+    wkt, notices = _system(image, files, exterior.wkt)
+    notices = (*notices, *exterior.notices)
+    camera = FrameCamera(interior, exterior.position, exterior.axes, exterior.curvature)
+    vertical = files.datum if isinstance(files.datum, Geoid) else VERTICAL.get(files.datum)
+    if vertical is not None:
+        place = reprojected(camera.position[None], wkt, WGS84)
+        camera = replace(camera, position=np.append(camera.position[:2], above_ellipsoid(place, vertical)))
+    low, high = (height, height) if dem is None else _range_of_heights(dem)
+    if camera.position[2] <= high:
+        raise SensorModelError(
+            messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=float(camera.position[2]), low=low, high=high)
+        )
+    corners = np.array([[0, 0], [image.columns, 0], [0, image.rows], [image.columns, image.rows]], float)
+    views = camera.views(np.vstack([corners, corners.mean(axis=0)]))
+    if views[:, 2].max() > -MIN_DIP:
+        raise SensorModelError(messages.CAMERA_LOOKS_UP(name=image.ref.name))
+    (middle,) = camera.places_at(views[-1:], np.array([(low + high) / 2]))
+    domain = Domain((0.0, image.columns), (0.0, image.rows), (low, high), (float(middle[0]), float(middle[1])))
+    return OrientedFrame(camera, wkt, domain, ELLIPSOID if files.datum == AS_TERRAIN else dem_datum, notices)
+
+
+def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tuple[Message, ...]]:
+    """The horizontal system of the exterior orientation, and what to say of it."""
+    own = image.raster.own_wkt
+    wkt = files.wkt or named or own
+    if not wkt:
+        raise SensorModelError(messages.EXTERIOR_WITHOUT_SYSTEM(name=files.exterior.name))
+    if is_geographic(wkt) or metres_per_unit(wkt, 0.0) != (1.0, 1.0):
+        raise SensorModelError(messages.EXTERIOR_NOT_METRIC())
+    return horizontal_wkt(wkt), () if files.wkt or named else (messages.EXTERIOR_SYSTEM_TAKEN(),)
+
+
+def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
+    """Lowest and highest terrain as the terrain model has it, m; over all of it, which costs an overview only."""
+    source = OpenRaster(dem)
+    whole = PixelWindow(0, 0, source.columns, source.rows)
+    share = max(source.columns, source.rows) / HEIGHTS_PX
+    size = (max(round(source.rows / share), 1), max(round(source.columns / share), 1)) if share > 1 else None
+    heights = first_band(source, whole, size)
+    heights = heights[(heights >= LOWEST_M) & (heights <= HIGHEST_M)]  # others stand for none, and no nodata says so
+    if not heights.size:
+        raise SensorModelError(messages.TERRAIN_EMPTY(name=dem.name))
+    return float(heights.min()), float(heights.max())

@@ -1,0 +1,81 @@
+"""400 simulated deliveries, scanned in pieces of 10 m: what is decided against what was planted."""
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.acceptance.measure.deciding import decide
+from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
+from seam_inspector.plugin.acceptance.measure.delivery import DeliveredPiece, Delivery
+
+from tests.numbers.acceptance.deliveries import rules
+
+PIECE, SEAMS, PIECES = 10.0, 40, 20
+ALLOWED = 0.02
+
+
+@dataclass(frozen=True)
+class Simulated:
+    """A delivery of 8 km, and what came of it."""
+
+    planted: float
+    """Share of its metres that is spoilt."""
+    failed: float
+    """Share that the decision says."""
+    outcome: AcceptanceOutcome
+
+
+def simulated(seed: int) -> Simulated:
+    """Failures of 10 to 200 m anywhere, also over the ends of pieces, in which 0.2 to 0.65 is kept. Each piece keeps
+    its mean, known to 0.03 to 0.08, and its interval says so."""
+    random = np.random.default_rng(seed)
+    spoilt = np.ones((SEAMS, int(PIECES * PIECE)))  # of each metre what is kept
+    wanted = random.uniform(0.4, 1.8) * ALLOWED * spoilt.size
+    while (spoilt < 1).sum() < wanted:
+        seam, length = random.integers(SEAMS), int(min(random.uniform(10, 200), wanted))
+        start = random.integers(1 - length, spoilt.shape[1])
+        spoilt[seam, max(start, 0) : start + length] = random.uniform(0.2, 0.65)
+    true = spoilt.reshape(SEAMS, PIECES, -1).mean(axis=2)
+    noise = random.uniform(0.03, 0.08)
+    kept = np.maximum(true * np.exp(random.normal(0, noise, true.shape)), 0.01)
+    factor = np.exp(1.96 * noise)
+    pieces = [
+        DeliveredPiece(
+            seam * PIECES + place, "a", str(seam), PIECE * place, PIECE, value, value / factor, value * factor, None,
+            "preserved", "", np.array([(PIECE * place, 100.0 * seam), (PIECE * (place + 1), 100.0 * seam)]),
+        )
+        for seam, values in enumerate(kept.tolist()) for place, value in enumerate(values)
+    ]  # fmt: skip
+    found = decide(Delivery(tuple(pieces), ""), rules(share=ALLOWED, run=None))
+    assert found.whole.failed_share is not None
+    return Simulated(float((spoilt < 1).mean()), found.whole.failed_share, found.outcome)
+
+
+@pytest.fixture(scope="module")
+def found() -> list[Simulated]:
+    return [simulated(seed) for seed in range(400)]
+
+
+@pytest.mark.slow
+def test_nothing_clearly_bad_is_accepted_and_nothing_clearly_good_rejected(found: list[Simulated]) -> None:
+    wrong = [
+        one for one in found
+        if (one.outcome is AcceptanceOutcome.ACCEPTED and one.planted > 1.25 * ALLOWED)
+        or (one.outcome is AcceptanceOutcome.REJECTED and one.planted < 0.8 * ALLOWED)
+    ]  # fmt: skip
+    assert wrong == []
+
+
+@pytest.mark.slow
+def test_few_are_left_undecided(found: list[Simulated]) -> None:
+    open_ = [one.planted / ALLOWED for one in found if one.outcome is AcceptanceOutcome.UNDECIDED]
+    assert len(open_) < 0.2 * len(found)
+    assert np.percentile(open_, 90) < 1.6
+    assert np.percentile(open_, 10) > 0.65
+
+
+@pytest.mark.slow
+def test_sums_of_pieces_have_no_bias(found: list[Simulated]) -> None:
+    planted, failed = np.array([(one.planted, one.failed) for one in found]).T
+    assert failed.sum() == pytest.approx(planted.sum(), rel=0.08)

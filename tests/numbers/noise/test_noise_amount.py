@@ -1,0 +1,65 @@
+"""How much noise there is whatever the scene: sigma without texture, signal to noise, and the second verdict."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy import ndimage
+from seam_inspector.plugin.noise.measure.band_noise import BandNoise, NoiseAmount, measure_noise
+
+from tests.examples import at_most
+from tests.numbers.synthetic import patchy_texture, texture
+
+
+def measured(pixels: np.ndarray, whole: bool = True) -> BandNoise:
+    values = np.rint(pixels).clip(0, 255).astype(np.uint8) if whole else pixels.astype(np.float32)
+    return measure_noise(values[np.newaxis], ("band_1",))["band_1"]
+
+
+def white(sigma: float, seed: int = 0) -> np.ndarray:
+    return np.random.default_rng(seed).normal(0, sigma, (512, 512))
+
+
+@at_most(12)
+@given(sigma=st.floats(3, 15), beta=st.floats(2.6, 4), contrast=st.floats(1, 25), seed=st.integers(0, 50))
+def test_white_noise_is_told_from_the_texture_around_it(sigma: float, beta: float, contrast: float, seed: int) -> None:
+    found = measured(120 + contrast * patchy_texture((512, 512), beta, seed) + white(sigma, seed))
+    assert found.noise == pytest.approx(sigma, rel=0.1)
+    assert found.signal_to_noise == pytest.approx(120 / sigma, rel=0.12)
+
+
+@pytest.mark.parametrize(("sigma", "amount"), [(0, "little"), (2, "little"), (5, "some"), (9, "some"), (20, "much")])
+@pytest.mark.parametrize("contrast", [3, 25])
+def test_the_amount_is_that_of_the_ratio_on_rough_ground_and_on_smooth(
+    sigma: float, amount: str, contrast: float
+) -> None:
+    assert measured(120 + contrast * texture((512, 512), 4, 2) + white(sigma)).amount == amount
+
+
+def test_what_the_curve_calls_low_is_not_little_noise_for_that() -> None:
+    found = measured(120 + 60 * patchy_texture((512, 512), 2.6, 2) + white(4))
+    assert (found.verdict.value, found.amount.value) == ("low", "some")
+
+
+@pytest.mark.parametrize("size", [0.7, 1.0, 1.35, 2.0])
+def test_grain_as_strong_as_that_is_never_little(size: float) -> None:
+    grain = ndimage.gaussian_filter(white(1), size, mode="wrap")
+    for scale in (2, 25):
+        found = measured(120 + scale * patchy_texture((512, 512), 3, 1) + 8 * grain / grain.std())
+        assert found.amount != NoiseAmount.LITTLE
+
+
+def test_figures_follow_the_scale_of_values_and_rounding_is_no_noise() -> None:
+    ground = (120 + 10 * texture((512, 512), 4, 2) + white(5)) / 255
+    one, other = measured(ground, whole=False), measured(1000 * ground, whole=False)
+    assert one.amount == other.amount == NoiseAmount.SOME
+    assert other.signal_to_noise == pytest.approx(one.signal_to_noise)
+    dark = measured(8 + 2 * texture((512, 512), 4, 2) + white(0.35))
+    assert (dark.signal_to_noise or 0) < 40
+    assert dark.amount == NoiseAmount.LITTLE
+
+
+def test_without_a_signal_nothing_is_said_of_the_amount() -> None:
+    found = measured(white(5) - 3, whole=False)
+    assert (found.amount, found.signal_to_noise) == (NoiseAmount.NOT_MEASURABLE, None)

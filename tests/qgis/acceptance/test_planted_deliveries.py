@@ -1,0 +1,293 @@
+"""Twelve deliveries whose truth is known: scan, decision, report, record and layers say the same metres, and the
+decision is right, or undecided with the reason."""
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+from osgeo import gdal
+from qgis.core import QgsGeometry, QgsVectorLayer
+
+from tests.pages import outline
+from tests.qgis.acceptance.planted import (
+    GSD,
+    ROWS,
+    SHAPE,
+    Block,
+    cell_layer,
+    make_block,
+    planted_metres,
+    seam_metres,
+)
+from tests.qgis.acceptance.seam_scenes import X, Y, seams
+from tests.qgis.runs import Run, run
+from tests.qgis.scenes import layer, saved
+
+pytestmark = [pytest.mark.usefixtures("provider"), pytest.mark.slow]
+
+PIECE = 10.0
+PLANTED = ((0, 133, 713), (1, 57, 637), (2, 248, 861))
+"""Feathers of some 60 m that begin and end inside of pieces of 10 m."""
+F, P = 0.5, 0.95
+
+
+def scan(block: Block, folder: Path, **more: Any) -> Run:
+    folder.mkdir(parents=True, exist_ok=True)
+    given = {"MOSAIC": block.mosaic, "SOURCES": list(block.sources), "SEAMLINES": block.seamlines, "PIECE": PIECE}
+    outputs = {"LOSS": str(folder / "loss.tif"), "SEAMS": str(folder / "seams.gpkg"), "CELLS": None, "WORST": None}
+    found = run("scanmosaic", **{**given, **outputs, **more})
+    assert found.complaint is None
+    return found
+
+
+def decide(folder: Path, *layers: QgsVectorLayer | str, **more: Any) -> Run:
+    folder.mkdir(parents=True, exist_ok=True)
+    papers = {
+        "REPORT": str(folder / "decision.html"), "QUALITY": str(folder / "quality.xml"),
+        "DEFECTS": str(folder / "failures.gpkg"), "CHART": None,
+    }  # fmt: skip
+    return run("acceptmosaic", **{"SEAMS": list(layers), **papers, **more})
+
+
+def decision(found: Run) -> str:
+    (said,) = (text for text in found.log.infos if text.startswith(("Accepted by", "Rejected by", "Undecided by")))
+    return said
+
+
+def said(found: Run) -> str:
+    return " ".join(found.log.infos + found.log.warnings)
+
+
+def assert_all_say_the_same(folder: Path, found: Run, *layers: QgsVectorLayer | str) -> None:
+    """The decision's metres are sums of rows of the layers, and those of report, record and failures."""
+    assert found.complaint is None
+    total = failed = measured = 0.0
+    for one in layers:
+        held = QgsVectorLayer(one, "seams", "ogr") if isinstance(one, str) else one
+        names = held.fields().names()
+        for row in held.getFeatures():
+            if "level" in names and row["level"] == "stretch":
+                continue
+            state = row["state"] if "state" in names else "failed" if row["kept_1"] < 0.7 else "passed"
+            total += row["length"]
+            failed += row["length"] * (state == "failed")
+            measured += row["length"] * (state in ("failed", "passed"))
+    assert found.results["TOTAL_METRES"] == pytest.approx(total)
+    assert found.results["MEASURED_METRES"] == pytest.approx(measured)
+    assert found.results["FAILED_METRES"] == pytest.approx(failed)
+    defects = QgsVectorLayer(str(folder / "failures.gpkg"), "failures", "ogr")
+    lengths = [row["length"] for row in defects.getFeatures()]
+    assert sum(lengths) == pytest.approx(failed, abs=0.01)
+    assert max(lengths, default=0) == pytest.approx(found.results["LONGEST_FAILURE"], abs=0.01)
+    page = outline((folder / "decision.html").read_text(encoding="utf-8")).words.replace("\u00a0", " ")
+    assert f"{failed:.1f} m" in page
+    assert found.results["DECISION"].capitalize() in page
+    root = ElementTree.parse(folder / "quality.xml").getroot()
+    texts = [one.text or "" for one in root.iter()]
+    assert any(text.startswith(decision(found)[:60]) for text in texts)
+    if measured:
+        records = [float(text) for text in texts if re.fullmatch(r"-?\d+(\.\d+)?(e-?\d+)?", text)]
+        assert any(abs(one - 100 * failed / measured) < 0.005 for one in records)
+
+
+@pytest.fixture(scope="module")
+def spoilt(tmp_path_factory: pytest.TempPathFactory) -> Block:
+    return make_block(tmp_path_factory.mktemp("spoilt"), PLANTED)
+
+
+@pytest.fixture(scope="module")
+def scanned(spoilt: Block, provider: object) -> Iterator[Run]:
+    found = scan(spoilt, spoilt.folder / "scan")
+    yield found
+    found.close()
+
+
+def test_1_isolated_spoilt_seams(tmp_path: Path) -> None:
+    """Five of 200 seams of 25 m, a piece each: 125 m, 2.5 %."""
+    every = [seams([F if place % 40 == 7 else P], y=40 * place, name=f"s{place}") for place in range(200)]
+    found = decide(tmp_path, *every)
+    assert (found.results["FAILED_METRES"], found.results["FAILED_SHARE"]) == pytest.approx((125, 2.5))
+    assert found.results["DECISION"] == "rejected"
+    assert_all_say_the_same(tmp_path, found, *every)
+
+
+def test_2_failures_that_end_inside_of_pieces(spoilt: Block, scanned: Run, tmp_path: Path) -> None:
+    found = decide(tmp_path, scanned.results["SEAMS"])
+    truth = planted_metres(PLANTED)
+    assert found.results["TOTAL_METRES"] == pytest.approx(seam_metres(), rel=0.01)
+    assert found.results["FAILED_METRES"] == pytest.approx(truth, rel=0.08)
+    assert found.results["FAILED_METRES"] == scanned.results["FAILED_METRES"]
+    assert found.results["TOTAL_METRES"] == pytest.approx(scanned.results["SEAM_METRES"])
+    assert found.results["LONGEST_FAILURE"] == pytest.approx(planted_metres(PLANTED[2:]), abs=PIECE)
+    assert found.results["DECISION"] == "rejected"
+    assert "as their scans left them (1)" in said(found)
+    assert_all_say_the_same(tmp_path, found, scanned.results["SEAMS"])
+    allowed = 100 * truth / seam_metres()
+    for share, outcomes in ((1.25 * allowed, {"accepted"}), (allowed, {"accepted", "rejected", "undecided"}),
+                            (allowed / 1.25, {"rejected"})):
+        by_share = decide(tmp_path, scanned.results["SEAMS"], MAX_SHARE=share, MAX_RUN=1000)
+        assert by_share.results["DECISION"] in outcomes
+
+
+def test_3_mixed_pieces(tmp_path: Path) -> None:
+    """Each spoilt on half of its length, or not at all: which side of the limit it is on can't be told."""
+    made = seams([0.68] * 4 + [P] * 146)
+    made.dataProvider().changeAttributeValues({
+        row.id(): {made.fields().indexOf("kept_low"): 0.55, made.fields().indexOf("kept_high"): 0.84}
+        for row in made.getFeatures() if row["kept_1"] == 0.68
+    })  # fmt: skip
+    found = decide(tmp_path, made, MAX_RUN=200)
+    assert found.results["FAILED_METRES"] == 100  # by value, 2.7 %
+    assert found.results["DECISION"] == "undecided"
+    assert "a verdict on the pieces whose intervals hold the limit (4 pieces, 100 m)" in said(found)
+    assert_all_say_the_same(tmp_path, found, made)
+
+
+def test_4_smooth_fields(tmp_path: Path) -> None:
+    """A third of all seams on even fields, on some of which nothing can be measured; not a metre failed."""
+    block = make_block(tmp_path / "block", smooth=ROWS // 3)
+    made = scan(block, tmp_path / "scan")
+    found = decide(tmp_path, made.results["SEAMS"])
+    assert found.results["DECISION"] == "accepted"
+    assert found.results["FAILED_METRES"] == made.results["FAILED_METRES"] == 0
+    assert found.results["MEASURED_METRES"] < 0.9 * found.results["TOTAL_METRES"]  # less than has to be measured
+    assert "of seam lie on ground without detail" in said(found)
+    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
+
+
+def test_5_a_missing_orthoimage(spoilt: Block, tmp_path: Path) -> None:
+    """Of four one is not there, and seams are found in the pixels: two of three are in no figure."""
+    made = scan(spoilt, tmp_path / "scan", SOURCES=[*spoilt.sources[:2], spoilt.sources[3]], SEAMLINES=None)
+    found = decide(tmp_path, made.results["SEAMS"], MAX_SHARE=100, MAX_RUN=1000)
+    assert found.results["DECISION"] == "undecided"
+    assert re.search(r"\d\d% of the mosaic of seams follow no orthoimage and 10% may", decision(found))
+    (told,) = (text for text in found.log.warnings if "found no orthoimage behind" in text)
+    x, y = map(float, re.search(r"around ([\d.]+) ([\d.]+)\.", told).groups())  # type: ignore[union-attr]
+    left, top = gdal.Open(spoilt.mosaic).GetGeoTransform()[::3]
+    assert 800 < (x - left) / GSD < 1200  # the third strip
+    assert 0 < (top - y) / GSD < ROWS
+    assert "a scan with the orthoimages that are missing" in said(found)
+    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
+
+
+def test_6_a_filtered_layer(scanned: Run, tmp_path: Path) -> None:
+    """What a filter hides may be the failures: refused. Where they are deleted the scan's totals tell."""
+    path = scanned.results["SEAMS"]
+    filtered = QgsVectorLayer(path, "seams", "ogr")
+    assert filtered.setSubsetString("kept_1 > 0.7")
+    for given in (filtered, f"{path.partition('|')[0]}|layername=seams|subset=kept_1 > 0.7"):
+        refused = decide(tmp_path, given)
+        assert "remove the filter" in str(refused.complaint)
+    copy = tmp_path / "copy.gpkg"
+    gdal.VectorTranslate(str(copy), path.partition("|")[0])
+    copied = QgsVectorLayer(str(copy), "copy", "ogr")
+    assert copied.dataProvider().deleteFeatures([
+        row.id() for row in copied.getFeatures() if row["state"] == "failed"
+    ])  # fmt: skip
+    found = decide(tmp_path, copied)
+    assert found.results["DECISION"] == "undecided"
+    assert f"the layers lack {scanned.results['FAILED_METRES']:.0f} m of seam" in decision(found)
+    assert_all_say_the_same(tmp_path, found, copied)
+
+
+def test_7_two_orthoimages_of_one_name(tmp_path: Path) -> None:
+    """The polygons of two strips name 'o.tif', which two folders have: their border stays a seam."""
+    block = make_block(tmp_path / "block", PLANTED, names=("a", "A/o", "B/o", "d"))
+    words = saved(cell_layer(["a.tif", "o.tif", "o.tif", "d.tif"]), tmp_path / "cells.gpkg")
+    made = scan(block, tmp_path / "scan", SEAMLINES=words)
+    assert made.results["SEAM_METRES"] == pytest.approx(seam_metres(), rel=0.01)
+    assert any("fit several of those given: 1 (such as o.tif)" in text for text in made.log.warnings)
+    assert {"A/o.tif", "B/o.tif"} <= {*made.column("left_source", "SEAMS"), *made.column("right_source", "SEAMS")}
+    found = decide(tmp_path, made.results["SEAMS"])
+    assert found.results["DECISION"] == "rejected"
+    assert found.results["FAILED_METRES"] == made.results["FAILED_METRES"]
+    assert found.results["FAILED_METRES"] == pytest.approx(planted_metres(PLANTED), rel=0.08)
+    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
+    paths = saved(cell_layer(["a.tif", "A/o.tif", "B/o.tif", "d.tif"]), tmp_path / "paths.gpkg")
+    told = scan(block, tmp_path / "told", SEAMLINES=paths)
+    assert told.results["FAILED_METRES"] == pytest.approx(made.results["FAILED_METRES"], rel=0.05)
+    assert not any("fit several" in text for text in told.log.warnings)
+
+
+def test_8_sheet_by_sheet_or_as_one(spoilt: Block, scanned: Run, tmp_path: Path) -> None:
+    """Two sheets, whose border cuts all three failures: no more differs than the pieces at the border."""
+    made = []
+    for number, first in enumerate((0, ROWS // 2)):
+        sheet = tmp_path / f"sheet_{number}.tif"
+        gdal.Translate(str(sheet), spoilt.mosaic, srcWin=[0, first, SHAPE[1], ROWS // 2])
+        made.append(scan(spoilt, tmp_path / f"scan_{number}", MOSAIC=str(sheet)))
+    layers = [one.results["SEAMS"] for one in made]
+    found = decide(tmp_path, *layers, LOSS=[one.results["LOSS"] for one in made])
+    assert found.results["DECISION"] == "rejected"
+    assert found.results["FAILED_METRES"] == pytest.approx(sum(one.results["FAILED_METRES"] for one in made))
+    truth = planted_metres(PLANTED)
+    assert found.results["FAILED_METRES"] == pytest.approx(truth, abs=0.08 * truth + PIECE)  # of a border
+    borders = 3 * 2 * PIECE  # three seams are cut anew
+    assert abs(found.results["FAILED_METRES"] - scanned.results["FAILED_METRES"]) <= borders
+    assert "as their scans left them (2)" in said(found)
+    assert_all_say_the_same(tmp_path, found, *layers)
+    coarse = scan(spoilt, tmp_path / "coarse", MOSAIC=str(tmp_path / "sheet_1.tif"), PIECE=25)
+    assert "piece_m is 10, 25" in said(decide(tmp_path, layers[0], coarse.results["SEAMS"]))
+
+
+def test_9_without_orthoimages(spoilt: Block, tmp_path: Path) -> None:
+    """Too little seam for a verdict on pieces of 10 m: each says so itself, and stretches say what they tell."""
+    made = scan(spoilt, tmp_path / "scan", SOURCES=[])
+    rows = made.rows("SEAMS")
+    for row in rows:
+        low, high = row["kept_low"], row["kept_high"]
+        if row["verdict"] == "preserved":
+            assert low > 0.7
+        if row["verdict"] == "significant":
+            assert high < 1
+            assert high <= max(2 * low, 0.7)
+    pieces = [row for row in rows if row["level"] == "piece"]
+    assert sum(row["length"] for row in pieces) == pytest.approx(made.results["SEAM_METRES"])
+    found = decide(tmp_path, made.results["SEAMS"])
+    assert found.results["DECISION"] == "undecided"
+    assert found.results["FAILED_METRES"] == made.results["FAILED_METRES"]
+    assert "What would decide it: figures of at least" in said(found)
+    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
+
+
+@pytest.mark.parametrize(("planted", "wrong"), [((), "rejected"), (PLANTED, "accepted")])
+def test_10_jpeg_60(planted: tuple[Any, ...], wrong: str, tmp_path: Path) -> None:
+    block = make_block(tmp_path / "block", planted, jpeg=60)
+    made = scan(block, tmp_path / "scan")
+    found = decide(tmp_path, made.results["SEAMS"])
+    assert found.results["DECISION"] != wrong
+    if found.results["DECISION"] == "undecided":
+        assert "What would decide it" in said(found)
+    assert found.results["FAILED_METRES"] == pytest.approx(planted_metres(planted), abs=2 * PIECE)
+    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
+
+
+def test_11_one_of_four_orthoimages(spoilt: Block, tmp_path: Path) -> None:
+    """No seam lies on two of them, so that they tell nothing: no worse than none."""
+    made = scan(spoilt, tmp_path / "scan", SOURCES=[spoilt.sources[0]])
+    assert any("are measured as without orthoimages" in text for text in made.log.warnings)
+    none = scan(spoilt, tmp_path / "none", SOURCES=[])
+    columns = [[row[name] for row in one.rows("SEAMS")] for one in (made, none) for name in ("verdict",)]
+    assert columns[0] == columns[1]
+    found = decide(tmp_path, made.results["SEAMS"])
+    assert found.results["DECISION"] == "undecided"
+    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
+
+
+def test_12_operators(tmp_path: Path) -> None:
+    """What an operator saw decides, and the headline says so."""
+    made = seams([P] * 40)
+    boxes = [f"POLYGON(({X + a} {Y - 9}, {X + a + 25} {Y - 9}, {X + a + 25} {Y + 9}, {X + a} {Y + 9}, {X + a} {Y - 9}))"
+             for a in range(0, 1000, 25)]
+    judged = layer(
+        "Polygon", [QgsGeometry.fromWkt(box) for box in boxes], made.crs().postgisSrid(),
+        window_id=("integer", list(range(40))), observer=("string", ["visible"] * 3 + ["invisible"] * 37),
+    )
+    found = decide(tmp_path, made, WINDOWS=judged, JUDGE="observer")
+    assert found.results["DECISION"] == "rejected"
+    assert (found.results["FAILED_METRES"], found.results["LONGEST_FAILURE"]) == (75, 75)
+    assert decision(found).startswith("Rejected by the observers' verdicts and ")

@@ -1,0 +1,217 @@
+"""What an officer signs: whose delivery it is, proof of each failure, verdicts of sheets, digests."""
+from __future__ import annotations
+
+import hashlib
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from qgis.core import QgsSettings, QgsVectorLayer
+from seam_inspector.plugin.acceptance.paper.digests import file_digests
+from seam_inspector.plugin.acceptance.paper.proofs import PROOF_PX
+from seam_inspector.plugin.proven_acceptance import proof_of
+from seam_inspector.plugin.seams.measure.inspection import open_block
+from seam_inspector.plugin.toolkit.resources import plugin_commit
+from seam_inspector.plugin.toolkit.version_differences import field
+
+from tests.pages import Outline, outline
+from tests.qgis.acceptance.seam_scenes import seams
+from tests.qgis.acceptance.test_whole_deliveries_on_paper import index
+from tests.qgis.runs import Run, algorithm, run
+from tests.qgis.seams.scan_scenes import Files, write_scene
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+HEAD = {
+    "TITLE": "Protocol 7", "CONTRACT": "12/2026", "PRODUCER": "Maker & Sons", "CLIENT": "Agency",
+    "DELIVERY": "North, third", "DELIVERY_DATE": "2026-11-20",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def feathered(tmp_path_factory: pytest.TempPathFactory) -> Files:
+    return write_scene(tmp_path_factory.mktemp("feathered"), width=24.0)
+
+
+@pytest.fixture(scope="module")
+def paper(
+    provider: None, feathered: Files, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[tuple[Run, Path]]:
+    """Scanned and decided on; nobody names the orthoimages a second time."""
+    folder = tmp_path_factory.mktemp("paper")
+    scanned = run("scanmosaic", **feathered.given(LOSS=str(folder / "loss.tif"), SEAMS=str(folder / "seams.gpkg")))
+    assert scanned.complaint is None
+    made = run(
+        "acceptmosaic", SEAMS=[str(folder / "seams.gpkg")], MOSAIC=[feathered.mosaic], LOSS=str(folder / "loss.tif"),
+        DEFECTS=str(folder / "failures.gpkg"), REPORT=str(folder / "decision.html"),
+        QUALITY=str(folder / "quality.xml"), **HEAD,
+    )  # fmt: skip
+    assert made.complaint is None
+    yield made, folder
+    scanned.close()
+    made.close()
+
+
+def page(folder: Path) -> Outline:
+    return outline((folder / "decision.html").read_text(encoding="utf-8"))
+
+
+def test_the_head_says_whose_delivery_it_is(paper: tuple[Run, Path]) -> None:
+    _, folder = paper
+    words = page(folder).words
+    for value in HEAD.values():
+        assert value in words
+    assert plugin_commit() in words
+    xml = (folder / "quality.xml").read_text(encoding="utf-8")
+    for value in ("Protocol 7", "12/2026", "Maker &amp; Sons", "2026-11-20"):
+        assert value in xml
+
+
+def test_an_empty_head_is_left_out(tmp_path: Path) -> None:
+    made = run("acceptmosaic", SEAMS=[seams([0.9])], DEFECTS=None, REPORT=str(tmp_path / "decision.html"))
+    assert made.complaint is None
+    words = page(tmp_path).words
+    assert "Acceptance of an orthophoto mosaic" in words
+    assert "Producer" not in words
+
+
+def test_forms_remember_and_scripts_do_not(tmp_path: Path) -> None:
+    key = "seam_inspector/remembered/CONTRACT"
+    try:
+        assert run("acceptmosaic", SEAMS=[seams([0.9])], DEFECTS=None, REPORT=None, CONTRACT="8/2026").complaint is None
+        form = algorithm("acceptmosaic")
+        definition = form.parameterDefinition("CONTRACT")
+        assert definition.guiDefaultValueOverride() == "8/2026"
+        assert not definition.defaultValue()
+        made = run("acceptmosaic", SEAMS=[seams([0.9])], DEFECTS=None, REPORT=str(tmp_path / "decision.html"))
+        assert made.complaint is None
+        assert "8/2026" not in page(tmp_path).words
+        assert QgsSettings().value(key) == "8/2026"
+    finally:
+        QgsSettings().remove(key)
+
+
+def test_each_failure_is_proved_beside_its_orthoimages(paper: tuple[Run, Path]) -> None:
+    made, folder = paper
+    read = page(folder)
+    failures = made.features("DEFECTS")
+    assert failures
+    captions = [one for one in read.captions if one.startswith(("The mosaic", "Its orthoimages", "Orthoimage "))]
+    assert captions == ["The mosaic", "Its orthoimages, cut hard", "Orthoimage east.tif", "Orthoimage west.tif"] * len(
+        failures
+    )
+    assert sum("distance from the seam" in one for one in read.captions) == len(failures)
+    assert all(0 < row["visibility"] < 20 for row in made.rows("DEFECTS"))
+    jpeg = gdal.Open(str(folder / "failures_pictures" / "defect_001.jpg"))
+    assert jpeg.RasterXSize == 4 * 2 * PROOF_PX + 3 * 8  # the four panels at 2x below the picture
+
+
+def test_the_proof_shows_pixels_of_the_same_place_and_what_the_cut_would_have_kept(feathered: Files) -> None:
+    block = open_block(feathered.mosaic, feathered.sources)
+    proof = proof_of(block, block.mosaic.extent, ("west", "east.tif"), 0.7)
+    assert proof is not None
+    mosaic, cut, east, west = (one.pixels.astype(float) for one in proof.panels)
+    part = proof.part
+    for shown, path in ((mosaic, feathered.mosaic), (east, feathered.east), (west, feathered.west)):
+        true = gdal.Open(path).ReadAsArray(part.column, part.row, part.width, part.height)
+        np.testing.assert_array_equal(shown, np.moveaxis(true, 0, 2))
+
+    def fine(pixels: np.ndarray) -> float:
+        return float(np.diff(pixels[..., 1], axis=0).var())
+
+    assert fine(mosaic) < 0.97 * fine(cut)
+    assert fine(cut) == pytest.approx((fine(east) + fine(west)) / 2, rel=0.1)
+
+
+def test_without_orthoimages_there_is_the_mosaic_alone(
+    tmp_path: Path, feathered: Files, paper: tuple[Run, Path]
+) -> None:
+    _, folder = paper
+    made = run(
+        "acceptmosaic", SEAMS=[str(folder / "seams.gpkg")], MOSAIC=[feathered.mosaic], DEFECTS=None,
+        REPORT=str(tmp_path / "decision.html"),
+    )  # fmt: skip
+    assert made.complaint is None
+    read = page(tmp_path)
+    assert read.pictures("jpeg")
+    assert "The mosaic" not in read.captions
+
+
+def test_sheets_come_back_with_their_verdicts() -> None:
+    made = run("acceptmosaic", SEAMS=[seams([0.5] * 3 + [0.9] * 5)], SHEETS=index(), DEFECTS=None, REPORT=None)
+    assert made.complaint is None
+    rows = {row["sheet"]: row for row in made.rows("SHEETS_OUT")}
+    assert {name: row["verdict"] for name, row in rows.items()} == {
+        "sheet_1": "no_seams", "sheet_2": "accepted", "sheet_3": "no_seams", "sheet_10": "rejected",
+    }  # fmt: skip
+    assert rows["sheet_10"]["failed"] == pytest.approx(75)
+    assert rows["sheet_10"]["failed_share"] == pytest.approx(75)
+    assert all(one.geometry().area() == pytest.approx(10_000) for one in made.features("SHEETS_OUT"))
+
+
+def test_a_sample_tells_of_no_sheet() -> None:
+    made = run("acceptmosaic", SEAMS=[seams([0.5] * 40)], PLAN="iso2859", DEFECTS=None, REPORT=None)
+    assert made.complaint is None
+    assert made.column("verdict", "SHEETS_OUT") == [None]
+
+
+def test_digests_are_what_anybody_computes(paper: tuple[Run, Path], feathered: Files) -> None:
+    _, folder = paper
+    told = subprocess.run(["sha256sum", feathered.mosaic], capture_output=True, text=True, check=True).stdout.split()[0]
+    words = page(folder).words
+    assert told in words
+    assert told in (folder / "quality.xml").read_text(encoding="utf-8")
+    rows = [
+        f"{path.name}\t{path}\t\t{path.stat().st_size}\n" for path in map(Path, sorted(feathered.sources))
+    ]  # fmt: skip
+    assert hashlib.sha256("".join(rows).encode()).hexdigest() in words
+
+
+def test_digests_can_be_stopped(tmp_path: Path) -> None:
+    (tmp_path / "large").write_bytes(bytes(10_000_000))
+    told: list[float] = []
+
+    def goes_on(share: float) -> bool:
+        told.append(share)
+        return len(told) < 2
+
+    assert file_digests([str(tmp_path / "large")], goes_on) is None
+    assert told == [0.0, pytest.approx(0.42, abs=0.01)]
+
+
+def test_the_annex_lists_orthoimages_with_their_dates(tmp_path: Path, feathered: Files) -> None:
+    made = seams([0.9] * 4)
+    layer = dated(made)
+    report = tmp_path / "decision.html"
+    made_now = run("acceptmosaic", SEAMS=[layer], SOURCES=[feathered.west], DEFECTS=None, REPORT=str(report))
+    assert made_now.complaint is None
+    rows = {row[0]: row for row in page(tmp_path).rows if row}
+    assert rows[feathered.west][1] == "2019-07-04"
+    assert rows["far_east.tif"][1] == "2019-08-11"
+
+
+def test_the_table_of_radiometry_stands_on_the_cover(tmp_path: Path, feathered: Files) -> None:
+    checked = run("checkradiometry", RASTERS=[feathered.west, feathered.mosaic], OUTPUT=str(tmp_path / "r.gpkg"))
+    report = tmp_path / "decision.html"
+    decided = run("acceptmosaic", SEAMS=[seams([0.9] * 4)], RADIOMETRY=str(tmp_path / "r.gpkg"), REPORT=str(report))
+    assert decided.results["DECISION"] == "accepted"
+    (row,) = (row for row in page(tmp_path).rows if row[0] == "radiometry")
+    assert row[1].lower() == checked.results["DECISION"]
+    assert row[2].endswith("of 2")
+    refused = run("acceptmosaic", SEAMS=[seams([0.9] * 4)], RADIOMETRY=seams([0.9]), REPORT=str(report))
+    assert "is not a table of 'Check radiometry'" in str(refused.complaint)
+
+
+def dated(made: QgsVectorLayer) -> QgsVectorLayer:
+    said = {
+        "left_source": "west", "right_source": "far_east.tif", "left_date": "2019-07-04", "right_date": "2019-08-11",
+    }  # fmt: skip
+    provider = made.dataProvider()
+    provider.addAttributes([field(name, "text") for name in said])
+    made.updateFields()
+    places = {made.fields().indexOf(name): value for name, value in said.items()}
+    provider.changeAttributeValues({feature.id(): places for feature in made.getFeatures()})
+    return made

@@ -1,0 +1,104 @@
+"""From the files of a delivery to its decision: checkdelivery, the model of three steps, the desk's entry."""
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from osgeo import gdal
+from qgis.core import QgsGeometry, QgsProject, QgsRectangle
+from seam_inspector.plugin.seams.desk.accepting import DECISION, WHOLE_WAY, offered_form
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
+
+from tests.pages import outline
+from tests.qgis.runs import algorithm, assert_refused, run
+from tests.qgis.scenes import layer
+from tests.qgis.seams.scan_scenes import Files, write_scene
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+
+@pytest.fixture(scope="module")
+def scene(tmp_path_factory: pytest.TempPathFactory) -> Files:
+    return write_scene(tmp_path_factory.mktemp("scene"), width=24.0)
+
+
+@pytest.fixture(scope="module")
+def folder(scene: Files, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The mosaic in two sheets, west and east."""
+    made = tmp_path_factory.mktemp("delivered")
+    for name, column, width in (("sheet_a", 0, 350), ("sheet_b", 350, 350)):
+        gdal.Translate(str(made / f"{name}.tif"), scene.mosaic, srcWin=[column, 0, width, 520])
+    return made
+
+
+def ordered(folder: Path, *more: str) -> object:
+    """The sheets, and others east of them."""
+    boxes = []
+    for path in sorted(folder.glob("*.tif")):
+        left, step, _, top, _, down = gdal.Open(str(path)).GetGeoTransform()
+        boxes.append((left, top + 520 * down, left + 350 * step, top))
+    boxes += [(box[0] + 1000, box[1], box[2] + 1000, box[3]) for box in boxes[: len(more)]]
+    names = [path.stem for path in sorted(folder.glob("*.tif"))]
+    outlines = [QgsGeometry.fromRect(QgsRectangle(*box)) for box in boxes]
+    return layer("Polygon", outlines, sheet=("string", [*names, *more]))
+
+
+def test_a_folder_becomes_sheets_and_a_mosaic(folder: Path, tmp_path: Path, scene: Files) -> None:
+    made = run("checkdelivery", FOLDER=str(folder), VRT=str(tmp_path / "all.vrt"), PATTERN="sheet_?.tif")
+    assert made.complaint is None
+    assert (made.results["SHEET_COUNT"], made.results["COMPLETE"]) == (2, 1)
+    assert made.column("sheet") == ["sheet_a", "sheet_b"]
+    assert (gdal.Open(str(tmp_path / "all.vrt")).ReadAsArray() == gdal.Open(scene.mosaic).ReadAsArray()).all()
+
+
+def test_missing_and_unordered_sheets_are_told(folder: Path, tmp_path: Path) -> None:
+    index = ordered(folder, "sheet_z")
+    shutil.copytree(folder, tmp_path / "more")
+    shutil.copy(folder / "sheet_a.tif", tmp_path / "more" / "sheet_c.tif")
+    made = run("checkdelivery", FOLDER=str(tmp_path / "more"), SHEETS=index, VRT=str(tmp_path / "all.vrt"))
+    assert made.complaint is None
+    found = {row["sheet"]: row["findings"] for row in made.rows()}
+    assert found == {
+        "sheet_a": None, "sheet_b": None, "sheet_c": "it was not ordered", "sheet_z": "the file is missing"
+    }
+    assert (made.results["MISSING_COUNT"], made.results["FAULTY_COUNT"], made.results["COMPLETE"]) == (1, 2, 0)
+
+
+def test_a_delivery_has_to_be_somewhere(tmp_path: Path) -> None:
+    assert_refused("checkdelivery", "Neither a folder nor sheets", VRT=str(tmp_path / "all.vrt"))
+    assert "holds no rasters" in str(run("checkdelivery", FOLDER=str(tmp_path), VRT="TEMPORARY_OUTPUT").complaint)
+
+
+def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files, tmp_path: Path) -> None:
+    wanted = {"accept:report": "decision.html", "accept:quality": "quality.xml", "accept:failures": "failures.gpkg",
+              "accept:decided_sheets": "sheets.gpkg", "check:mosaic": "all.vrt", "scan:loss": "loss.tif",
+              "scan:seams": "seams.gpkg"}  # fmt: skip
+    made = run(
+        "accept_delivery", folder=str(folder), sheets=ordered(folder, "sheet_z"), sources=scene.sources, piece=20.0,
+        contract="12/2026", **{name: str(tmp_path / file) for name, file in wanted.items()},
+    )  # fmt: skip
+    assert made.complaint is None
+    assert all((tmp_path / file).is_file() for file in wanted.values())
+    page = outline((tmp_path / "decision.html").read_text(encoding="utf-8"))
+    assert "12/2026" in page.words
+    assert ["sheet_z", "the file is missing"] in page.rows
+    parts = {row[0]: row[1:] for row in page.rows if len(row) == 3}
+    assert parts["completeness and form of the files"] == ["With findings", "sheets with findings: 1 of 3"]
+    assert parts["radiometry"][0] == "Not checked"
+    assert "Its orthoimages, cut hard" in page.captions
+
+
+def test_scripts_get_the_models_own_defaults() -> None:
+    model = algorithm("accept_delivery")
+    assert model._with_defaults({"piece": 5.0})["max_run"] == 50.0
+    assert model._with_defaults({"piece": 5.0})["piece"] == 5.0
+    assert model._with_defaults({})["piece"] == 10.0
+
+
+def test_the_desk_offers_the_whole_way_before_a_scan() -> None:
+    name, values = offered_form(QgsProject.instance(), Inputs(mosaic="m", sources=("a", "b"), seamlines="s"))
+    model, decision = algorithm("accept_delivery"), algorithm("acceptmosaic")
+    assert (name, decision.id()) == (WHOLE_WAY, DECISION)
+    assert set(values) <= {one.name() for one in model.parameterDefinitions()}
+    assert (values["sources"], values["seamlines"]) == (["a", "b"], "s")

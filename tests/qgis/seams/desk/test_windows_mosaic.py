@@ -1,0 +1,113 @@
+"""Windows know their mosaic: another one asks before it takes over what was measured and judged."""
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+from qgis.core import QgsVectorLayer
+from seam_inspector.plugin.imagery.errors import Message
+
+from tests.qgis.scenes import Scene
+from tests.qgis.seams.desk.session_desk import BLURRED_WINDOW, SHARP_WINDOW, Desk, settle, wait_until
+
+
+@pytest.fixture
+def asked(desk: Desk) -> list[Message]:
+    """A desk with two inspected windows, one of them judged, and what it asks."""
+    found: list[Message] = []
+    desk.set(desk.inputs())
+    desk.add(SHARP_WINDOW)
+    desk.session.judge([desk.add(BLURRED_WINDOW)], "visible")
+    desk.session.mosaicDoubted.connect(found.append)
+    return found
+
+
+def other_mosaic(desk: Desk, scene: Scene, folder: Path) -> None:
+    """Another one: the west image, under a name of its own."""
+    path = folder / "another.tif"
+    shutil.copyfile(scene.west, path)
+    desk.set(desk.inputs(mosaic=desk.raster(path).id()))
+
+
+def said(desk: Desk) -> list[tuple[str, str]]:
+    return [(row.verdict, row.observer) for row in desk.session.windows()]
+
+
+def test_another_mosaic_asks_and_changes_nothing(
+    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
+) -> None:
+    before = said(desk)
+    other_mosaic(desk, scene, tmp_path)
+    assert [message.values["older"] for message in asked] == [scene.mosaic.name]
+    desk.session.inspect_pending()
+    desk.wait()
+    assert said(desk) == before
+    assert desk.session.problem() == asked[0]
+    desk.set(desk.inputs())  # the first one is back
+    assert desk.session.problem() is None
+    assert len(asked) == 1
+
+
+def test_new_windows_lie_where_the_others_lie(desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]) -> None:
+    older, before = desk.layer(), said(desk)
+    places = [row.extent for row in desk.session.windows()]
+    other_mosaic(desk, scene, tmp_path)
+    desk.session.copy_windows()
+    wait_until(lambda: len(desk.session.windows()) == len(places), "for the windows")
+    assert desk.layer() is not older
+    assert [row.extent for row in desk.session.windows()] == places
+    assert said(desk) == [("", "")] * 2
+    desk.session.inspect_pending()
+    desk.wait()
+    assert [verdict for verdict, _ in said(desk)] != ["", ""]
+    desk.set(desk.inputs(windows=older.id()))
+    assert said(desk) == before
+
+
+def test_windows_that_were_always_of_this_mosaic_keep_their_judgements(
+    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
+) -> None:
+    other_mosaic(desk, scene, tmp_path)
+    desk.session.take_windows()
+    assert desk.session.problem() is None
+    assert [observer for _, observer in said(desk)] == ["", "visible"]
+    desk.set(desk.inputs())
+    assert len(asked) == 2  # now the first one is the other
+
+
+def test_windows_that_are_left_stay_as_they_are(
+    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
+) -> None:
+    before, layer = said(desk), desk.layer()
+    other_mosaic(desk, scene, tmp_path)
+    desk.session.leave_windows()
+    assert desk.session.windows() == []
+    desk.set(desk.inputs(windows=layer.id()))
+    assert said(desk) == before
+
+
+def test_a_mosaic_that_was_moved_is_the_same(desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]) -> None:
+    moved = tmp_path / "elsewhere" / "renamed.tif"
+    moved.parent.mkdir()
+    shutil.copyfile(scene.mosaic, moved)
+    desk.set(desk.inputs(mosaic=desk.raster(moved).id()))
+    assert asked == []
+    assert desk.session.problem() is None
+
+
+def test_windows_know_their_mosaic_when_they_are_opened_again(
+    desk: Desk, scene: Scene, tmp_path: Path, asked: list[Message]
+) -> None:
+    windows = desk.layer()
+    assert windows.commitChanges()
+    source, name = windows.source(), windows.name()
+    desk.set(desk.inputs(windows=""))
+    desk.project.removeMapLayer(windows.id())
+    settle()
+    other_mosaic(desk, scene, tmp_path)
+    assert asked == []
+    again = QgsVectorLayer(source, name, "ogr")
+    desk.project.addMapLayer(again)
+    desk.set(desk.inputs(mosaic=desk.session.inputs.mosaic, windows=again.id()))
+    assert len(asked) == 1

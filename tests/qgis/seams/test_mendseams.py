@@ -1,0 +1,234 @@
+"""``seaminspector:mendseams``: failed seams cut anew, on small mosaics of two orthoimages with a feathered seam."""
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from osgeo import gdal
+from scipy import ndimage
+
+from tests.numbers.synthetic import texture, write_raster
+from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
+from tests.qgis.scenes import windows
+from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, Files, cut, drawn_seam, write_scene
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+FEATHER_PX = 40.0
+FIELDS = {"kept_before", "kept_after", "step_before", "step_after", "length"}
+
+
+def fitting_images(shift_px: int = 0, bands: int = 3) -> list[np.ndarray]:
+    """Two images of one scene that share all but their finest detail and their tones, (bands, rows, columns) float;
+    the second one lies ``shift_px`` to the right."""
+    scene = 24 * texture((ROWS, COLUMNS), 3.0, 40)
+    other = np.roll(scene, shift_px, axis=1)
+    noise = [[9 * texture((ROWS, COLUMNS), 0.8, seed + band) for band in range(bands)] for seed in (50, 60)]
+    tones = 118 + 5 * np.arange(bands)[:, np.newaxis, np.newaxis]
+    return [tones + scene + np.array(noise[0]), tones + 8 + 0.95 * other + np.array(noise[1])]
+
+
+def in_type(made: np.ndarray, dtype: type = np.uint8, scale: float = 1.0) -> np.ndarray:
+    return np.asarray(np.clip(np.rint(scale * made), 1, np.iinfo(dtype).max).astype(dtype))
+
+
+def scene(folder: Path, shift_px: int = 0) -> Files:
+    return write_scene(folder, [in_type(one) for one in fitting_images(shift_px)], FEATHER_PX)
+
+
+@pytest.fixture(scope="module")
+def feathered(tmp_path_factory: pytest.TempPathFactory) -> Files:
+    return scene(tmp_path_factory.mktemp("feathered"))
+
+
+def scan(files: Files) -> Run:
+    found = run("scanmosaic", **files.given())
+    assert found.complaint is None
+    return found
+
+
+def mend(files: Files, scanned: Run | None, folder: Path, log: Log | None = None, **more: Any) -> Run:
+    """The failed seams of a scan, or of one that is made first."""
+    if scanned is None:
+        scanned = scan(files)
+    seams = scanned.layer("SEAMS")
+    given = {"PATCHES": str(folder / "patches"), "MENDED": str(folder / "mended.vrt"), "WIDTH": 10.0,
+             "SEAMS": seams, **more}  # fmt: skip
+    return run("mendseams", log, MOSAIC=files.mosaic, SOURCES=files.sources, **given)
+
+
+@pytest.fixture(scope="module")
+def scanned(provider: None, feathered: Files) -> Iterator[Run]:
+    made = scan(feathered)
+    yield made
+    made.close()
+
+
+@pytest.fixture(scope="module")
+def mended(provider: None, feathered: Files, scanned: Run, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Run]:
+    made = mend(feathered, scanned, tmp_path_factory.mktemp("mended"))
+    yield made
+    made.close()
+
+
+def pixels(path: Any) -> np.ndarray:
+    return np.asarray(gdal.Open(str(path)).ReadAsArray()).astype(float)
+
+
+def patched(ended: Run) -> np.ndarray:
+    """(rows, columns) bool: where a patch lies by its alpha."""
+    whole = gdal.Open(str(ended.results["MENDED"]))
+    left, size, _, top, _, _ = whole.GetGeoTransform()
+    found = np.zeros((whole.RasterYSize, whole.RasterXSize), bool)
+    place = Path(str(ended.results["PATCHES"]))
+    for path in [place] if place.is_file() else sorted(place.glob("*.tif")):
+        patch = gdal.Open(str(path))
+        x, _, _, y, _, _ = patch.GetGeoTransform()
+        alpha = patch.GetRasterBand(patch.RasterCount)
+        assert alpha.GetColorInterpretation() == gdal.GCI_AlphaBand
+        column, row = round((x - left) / size), round((top - y) / size)
+        found[row : row + patch.RasterYSize, column : column + patch.RasterXSize] |= alpha.ReadAsArray() > 0
+    return found
+
+
+def test_parameters_and_defaults() -> None:
+    job = algorithm("mendseams")
+    known = {one.name(): one.defaultValue() for one in job.parameterDefinitions()}
+    assert {"MOSAIC", "SOURCES", "SOURCE_INDEX", "SEAMS", "PATCHES", "MENDED", "CUTS"} <= known.keys()
+    assert (known["WHAT"], known["WIDTH"], known["BLEND"]) == ("failed", 20.0, 3)
+
+
+def test_failed_seams_keep_their_detail_again(scanned: Run, mended: Run) -> None:
+    assert mended.complaint is None
+    rows = mended.rows("CUTS")
+    assert rows[0].keys() >= FIELDS
+    assert mended.results["MENDED_METRES"] == pytest.approx(scanned.results["FAILED_METRES"])
+    for row in rows:
+        assert (row["outcome"], row["reason"]) == ("mended", None)
+        assert row["kept_before"] < 0.7
+        assert row["kept_after"] >= 0.9
+        assert row["step_after"] <= 1.2 * row["step_before"]
+
+
+def test_a_new_scan_finds_nothing_that_failed(feathered: Files, mended: Run) -> None:
+    found = run("scanmosaic", MOSAIC=mended.results["MENDED"], SOURCES=feathered.sources, PIECE=20.0)
+    assert found.results["FAILED_METRES"] == 0
+    assert found.results["WORST_KEPT"] > 0.85
+
+
+def test_nothing_outside_the_patches_differs_and_inside_are_the_orthoimages(feathered: Files, mended: Run) -> None:
+    made, before, inside = pixels(mended.results["MENDED"]), pixels(feathered.mosaic), patched(mended)
+    assert 0.02 < inside.mean() < 0.9
+    assert (made == before)[:, ~inside].all()
+    # Fine detail is that of one orthoimage or the other; only tones are changed.
+    fine = [one - ndimage.gaussian_filter(one, (0, 2, 2)) for one in (made, *map(pixels, feathered.sources))]
+    left = np.min([np.abs(fine[0] - one / gain).mean(axis=0) for one, gain in zip(fine[1:], (1, 1))], axis=0)
+    assert np.mean(left[inside] < 1.5) > 0.95
+    # Where the mosaic was of one of them already, it stays as it was but for tones.
+    old = fine[1:][0], fine[1:][1]
+    pure = pixels(feathered.mosaic)
+    own = pure - ndimage.gaussian_filter(pure, (0, 2, 2))
+    unmixed = inside & (np.min([np.abs(own - one).mean(axis=0) for one in old], axis=0) < 0.4)
+    assert np.median(np.abs(fine[0] - own).mean(axis=0)[unmixed]) < 1.0
+
+
+def test_inputs_stay_as_they_were(feathered: Files, mended: Run) -> None:
+    inputs = [Path(one).read_bytes() for one in (feathered.mosaic, *feathered.sources)]
+    assert all(inputs)
+    assert not list(Path(feathered.mosaic).parent.glob("*patch*"))
+
+
+def test_images_three_pixels_apart_are_left_alone(tmp_path: Path) -> None:
+    files = scene(tmp_path, shift_px=3)
+    ended = mend(files, None, tmp_path)
+    rows = ended.rows("CUTS")
+    assert rows
+    for row in rows:
+        assert row["outcome"] == "left"
+        assert_sentence(row["reason"], "lie [23].. pixels apart along the best cut")
+    assert ended.results["MENDED_METRES"] == 0
+    assert (pixels(ended.results["MENDED"]) == pixels(files.mosaic)).all()
+
+
+def sharpened(made: np.ndarray) -> np.ndarray:
+    return made + 0.6 * (made - ndimage.gaussian_filter(made, (0, 1, 1)))
+
+
+def balanced(made: np.ndarray) -> np.ndarray:
+    """Dodged from left to right."""
+    return np.asarray(made * np.linspace(0.85, 1.1, made.shape[2]) + 6)
+
+
+@pytest.mark.parametrize("change", [sharpened, balanced])
+def test_patches_wear_what_came_over_the_mosaic(change: Any, tmp_path: Path) -> None:
+    west, east = fitting_images()
+    files = write_scene(tmp_path, [in_type(west), in_type(east)])
+    write_raster(Path(files.mosaic), in_type(change(cut(west, east, FEATHER_PX))))
+    ended = mend(files, None, tmp_path)
+    truth, inside = change(cut(west, east)), patched(ended)
+    assert all(row["kept_after"] >= 0.9 for row in ended.rows("CUTS"))
+    fine = [one - ndimage.gaussian_filter(one, (0, 2, 2)) for one in (pixels(ended.results["MENDED"]), truth)]
+    same = np.abs(fine[0] - fine[1]).mean(axis=0)
+    assert np.percentile(same[inside], 40) < 1.5  # what did not change sides
+
+
+def test_a_mosaic_of_jpeg_tiles(tmp_path: Path) -> None:
+    west, east = fitting_images()
+    files = write_scene(tmp_path, [in_type(west), in_type(east)], FEATHER_PX)
+    jpeg = str(tmp_path / "jpeg.tif")
+    options = ["COMPRESS=JPEG", "JPEG_QUALITY=75", "PHOTOMETRIC=YCBCR", "TILED=YES"]
+    gdal.Translate(jpeg, files.mosaic, creationOptions=options)
+    files = Files(jpeg, files.west, files.east)
+    ended = mend(files, None, tmp_path)
+    assert ended.results["LEFT_METRES"] == 0
+    assert all(row["kept_after"] > row["kept_before"] + 0.15 for row in ended.rows("CUTS"))
+
+
+def test_sixteen_bits_and_four_bands_in_one_file(tmp_path: Path) -> None:
+    files = write_scene(tmp_path, [in_type(one, np.uint16, 40.0) for one in fitting_images(bands=4)], FEATHER_PX)
+    ended = mend(files, None, tmp_path, PATCHES=str(tmp_path / "patches.tif"), BLEND=0)
+    patch = gdal.Open(str(tmp_path / "patches.tif"))
+    assert (patch.RasterCount, patch.GetRasterBand(1).DataType) == (5, gdal.GDT_UInt16)
+    assert gdal.Open(str(ended.results["MENDED"])).RasterCount == 4
+    assert min(row["kept_after"] for row in ended.rows("CUTS")) > 0.95
+    made, before = pixels(ended.results["MENDED"]), pixels(files.mosaic)
+    assert (made == before)[:, ~patched(ended)].all()
+    assert (made != before)[:, patched(ended)].any()
+
+
+def test_windows_instead_of_seams(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    ended = mend(feathered, scanned, tmp_path, SEAMS=windows((0, 0, COLUMNS, 200)))
+    assert ended.complaint is None
+    assert 10 < ended.results["MENDED_METRES"] < 45
+
+
+def test_what_is_no_layer_of_a_scan_is_refused(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "MENDED": str(tmp_path / "mended.vrt"),
+             "PATCHES": str(tmp_path)}  # fmt: skip
+    assert_refused("mendseams", "lacks fields of a scan", SEAMS=drawn_seam(), **given)
+    seams = scanned.layer("SEAMS")
+    assert_refused("mendseams", "No sources are given", **{**given, "SOURCES": []}, SEAMS=seams)
+    assert_refused("mendseams", "can't be mended", WHAT="none", SEAMS=seams, **given)
+    assert_refused("mendseams", "ending", **{**given, "MENDED": str(tmp_path / "mended.tif")}, SEAMS=seams)
+    assert not list(tmp_path.glob("mended*"))
+
+
+class StopAt(Log):
+    """Somebody who cancels when so many per cent are done."""
+
+    def __init__(self, percent: float) -> None:
+        super().__init__()
+        self.progressChanged.connect(lambda done: self.cancel() if done >= percent else None)
+
+
+def test_what_was_stopped_goes_on(feathered: Files, scanned: Run, mended: Run, tmp_path: Path) -> None:
+    log = Log()
+    stopped = mend(feathered, scanned, tmp_path, StopAt(60.0))
+    assert any("Mending was stopped" in said for said in stopped.log.infos), (stopped.log.infos, stopped.results)
+    ended = mend(feathered, scanned, tmp_path, log)
+    assert any("goes on where it stopped" in said for said in log.infos)
+    assert not [path for path in tmp_path.iterdir() if ".mend" in path.name]
+    assert (pixels(ended.results["MENDED"]) == pixels(mended.results["MENDED"])).all()
