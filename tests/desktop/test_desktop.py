@@ -66,6 +66,6 @@ def test_low_screen(small_block: Path, tmp_path: Path, screenshots: Path) -> Non
     say("low screen", run.seconds, run.report)
     check(run)
     assert run.report["window"][1] <= run.report["screen"][1]
-    assert run.report["dock"][0] <= 0.46 * run.report["window"][0]  # QGIS's own status bar may be wider than the screen
+    assert 2 * run.report["dock"][0] <= run.report["screen"][0]  # the map keeps the half at least
     assert run.report["scrolls"]
     assert run.report["reached"]
