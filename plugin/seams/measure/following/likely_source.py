@@ -6,16 +6,19 @@ weigh the same. What compression made of weak detail is expected of every source
 """
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from typing import Callable
 
 import numpy as np
 from scipy import ndimage
 
 from ..profile.ground import EnergyResponse, fit_response, sampled
+from ..seam_cells import is_one_of
 from .best_ground import MIN_ALIKE_STRANGE, MIN_EVEN_LEFT, MIN_STRANGE, learn_best_ground
 from .boxes import box_means, enlarged, near_border, opened, square_sums
+from .compression import rounded_anew
 from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
@@ -81,11 +84,12 @@ def likely_source(
     clear: np.ndarray,
     valid: Mapping[int, np.ndarray],
     sampling: Sampling = FINE,
+    anew: Collection[int] | None = None,
 ) -> LikelySource:
     """Of ``sources``, high-passed planes as ``mosaic``, (rows, columns), those that it follows by a first estimate.
 
     ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure. ``valid``: pixels that a source has, of
-    those that don't have all.
+    those that don't have all. ``anew``: as ``rounded_anew`` finds them, where that is known of more ground.
     """
     near_side, wide_side, step = sampling.near, sampling.wide, sampling.grid_px
     grid = np.s_[::step, ::step]
@@ -113,7 +117,9 @@ def likely_source(
         costs.append(cost)
     nearest, cost = _least(list(sources), costs)
     found = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
-    cells = _unexplained(own, energies, products, found, sources, sampling)
+    cells = _unexplained(own, energies, products, found, sources, sampling, lambda: (
+        rounded_anew(mosaic, sources, enlarged(found, step)) if anew is None else anew
+    ))
     unexplained = enlarged(cells, CELL_PX // step, found.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
@@ -123,7 +129,7 @@ def likely_source(
 
 def _unexplained(
     own: np.ndarray, energies: Mapping[int, np.ndarray], products: Mapping[int, np.ndarray], labels: np.ndarray,
-    sources: Mapping[int, np.ndarray], sampling: Sampling,
+    sources: Mapping[int, np.ndarray], sampling: Sampling, anew: Callable[[], Collection[int]],
 ) -> np.ndarray:
     """Cells that the sources explain worse than the best ground of all, (cell rows, cell columns) bool.
 
@@ -162,11 +168,13 @@ def _unexplained(
         for some in combinations(sources, count):
             by_some = _left_by(own, [products[i] for i in some], [[common[i, j] for j in some] for i in some])
             np.minimum(left, by_some, out=left)
-    if len(sources) > 1:
-        return np.zeros_like(found) if _is_explained(wide, left, textured) else _strange_parts(
-            wide, left, textured, even, sampling
-        )
-    return found
+    if len(sources) == 1:
+        return found
+    if _is_explained(wide, left, textured):
+        return np.zeros_like(found)
+    of_anew = is_one_of(labels, anew())  # those and the others, each by its like
+    parts = (textured & part for part in (of_anew, ~of_anew) if part.any())
+    return np.logical_or.reduce([_strange_parts(wide, left, part, even, sampling) for part in parts])
 
 
 def _strange_parts(

@@ -7,7 +7,7 @@ if nothing had happened at its seams.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -100,10 +100,13 @@ class Filters:
     """Of each source that is followed, (5, 5); empty where nothing was done to them."""
     came_over_cuts: bool
     """Whether it was done to the mosaic, its cuts included, and not to the sources before."""
+    rounded_anew: frozenset[int] = frozenset()
+    """The sources that the mosaic's compression took more of than of the others."""
 
     def with_own(self, taps: Mapping[int, np.ndarray], present: Sequence[int]) -> Filters:
         """With those of some sources, each its own; ``present``: all that are followed."""
-        return Filters({i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}, False)
+        own = {i: taps.get(i, self.taps.get(i, UNTOUCHED)) for i in present}
+        return replace(self, taps=own, came_over_cuts=False)
 
     def placed(self, source: int, plane: np.ndarray) -> np.ndarray:
         """The same as sharp as it was, only moved: what came over a whole mosaic can't be told from what came over its

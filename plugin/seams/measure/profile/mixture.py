@@ -146,6 +146,7 @@ def _weights(products: np.ndarray, with_edge: bool) -> np.ndarray:
         part[no_edge] = 0
     right[no_edge, 2], diagonal[no_edge, 2] = 0, 1
     diagonal *= 1 + _RIDGE
+    np.maximum(diagonal, _RIDGE * energy[..., np.newaxis], out=diagonal)  # a source without detail weighs nothing
     empty = energy <= 0
     normal[empty], right[empty] = np.eye(3), (1, 0, 0)
     return np.linalg.solve(normal, right[..., np.newaxis])[..., 0]

@@ -113,6 +113,19 @@ def test_a_bin_without_pixels_follows_its_neighbours() -> None:
     assert found[6] - 0.01 <= found[5] <= found[4] + 0.01
 
 
+@pytest.mark.parametrize("without", ["s", "o"])
+def test_a_source_without_any_detail_weighs_nothing(without: str) -> None:
+    """As the black border of an image that does not say that it is one."""
+    products = products_of(np.zeros(SLOTS))
+    for number, name in enumerate(PRODUCTS):
+        if without in name:
+            products[:, :MIXED_BINS, number] = 0
+    found = fit_mixtures(products)
+    np.testing.assert_allclose(found.other[:, MIXED_BINS:], 0, atol=1e-3)
+    assert np.isfinite(found.other).all()
+    assert np.isfinite(found.left).all()
+
+
 @given(share=st.floats(0, 1), rho=st.floats(-0.9, 0.9))
 def test_a_mixture_has_the_energy_of_its_parts(share: float, rho: float) -> None:
     products = products_of(np.full(SLOTS, share), rho=rho)

@@ -152,9 +152,10 @@ def _follow_filtered(image: ComparedImage, images: Sequence[ComparedImage], filt
 
 def _of_planes(filters: Filters, numbers: Sequence[int]) -> Filters:
     """By the number of a plane instead of its source's."""
-    if not filters.taps:
-        return filters
-    return replace(filters, taps={k: filters.taps[number] for k, number in enumerate(numbers)})
+    places = {number: k for k, number in enumerate(numbers)}
+    taps = {places[i]: one for i, one in filters.taps.items() if i in places}
+    anew = frozenset(places[i] for i in filters.rounded_anew if i in places)
+    return replace(filters, taps=taps, rounded_anew=anew)
 
 
 def _nothing(window: PixelWindow, levels: int, unexplained: float) -> DensePart:

@@ -4,6 +4,7 @@ Where a patch is unsure of it, or its neighbours follow another source, the squa
 """
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,6 +13,7 @@ from scipy import ndimage
 from .....imagery.wavelets import placed_components
 from ...following.best_ground import learn_best_ground
 from ...following.boxes import enlarged, in_squares, opened
+from ...following.compression import rounded_anew
 from ...following.expected_mosaic import mosaic_of
 from ...following.followed_source import (
     LEAST_ENERGY,
@@ -25,7 +27,7 @@ from ...following.followed_source import (
 from ...following.likely_source import MIN_FIT
 from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable
-from ...seam_cells import UNKNOWN
+from ...seam_cells import UNKNOWN, is_one_of
 from .block_grid import SQUARE_PX
 from .block_pixels import MOST_HELD, BlockPixels, Planes
 
@@ -85,16 +87,20 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int =
     def cells_of(found: _Told) -> tuple[CellTable, Filters, frozenset[int]]:
         return _cells(planes, fine, fines, found.sampled_source, (rows, columns), wavelet, levels)
 
-    cells, filters, learned_of = cells_of(told)
+    shown = fines
+    # Ground of another image would be explained by a filter that nothing came through.
+    cells, filters, learned_of = cells_of(told.without(told.odd))
     if filters.taps:  # what came over the mosaic made it unlike its sources: once more with that done to them
         shown = {i: filters.applied(i, one) if i in learned_of else one for i, one in fines.items()}
         told = _told(fine, shown, planes, with_patch, empty)
         cells, filters, learned_of = cells_of(told)
+    anew = rounded_anew(fine, shown, enlarged(told.sampled_source, PATCH_PX), PATCH_PX)
     # What was warped is explained as badly as by another image.
-    strangers = told.strangers & ~np.isin(told.source, list(planes.resampled))
+    strangers = told.strangers(anew) & ~np.isin(told.source, list(planes.resampled))
     if strangers.any():
         told = told.without(strangers)
         cells, filters, learned_of = cells_of(told)
+    filters = replace(filters, rounded_anew=anew)
     return SquareLook(told.source, told.doubtful, empty, cells, filters, learned_of)
 
 
@@ -119,16 +125,30 @@ class _Told:
         return np.where(self.sampled, self.source, np.uint8(UNKNOWN))
 
     @property
-    def strangers(self) -> np.ndarray:
-        """bool: of an image that isn't given, though one that is may resemble it; by the best ground of all."""
-        textured = self.own > 0
+    def odd(self) -> np.ndarray:
+        """bool: what is explained worse than the best ground of all, on its own."""
+        return self._strange(np.ones(self.own.shape, bool))[1]
+
+    def strangers(self, anew: Collection[int]) -> np.ndarray:
+        """bool: of an image that isn't given, though one that is may resemble it; by the best ground of all, of sources
+        that were rounded ``anew`` and of the others."""
+        of_anew = is_one_of(self.source, anew)
+        return self._together(of_anew) | self._together(~of_anew)
+
+    def _together(self, of: np.ndarray) -> np.ndarray:
+        strange, alike = self._strange(of)
+        surely = opened(strange & ~self.doubtful, _STRANGE_SQUARES) | opened(alike, _ALIKE_SQUARES)
+        return (self.own > 0) & surely
+
+    def _strange(self, of: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """bool: surely of another image, and perhaps of one that resembles a source; of a part by its best ground."""
+        textured = of & (self.own > 0)
         ground = learn_best_ground(self.own[textured], self.left[textured])
         if ground is None or ground.is_of_none:  # there are too few patches to condemn a whole block
-            return np.zeros_like(textured)
+            return np.zeros_like(textured), np.zeros_like(textured)
         own = np.where(textured, self.own, 1)
         strange, alike = ground.strangeness(own, self.left, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR)
-        surely = opened(textured & (strange > MIN_STRANGE) & ~self.doubtful, _STRANGE_SQUARES)
-        return textured & (surely | opened(textured & alike, _ALIKE_SQUARES))
+        return textured & (strange > MIN_STRANGE), textured & alike
 
     def without(self, strangers: np.ndarray) -> _Told:
         """Where those follow none."""

@@ -19,6 +19,7 @@ from seam_inspector.plugin.seams.measure.scan.blocks.patches import (
 )
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
+from benchmarks.aftermaths import jpeg
 from tests.numbers.seams.scan.blocks.scenes import (
     NODATA,
     SHAPE,
@@ -89,6 +90,24 @@ def test_what_was_done_to_the_whole_mosaic_does_not_mislead(tmp_path: Path, chan
     assert right[~found.doubtful].all()
     assert right.mean() > 0.95
     assert change == "noise" or not found.doubtful.any()
+
+
+def test_what_the_mosaic_s_jpeg_rounded_anew_is_no_other_image(tmp_path: Path) -> None:
+    """One of two orthoimages lies in the mosaic's squares of 8 px and so comes out to the bit, the other does not."""
+    compress, rng = jpeg(75), np.random.default_rng(0)
+
+    def compressed(plane: np.ndarray, columns: int = 0) -> np.ndarray:
+        bands = compress(np.stack([np.roll(plane, columns, axis=1)] * 3), rng)
+        return np.roll(bands[0], -columns, axis=1)
+
+    first, second = (as_bytes(128 + 30 * texture(SHAPE, 2.4, seed)) for seed in (1, 2))
+    given = [compressed(first), compressed(second, 3)]
+    made = compressed(blended(*given, beside(SIDE / 2)))
+    found = look_at(scene(tmp_path, made, given))
+    right = found.source == np.repeat([[0, 1]], PER_SIDE // 2, axis=1)
+    assert right.mean() > 0.95
+    assert found.filters is not None
+    assert found.filters.rounded_anew == {1}
 
 
 def test_a_mixture_of_two_is_doubtful_and_so_asks_for_a_closer_look(tmp_path: Path) -> None:

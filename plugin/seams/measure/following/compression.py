@@ -1,0 +1,90 @@
+"""Which sources the mosaic's own compression rounded anew, as JPEG does in squares of 8 px.
+
+What is compressed again in the squares that it was compressed in before comes out as it was, nearly to the bit; what
+lay in other squares, or was rounded less, loses several per cent of its fine detail. Both may be in one mosaic, and the
+ground of either tells nothing of what the other should leave over.
+"""
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..seam_cells import UNKNOWN, present
+
+JPEG_SQUARE_PX = 8
+
+_MIN_SURE = 4.0  # standard errors, along both axes: that there are squares; chance reaches 3
+_MIN_TOLD = 2.0  # the same at places that are known
+_MIN_SAME = 0.5  # of the mosaic's edges, that a source has at the same places
+_EVERY = 2  # lines apart are looked at
+_MOST_EDGE = 3.0  # times the differences beside it, that one edge counts
+
+
+def rounded_anew(
+    mosaic: np.ndarray, sources: Mapping[int, np.ndarray], labels: np.ndarray, patch_px: int = 0
+) -> frozenset[int]:
+    """Numbers of the sources that were; empty where all were or none, as all ground is alike then.
+
+    High-passed planes (rows, columns), ``labels`` which source is followed, uint8, ``UNKNOWN`` for none. ``patch_px``:
+    side of the patches that all of them consist of.
+    """
+    numbers = present(labels)
+    own = _Edges(mosaic, patch_px)
+    places = own.places(labels != UNKNOWN)
+    if len(numbers) < 2 or places is None:
+        return frozenset()
+    found = set()
+    for number in numbers:
+        elsewhere = own.places(labels == number)
+        if elsewhere is not None and elsewhere != places:
+            return frozenset()  # the mosaic was not compressed, but its sources were before
+        source = sources[number]
+        seen = source != 0
+        its, edges = (one.errors(seen)[(0, 1), places].min() for one in (_Edges(source, patch_px), own))
+        if edges < _MIN_TOLD or its < _MIN_SAME * edges:
+            found.add(number)
+    return frozenset(found) if len(found) < len(numbers) else frozenset()
+
+
+class _Edges:
+    """How much greater the difference between neighbours is than those on either side (Wang and Bovik 2000)."""
+
+    def __init__(self, plane: np.ndarray, patch_px: int) -> None:
+        self._edges = [_edges(one[::_EVERY]) for one in (plane, plane.T)]
+        self._patch_px = patch_px
+
+    def places(self, where: np.ndarray) -> tuple[int, int] | None:
+        """Column and row of the edges within a square; None where there are none. ``where`` (rows, columns) bool."""
+        errors = self.errors(where)
+        column, row = errors.argmax(axis=1).tolist()
+        return (column, row) if errors.max(axis=1).min() >= _MIN_SURE else None
+
+    def errors(self, where: np.ndarray) -> np.ndarray:
+        """By axis, columns first, and place within a square, (2, 8): the mean above that of all places, in standard
+        errors; 0 where nothing is known."""
+        return np.stack([self._errors(edges, one) for edges, one in zip(self._edges, (where, where.T))])
+
+    def _errors(self, edges: np.ndarray, where: np.ndarray) -> np.ndarray:
+        where, place = where[::_EVERY], np.arange(2, where.shape[1] - 1)
+        known = where[:, 2:-1] & where[:, :-3] & where[:, 3:]
+        if self._patch_px:
+            known = known & np.isin(place % self._patch_px, np.arange(2, self._patch_px - 1))
+        # One long edge of the ground is one event, and not as many as it has pixels.
+        counts, sums = known.sum(axis=0), np.einsum("ij,ij->j", edges, known)
+        total = max(int(counts.sum()), 1)
+        means = sums / np.maximum(counts, 1)
+        spread = (counts * np.square(means - sums.sum() / total)).sum() / total
+        weight, weighted, squares = (
+            np.bincount(place % JPEG_SQUARE_PX, of, JPEG_SQUARE_PX) for of in (counts, sums, counts.astype(float) ** 2)
+        )
+        lines = weight**2 / np.maximum(squares, 1)
+        above = weighted / np.maximum(weight, 1) - sums.sum() / total
+        return np.asarray(above * np.sqrt(lines / max(spread, 1e-12)))
+
+
+def _edges(plane: np.ndarray) -> np.ndarray:
+    """Along rows, (rows, columns - 3): of the step to column 2 and on."""
+    steps = np.abs(np.diff(plane, axis=1))
+    beside = steps[:, :-2] + steps[:, 2:]
+    return np.clip((steps[:, 1:-1] - beside / 2) / (1 + beside), -1, _MOST_EDGE)

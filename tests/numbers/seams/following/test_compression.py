@@ -1,0 +1,78 @@
+"""Sources that the mosaic's JPEG rounded anew are told from those that lie in its squares already."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from seam_inspector.plugin.seams.measure.following.compression import rounded_anew
+from seam_inspector.plugin.seams.measure.following.followed_source import high_pass
+from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
+
+from benchmarks.aftermaths import jpeg
+from tests.numbers.synthetic import texture
+
+SIDE = 512
+OFF = (3, 5)
+"""Rows and columns by which the squares of the second image lie elsewhere."""
+
+
+def compressed(plane: np.ndarray, quality: int, off: tuple[int, int] = (0, 0)) -> np.ndarray:
+    """Grey values through JPEG, its squares moved by ``off``."""
+    placed = np.roll(plane, off, axis=(0, 1)).round().clip(0, 255).astype(np.uint8)
+    bands = jpeg(quality)(np.stack([placed] * 3), np.random.default_rng(0))
+    return np.roll(bands[0], (-off[0], -off[1]), axis=(0, 1)).astype(np.float32)
+
+
+def image(seed: int) -> np.ndarray:
+    return np.asarray(128 + 30 * texture((SIDE, SIDE), 2.4, seed), np.float32)
+
+
+def halves() -> np.ndarray:
+    return np.repeat(np.arange(2, dtype=np.uint8), SIDE // 2)[np.newaxis].repeat(SIDE, axis=0)
+
+
+def found(mosaic: np.ndarray, first: np.ndarray, second: np.ndarray, labels: np.ndarray) -> set[int]:
+    return set(rounded_anew(high_pass(mosaic), {0: high_pass(first), 1: high_pass(second)}, labels))
+
+
+@pytest.mark.parametrize("quality", [60, 75, 85])
+def test_what_lay_in_other_squares_is_rounded_anew(quality: int) -> None:
+    labels = halves()
+    first, second = compressed(image(1), quality), compressed(image(2), quality, OFF)
+    mosaic = compressed(np.where(labels == 0, first, second), quality)
+    assert found(mosaic, first, second, labels) == {1}
+    # That is what makes the difference: one comes out as it was, the other does not.
+    left = np.square(mosaic - np.where(labels == 0, first, second))
+    assert left[:, : SIDE // 2 - 8].mean() < 0.1 * left[:, SIDE // 2 + 8 :].mean()
+    unknown = np.where(np.arange(SIDE) < 40, np.uint8(UNKNOWN), labels)
+    assert found(mosaic, first, second, unknown) == {1}
+
+
+def test_what_was_not_compressed_before_is_rounded_anew() -> None:
+    labels = halves()
+    first, second = compressed(image(1), 75), image(2)
+    assert found(compressed(np.where(labels == 0, first, second), 75), first, second, labels) == {1}
+
+
+@pytest.mark.parametrize("off", [(0, 0), OFF])
+def test_where_all_or_none_are_nothing_differs(off: tuple[int, int]) -> None:
+    labels = halves()
+    first, second = (compressed(image(seed), 75, off) for seed in (1, 2))
+    assert found(compressed(np.where(labels == 0, first, second), 75), first, second, labels) == set()
+
+
+def test_a_mosaic_that_is_not_compressed_rounds_nothing() -> None:
+    """Though its sources were, each in squares of its own."""
+    labels = halves()
+    first, second = compressed(image(1), 75), compressed(image(2), 75, OFF)
+    assert found(np.where(labels == 0, first, second), first, second, labels) == set()
+    plain = image(1), image(2)
+    assert found(np.where(labels == 0, *plain), *plain, labels) == set()
+
+
+def test_a_long_edge_of_the_ground_is_no_square_of_jpeg() -> None:
+    labels = halves()
+    first, second = image(1), image(2)
+    for plane in (first, second):
+        plane[:, 80:] += 60
+        plane[200:] += 60
+    assert found(np.where(labels == 0, first, second), first, second, labels) == set()
