@@ -126,7 +126,7 @@ class CheckDelivery(SeamInspectorAlgorithm):
         faulty = [one for one in found if one.findings]
         for one in faulty:
             run.tell(*(messages.SHEET_FINDING(sheet=one.sheet.name, finding=finding) for finding in one.findings))
-        missing = sum(one.raster is None for one in found)
+        missing = sum(not one.sheet.path for one in found)
         run.tell(messages.DELIVERY_CHECKED(count=len(found), faulty=len(faulty), missing=missing))
         results: dict[str, Any] = {OUTPUT: write_checked(run, OUTPUT, found)}
         path, whole = run.file_path(VRT), fitting(found)

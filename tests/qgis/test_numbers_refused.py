@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 import pytest
-from qgis.core import QgsProcessingParameterNumber
+from qgis.core import QgsProcessingParameterDefinition, QgsProcessingParameterNumber
 
 from fuzz.calls import MODELS
 from tests.qgis.runs import algorithm, assert_refused, run_unchecked
@@ -22,6 +22,18 @@ def test_numbers_that_are_none_are_refused(name: str) -> None:
         if isinstance(definition, QgsProcessingParameterNumber):
             for value in (math.nan, math.inf, -math.inf):
                 words = f"'{definition.description()}' is {value:g}; give a number"
+                assert_refused(name, words.replace("(", r"\(").replace(")", r"\)"), **{definition.name(): value})
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in MODELS])
+def test_words_for_numbers_that_may_be_left_out_are_refused(name: str) -> None:
+    """QGIS refuses them for other numbers, and takes them for none given here."""
+    job = algorithm(name)  # which its definitions live with
+    for definition in job.parameterDefinitions():
+        is_optional = definition.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional
+        if isinstance(definition, QgsProcessingParameterNumber) and is_optional:
+            for value in ("0,3", "much"):
+                words = f"'{definition.description()}' is '{value}', which is no number"
                 assert_refused(name, words.replace("(", r"\(").replace(")", r"\)"), **{definition.name(): value})
 
 

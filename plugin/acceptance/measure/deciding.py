@@ -85,6 +85,8 @@ def decide(
     lacking = [*_lacking(delivery, rules)]
     if lacking and outcome is AcceptanceOutcome.ACCEPTED:
         outcome = AcceptanceOutcome.UNDECIDED
+    if delivery.doubled_m > MOST_DOUBLED * sum(piece.length_m for piece in delivery.pieces):
+        outcome, lacking = AcceptanceOutcome.UNDECIDED, [messages.SEAMS_DOUBLED(metres=delivery.doubled_m), *lacking]
     interval = failed_interval(pieces)
     sentences = (
         _headline(rules, outcomes, outcome, by_observer, lacking),
@@ -258,6 +260,9 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
     changed = [one.name for one in layers if one.is_sealed is False]
     if changed:
         yield messages.LAYERS_CHANGED(count=len(changed), names=_first_names(changed))
+    unknown = [one.name for one in layers if one.is_sealed is None]
+    if unknown:
+        yield messages.LAYERS_WITHOUT_TOTALS(count=len(unknown), names=_first_names(unknown))
     if layers and all(one.is_sealed for one in layers):
         yield messages.LAYERS_SEALED(count=len(layers))
     for one in layers:
@@ -273,6 +278,8 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
 
 
 TOLD_UNEXPLAINED = 0.03
+MOST_DOUBLED = 0.1
+"""Of all metres, that may lie on others, as where sheets meet: with more two scans of one mosaic were given."""
 """Of a mosaic without an orthoimage behind it: where the scan tells it, too."""
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
 """What makes figures of one layer differ from those of another."""

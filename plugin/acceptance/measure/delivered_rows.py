@@ -235,7 +235,10 @@ def united_delivery(
     told = [messages.PIECES_TWICE(count=copies)] if copies else []
     if doubled := overlap(once, unit_m):
         told.append(messages.SEAMS_OVERLAP(metres=doubled[0], sheets=", ".join(doubled[1])))
-    found = Delivery(in_order(once) if copies else tuple(once), wkt, unit_m, lot_size=lot_size, layers=tuple(layers))
+    found = Delivery(
+        in_order(once) if copies else tuple(once), wkt, unit_m, lot_size=lot_size, layers=tuple(layers),
+        doubled_m=doubled[0] if doubled else 0.0,
+    )  # fmt: skip
     if found.lacking_m:
         told += [messages.LAYER_LACKS_SEAMS(name=one.name, metres=one.lacking_m) for one in layers if one.lacking_m]
     return found, told

@@ -192,6 +192,8 @@ class Delivery:
     """Whether the outlines come from a check of the files: those without findings are complete."""
     layers: tuple[DeliveredLayer, ...] = ()
     """That the pieces were read from, in the order in which they were given."""
+    doubled_m: float = 0.0
+    """Metres of pieces that lie on others, which are not the same."""
 
     @property
     def lacking_m(self) -> float:

@@ -167,6 +167,10 @@ LAYERS_CHANGED = Message(
     "Layers of seams that were changed since their scan: {count} ({names}); the decision is on what they hold now.",
     WARNING
 )
+LAYERS_WITHOUT_TOTALS = Message(
+    "Layers of seams without the totals of their scan, as exports are: {count} ({names}). Seams that were left out of "
+    "them can't be noticed; decide on the GeoPackage that the scan wrote.", INFO
+)
 SETTINGS_DIFFER = Message(
     "The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.",
     WARNING
@@ -236,6 +240,7 @@ PIECES_WITHOUT_LENGTH = Message("{name}: features without a line are left out ({
 PIECES_TWICE = Message(
     "{count} pieces of seam are given twice, the same line with the same figures; they count once.", WARNING
 )
+SEAMS_DOUBLED = Message("{metres:.0f} m of the seams lie on others and count again", INFO)
 SEAMS_OVERLAP = Message(
     "{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.", WARNING
 )

@@ -157,7 +157,7 @@ class MendSeams(SeamInspectorAlgorithm):
             runs, unnamed = request.runs
             if unnamed:
                 run.tell(messages.SIDES_UNKNOWN(metres=unnamed))
-            if not runs:
+            if not runs and not unnamed:
                 run.tell(messages.NOTHING_TO_MEND())
             with mending(request, mended) as job:
                 seams = self._mended(run, job, patches, str(mended), executor, ahead)
@@ -171,7 +171,7 @@ class MendSeams(SeamInspectorAlgorithm):
         left = metres(seams, LEFT)
         return {
             PATCHES: patches, MENDED: str(mended), MENDED_MOSAIC: str(mended), CUTS: cuts,
-            MENDED_METRES: metres(seams) - left, LEFT_METRES: left,
+            MENDED_METRES: metres(seams) - left, LEFT_METRES: left + unnamed,
         }
 
     @staticmethod

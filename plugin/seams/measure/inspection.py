@@ -113,7 +113,7 @@ def make_block(
 
 def without_copies(block: Block) -> tuple[Block, list[Message]]:
     """The same without copies of the mosaic among its sources, which are opened for that; and notices about them."""
-    kept, notices = leave_out_copies(block.mosaic, block.sources, only_one_is_told=False)
+    kept, notices = leave_out_copies(block.mosaic, block.sources)
     return replace(block, sources=tuple(kept)), notices
 
 

@@ -265,7 +265,9 @@ def _inputs(
         for place in _places(parameters.get(name), "ogr" if _is_vector(definition) else "gdal", context):
             yield place
             if os.path.isdir(place.path):  # of which every file is read
-                yield from (DataPlace(one.path) for one in os.scandir(place.path) if one.is_file())
+                with os.scandir(place.path) as entries:
+                    files = [one.path for one in entries if one.is_file()]
+                yield from map(DataPlace, files)
                 continue
             yield from _parts(place.path, seen)
         if name.upper() == common.SOURCE_INDEX and parameters.get(name):

@@ -149,15 +149,27 @@ def _file(name: str, title: str, filters: str, by_default: bool) -> QgsProcessin
 
 
 def check_numbers(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:
-    """Raise SettingsError for NaN, infinite numbers, and whole ones that are too large: QGIS lets them pass."""
+    """Raise SettingsError for NaN, infinite numbers, whole ones that are too large, and words where a number may be
+    left out: QGIS lets them pass."""
     for definition in algorithm.parameterDefinitions():
         if not isinstance(definition, QgsProcessingParameterNumber):
             continue
-        title, value = definition.description(), algorithm.parameterAsDouble(values, definition.name(), context)
+        title, given = definition.description(), values.get(definition.name())
+        if isinstance(given, str) and given.strip() and not _is_number(given):
+            raise SettingsError(messages.NO_NUMBER(parameter=title, value=given))
+        value = algorithm.parameterAsDouble(values, definition.name(), context)
         if not math.isfinite(value):
             raise SettingsError(messages.NOT_A_NUMBER(parameter=title, value=value))
         if definition.dataType() == QgsProcessingParameterNumber.Type.Integer and abs(value) > _LARGEST_WHOLE:
             raise SettingsError(messages.NUMBER_TOO_LARGE(parameter=title, value=value, most=_LARGEST_WHOLE))
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def check_systems(algorithm: QgsProcessingAlgorithm, values: dict[str, Any], context: QgsProcessingContext) -> None:

@@ -292,3 +292,24 @@ def test_windows_over_a_piece_and_what_operators_say() -> None:
     assert (found.observers.both.count, found.observers.both.agreed) == (2, 1)
     assert found.observers.with_tool is not None
     assert (found.observers.with_tool.count, found.observers.with_tool.agreed) == (3, 3)
+
+
+def test_a_layer_without_its_scan_s_totals_is_told() -> None:
+    """As an export is: seams that it lacks can't be noticed."""
+    pieces = sure(seam([0.95] * 20))
+    sealed, exported = DeliveredLayer("scan", True, 0.0, {}), DeliveredLayer("export", None, 0.0, {})
+    one, other = (decide(replace(delivery(pieces), layers=(layer,)), rules()) for layer in (sealed, exported))
+    words = "without the totals of their scan"
+    assert not any(words in str(sentence) for sentence in one.sentences)
+    assert any(words in str(sentence) and "export" in str(sentence) for sentence in other.sentences)
+
+
+@pytest.mark.parametrize("kept", [0.95, 0.3])
+def test_two_scans_of_one_mosaic_decide_nothing(kept: float) -> None:
+    """Each metre counts twice; some lie on others where sheets meet."""
+    given = delivery(sure(seam([kept] * 20)))
+    metres = sum(piece.length_m for piece in given.pieces)
+    assert decide(replace(given, doubled_m=0.05 * metres), rules()).outcome is not UNDECIDED
+    found = decide(replace(given, doubled_m=0.5 * metres), rules())
+    assert found.outcome is UNDECIDED
+    assert "lie on others" in str(found.sentences[0])

@@ -205,6 +205,18 @@ def test_windows_instead_of_seams(feathered: Files, scanned: Run, tmp_path: Path
     assert 10 < ended.results["MENDED_METRES"] < 45
 
 
+def test_seams_whose_orthoimages_are_not_given_are_left(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    ended = run(
+        "mendseams", MOSAIC=feathered.mosaic, SOURCES=[feathered.west], SEAMS=scanned.layer("SEAMS"),
+        PATCHES=str(tmp_path / "patches"), MENDED=str(tmp_path / "mended.vrt"),
+    )
+    assert ended.complaint is None
+    failed = sum(row["length"] for row in scanned.rows("SEAMS") if row["state"] == "failed")
+    assert ended.results["LEFT_METRES"] == pytest.approx(failed)
+    assert ended.results["MENDED_METRES"] == 0
+    assert "choose another WHAT" not in str(vars(ended.log))
+
+
 def test_what_is_no_layer_of_a_scan_is_refused(feathered: Files, scanned: Run, tmp_path: Path) -> None:
     given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "MENDED": str(tmp_path / "mended.vrt"),
              "PATCHES": str(tmp_path)}  # fmt: skip

@@ -57,6 +57,6 @@ OVERVIEW_AMONG_SOURCES = Message(
     "{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.", WARNING
 )
 ONLY_SOURCE_IS_EQUAL = Message(
-    "{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, the scan tells "
-    "nothing, so give the orthoimages that the mosaic was made from.", WARNING
+    "{name} is like the mosaic everywhere and there is no other source; if it is a copy of the mosaic, nothing can be "
+    "told of its seams, so give the orthoimages that it was made from.", WARNING
 )

@@ -52,16 +52,14 @@ class Likeness(Enum):
     """Its pixels are larger, and made from the mosaic's or from what those were made of."""
 
 
-def leave_out_copies(
-    mosaic: Raster, sources: Sequence[Source], only_one_is_told: bool = True
-) -> tuple[list[Source], list[Message]]:
+def leave_out_copies(mosaic: Raster, sources: Sequence[Source]) -> tuple[list[Source], list[Message]]:
     """The sources without copies, overviews and VRTs of the mosaic, and what to tell of those.
 
     Only sources that cover the mosaic, all of it or nearly, are opened, and compared in 256 places. One that differs
     anywhere is none, nor is one that others beat where the mosaic turns to them: orthoimages of one flight or triplet
     are alike. One that is like it everywhere would explain all of the mosaic and hide every loss, if it was made from
     it; where the other sources do not explain the mosaic it is what that was cut from, and stays. So does
-    the first one if there is no other source, and a notice says what that means where ``only_one_is_told``.
+    the first one if there is no other source, and a notice says what that means.
     """
     kept: list[Source] = []
     copies: list[Source] = []
@@ -93,8 +91,7 @@ def leave_out_copies(
             copies += alike
     if copies and not true:
         true.append(copies.pop(0))
-        if only_one_is_told:
-            notices.append(messages.ONLY_SOURCE_IS_EQUAL(name=true[0].ref.name))
+        notices.append(messages.ONLY_SOURCE_IS_EQUAL(name=true[0].ref.name))
     return true, [*(messages.COPY_AMONG_SOURCES(name=copy.ref.name) for copy in copies), *notices]
 
 

@@ -151,7 +151,8 @@ PIECE_INTERVAL_TOO_WIDE = Message(
     "What is kept along this piece can only be told to lie between {low:.0f} and {high:.0f} %; scan with longer pieces."
 )
 SEAMS_WITHOUT_VERDICT = Message(
-    "{metres:.0f} of {all:.0f} m of seam have no verdict; the field 'reason' of the seams says why.", WARNING
+    "{metres:.0f} of {all:.0f} m of seam count neither as passed nor as failed; their fields 'state' and 'reason' say "
+    "why.", WARNING
 )
 MOSAIC_UNEXPLAINED = Message(
     "{share:.0f} % of the mosaic follow none of the orthoimages, most of it around {x:.1f}, {y:.1f}, so nothing is "

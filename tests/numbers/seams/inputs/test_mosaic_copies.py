@@ -123,6 +123,16 @@ def test_windows_are_inspected_without_a_copy_of_the_mosaic(
     assert result.judgement.verdict is Verdict.SIGNIFICANT
 
 
+def test_a_copy_that_is_the_only_source_of_a_window_is_told(paths: list[str], tmp_path: Path) -> None:
+    """It keeps what the mosaic keeps, so nothing of the seam can be seen."""
+    copy = str(tmp_path / "copy.tif")
+    gdal.Translate(copy, paths[2])
+    block, _ = make_block(describe_mosaic(RasterRef(paths[2])), [RasterRef(copy)])
+    block, notices = without_copies(block)
+    assert [source.ref.name for source in block.sources] == ["copy.tif"]
+    assert [one.template for one in notices] == [messages.ONLY_SOURCE_IS_EQUAL.template]
+
+
 def test_the_one_orthoimage_of_a_window_s_mosaic_stays_without_a_word(paths: list[str]) -> None:
     assert make_block(describe_mosaic(RasterRef(paths[2])), [RasterRef(paths[0])])[1] == []
 
