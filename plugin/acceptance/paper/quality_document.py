@@ -17,12 +17,12 @@ from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
 from ...toolkit.pages.templates import HowMeasured, environment, system_code, whole_path
-from ...toolkit.translation import filled, language, tr
+from ...toolkit.translation import filled, language, paper_sentence, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import AcceptanceOutcome, Decision, MetreFigures, PlanOutcome, RuleOutcome
 from ..measure.delivery import extent_of
 from .inspection_record import InspectionRecord
-from .words import check_word, failing_sentence, outcome_title, paper_sentence, plan_words, share
+from .words import check_word, failing_sentence, outcome_title, plan_words, share
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
 METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
