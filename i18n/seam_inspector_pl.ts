@@ -3915,7 +3915,7 @@
     <message>
         <location filename="../plugin/seams/words.py" line="246"/>
         <source>unclear</source>
-        <translation>niejasna</translation>
+        <translation>niejasne</translation>
     </message>
     <message>
         <location filename="../plugin/seams/words.py" line="108"/>
@@ -9033,12 +9033,12 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
         <source>Accepted by &apos;{rules}&apos;: {why}.</source>
-        <translation>Przyjęta według reguł „{rules}”: {why}.</translation>
+        <translation>Przyjęto według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
         <source>Rejected by &apos;{rules}&apos;: {why}.</source>
-        <translation>Odrzucona według reguł „{rules}”: {why}.</translation>
+        <translation>Odrzucono według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
@@ -10431,8 +10431,8 @@
     </message>
     <message>
         <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
-        <source>the plugin&apos;s standard ({parameter})</source>
-        <translation>standard wtyczki ({parameter})</translation>
+        <source>not stated: the software&apos;s default ({parameter})</source>
+        <translation>nie podano: wartość domyślna programu ({parameter})</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="136"/>
@@ -11189,17 +11189,17 @@
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="108"/>
         <source>accepted, rejected or undecided</source>
-        <translation>przyjęta, odrzucona lub nierozstrzygnięta</translation>
+        <translation>przyjęto, odrzucono lub nie rozstrzygnięto</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="110"/>
         <source>Accepted (1), rejected (0), or nothing where it is undecided</source>
-        <translation>Przyjęta (1), odrzucona (0) lub puste, gdy jest nierozstrzygnięta</translation>
+        <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="44"/>
         <source>Check a delivery</source>
-        <translation>Kontrola dostawy</translation>
+        <translation>Sprawdź dostawę</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="46"/>
@@ -11314,22 +11314,22 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
         <source>Undecided by &apos;{rules}&apos;: {why}.</source>
-        <translation>Nierozstrzygnięta według reguł „{rules}”: {why}.</translation>
+        <translation>Nie rozstrzygnięto według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
         <source>Accepted by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
-        <translation>Przyjęta na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
+        <translation>Przyjęto na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>Rejected by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
-        <translation>Odrzucona na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
+        <translation>Odrzucono na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
         <source>Undecided by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
-        <translation>Nierozstrzygnięta na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
+        <translation>Nie rozstrzygnięto na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
@@ -11569,7 +11569,7 @@
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
         <source>&apos;Check radiometry&apos; checks it</source>
-        <translation>sprawdza to „Kontrola radiometrii”</translation>
+        <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
@@ -11579,7 +11579,7 @@
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
         <source>&apos;Check a delivery&apos; checks it</source>
-        <translation>sprawdza to „Kontrola dostawy”</translation>
+        <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/acceptance_report.py" line="289"/>
@@ -11674,17 +11674,17 @@
     <message>
         <location filename="../plugin/acceptance/paper/words.py" line="22"/>
         <source>Accepted</source>
-        <translation>Przyjęta</translation>
+        <translation>Przyjęto</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/words.py" line="23"/>
         <source>Rejected</source>
-        <translation>Odrzucona</translation>
+        <translation>Odrzucono</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/words.py" line="24"/>
         <source>Undecided</source>
-        <translation>Nierozstrzygnięta</translation>
+        <translation>Nie rozstrzygnięto</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper_parameters.py" line="37"/>

@@ -122,7 +122,7 @@ def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
         return float(str(given[name]))
 
     def source(name: str) -> str:
-        text = tr("the plugin's standard ({parameter})") if given[name] == DEFAULTS[name] else tr(
+        text = tr("not stated: the software's default ({parameter})") if given[name] == DEFAULTS[name] else tr(
             "stated for this decision ({parameter})"
         )
         return filled(text, parameter=name)

@@ -26,6 +26,7 @@ from ..toolkit.algorithms.base import IMAGE_QUALITY
 from ..toolkit.algorithms.parameters import in_users_language
 from ..toolkit.algorithms.raster_lists import RASTERS, RasterListAlgorithm
 from ..toolkit.algorithms.run import Run
+from ..toolkit.table_fields import text
 from ..toolkit.translation import filled, tr
 from .measure import messages
 from .measure.rules import DEFAULT_RULES, ready_rule_files
@@ -37,7 +38,8 @@ if TYPE_CHECKING:
     from .measure.rules import RuleSet
 
 READY_RULES, RULES, VALUE_RANGE, GREY_AREAS = "READY_RULES", "RULES", "VALUE_RANGE", "GREY_AREAS"
-SEAMLINES, OUTPUT, MAYBE_GREY = "SEAMLINES", "OUTPUT", "MAYBE_GREY"
+SHEETS, SEAMLINES, OUTPUT, MAYBE_GREY = "SHEETS", "SEAMLINES", "OUTPUT", "MAYBE_GREY"
+_LOCATION = "location"  # the field of a sheet's file, as gdaltindex and 'Check a delivery' write it
 PASSED_COUNT, FAILED_COUNT, NOT_MEASURABLE_COUNT = "PASSED_COUNT", "FAILED_COUNT", "NOT_MEASURABLE_COUNT"
 DECISION, REASONS = "DECISION", "REASONS"
 
@@ -57,7 +59,14 @@ class CheckRadiometry(RasterListAlgorithm):
 
     def initAlgorithm(self, configuration: Any = None) -> None:
         line, polygon = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
-        self.addRasters(RASTERS, tr("Rasters"), tr("The images to be checked, each for itself."))
+        self.addRasters(RASTERS, tr("Rasters"), tr("The images to be checked, each for itself."), optional=True)
+        self.addDescribed(
+            QgsProcessingParameterFeatureSource(SHEETS, tr("Sheets"), [polygon], optional=True),
+            tr(
+                "Alone or beside the rasters: the sheets that 'Check a delivery' wrote, or a tile index as gdaltindex "
+                "writes it. The files that their field 'location' names are checked."
+            ),
+        )
         self.addWindows(tr(
             "Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows "
             "each raster is checked as a whole."
@@ -121,18 +130,27 @@ class CheckRadiometry(RasterListAlgorithm):
         })
 
     def check(self, run: Run) -> None:
-        super().check(run)
+        if not run.parameters.get(SHEETS):
+            super().check(run)
         self._rules(run)
+
+    def prepare(self, run: Run) -> None:
+        from ..toolkit.layers import layer_path
+
+        super().prepare(run)
+        index = run.vector_layer(SHEETS) if run.parameters.get(SHEETS) else None
+        self._home = Path(layer_path(index) if index is not None else "").parent
 
     def execute(self, run: Run) -> dict[str, Any]:
         from . import tables, words
         from .image_set import assessed, jobs_on
         from .measure.assessment import decide
 
-        super().check(run)
+        self.check(run)
         rules = self._rules(run)
         drawn = self.drawn_windows(run)
-        images = [image for ref in dict.fromkeys(self.refs[RASTERS]) if (image := self._image(ref)) is not None]
+        refs = dict.fromkeys([*self.refs[RASTERS], *self._indexed(run)])
+        images = [image for ref in refs if (image := self._image(ref)) is not None]
         self.require_rasters(images)
         run.tell_once(self.left_out)
         sink, output_id = run.sink(OUTPUT, tables.radiometry_fields())
@@ -171,6 +189,19 @@ class CheckRadiometry(RasterListAlgorithm):
             FAILED_COUNT: states.count(False),
             NOT_MEASURABLE_COUNT: sum(checked.value is None for checked in figures),
         }  # fmt: skip
+
+    def _indexed(self, run: Run) -> list[RasterRef]:
+        """The files of SHEETS; sheets without one are left out. Raises SettingsError for another layer."""
+        from ..imagery.rasters import RasterRef
+        from ..toolkit.layers import features
+
+        if not run.parameters.get(SHEETS):
+            return []
+        source = run.source(SHEETS)
+        if _LOCATION not in source.fields().names():
+            raise SettingsError(messages.SHEETS_WITHOUT_FILES(name=source.sourceName(), field=_LOCATION))
+        paths = (text(row[_LOCATION]) for row in features(source))
+        return [RasterRef(str(self._home / path)) for path in paths if path]
 
     def _rules(self, run: Run) -> RuleSet:
         from .measure.rules import load_rules

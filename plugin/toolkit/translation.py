@@ -75,6 +75,11 @@ def sentence(message: Message) -> str:
     return message.worded(tr, filled)
 
 
+def paper_sentence(message: Message) -> str:
+    """The same with its shares as the figures beside it on paper are written: 2 %, not 2%."""
+    return re.sub(r"(?<=\d)%", "\u00a0%", sentence(message))
+
+
 class _LocalNumbers(Formatter):
     """``{share:.1%}`` as the user's locale has it; ``{count:window|windows}`` is the word's form for the count."""
 

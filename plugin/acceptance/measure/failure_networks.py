@@ -52,17 +52,21 @@ class PiecePlaces:
         for number, piece in enumerate(self._pieces):
             if piece.seam_id and piece.station_m is not None:
                 seams.setdefault(piece.seam, []).append((piece.station_m, number))
+        following = []
         for stations in seams.values():
             stations.sort()
             for (station, number), (next_station, next_number) in zip(stations, stations[1:]):
                 if abs(next_station - station - self._pieces[number].length_m) <= self._tolerance_m:
-                    yield self._nearest_ends(number, next_number)
+                    following.append((number, next_number))
+        return self._nearest_ends(np.array(following, int).reshape(-1, 2).T)
 
-    def _nearest_ends(self, number: int, other: int) -> tuple[int, int]:
-        apart = np.hypot(*(self._ends[number][:, np.newaxis] - self._ends[other][np.newaxis]).transpose(2, 0, 1))
-        apart[1, 0] -= 1e-9  # as the lines are drawn, where a ring of two pieces leaves the choice
-        one, two = np.unravel_index(int(apart.argmin()), apart.shape)
-        return 2 * number + int(one), 2 * other + int(two)
+    def _nearest_ends(self, following: np.ndarray) -> Iterator[tuple[int, int]]:
+        """Of pairs of pieces, (2, pairs) numbers, the two ends nearest to each other."""
+        ones, others = self._ends[following]
+        apart = np.hypot(*(ones[:, :, np.newaxis] - others[:, np.newaxis]).transpose(3, 0, 1, 2)).reshape(-1, 4)
+        apart[:, 2] -= 1e-9  # as the lines are drawn, where a ring of two pieces leaves the choice
+        ends = np.array(np.divmod(apart.argmin(axis=1), 2))
+        return zip(*(2 * following + ends).tolist())
 
 
 def _united(pairs: Sequence[tuple[int, int]], count: int) -> np.ndarray:

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Hashable, Iterable, Iterator, Sequence
+from itertools import repeat
 
 import numpy as np
 from scipy import stats
@@ -103,9 +104,12 @@ _TOOL_WORDS = {"significant": VISIBLE, "reduced": INVISIBLE, "preserved": INVISI
 
 def windows_over(delivery: Delivery) -> Iterator[tuple[SeenWindow, ...]]:
     """For each piece those that hold its middle, the one whose own middle is nearest first."""
-    left, bottom, right, top = np.array([window.extent for window in delivery.windows]).reshape(-1, 4).T
+    if not delivery.windows:
+        yield from repeat((), len(delivery.pieces))
+        return
+    left, bottom, right, top = np.array([window.extent for window in delivery.windows]).T
     for piece in delivery.pieces:
-        x, y = piece.middle if delivery.windows else (0.0, 0.0)
+        x, y = piece.middle
         held = np.flatnonzero((left <= x) & (x <= right) & (bottom <= y) & (y <= top))
         apart = np.hypot((left + right)[held] / 2 - x, (bottom + top)[held] / 2 - y)
         yield tuple(delivery.windows[int(place)] for place in held[np.argsort(apart, kind="stable")])

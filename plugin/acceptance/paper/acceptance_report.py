@@ -12,7 +12,7 @@ from ...toolkit.charts.figure_files import svg_text
 from ...toolkit.pages.picture_files import encoded
 from ...toolkit.pages.templates import HowMeasured, each_raster, save_page, system_name
 from ...toolkit.resources import plugin_commit
-from ...toolkit.translation import filled, formatted, shown_number, tr
+from ...toolkit.translation import filled, formatted, paper_sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Observers, PlanOutcome
 from .charts import STATE_COLOURS, oc_figure, pale, seams_figure
@@ -31,7 +31,6 @@ from .words import (
     outcome_title,
     outcome_value,
     outcome_word,
-    paper_sentence,
     plan_words,
     share,
     sheet_word,
@@ -172,11 +171,14 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
 
 
 def _radiometry_rows(record: InspectionRecord) -> Iterator[list[str]]:
-    """Of the images that are not accepted, the worst first."""
+    """The images that are not accepted, those by the same limits together, the worst first."""
     for outcome in _WORST_FIRST[:2]:
+        together: dict[tuple[str, ...], list[str]] = {}
         for one in record.radiometry:
             if one.outcome is outcome:
-                yield [one.name, outcome_title(outcome), "; ".join(one.failed_by)]
+                together.setdefault(one.failed_by, []).append(one.name)
+        for failed_by, names in together.items():
+            yield [outcome_title(outcome), "; ".join(failed_by) or NOTHING, ", ".join(names)]
 
 
 def _sheets_sentence(verdicts: Sequence[str]) -> str:
@@ -238,11 +240,16 @@ def _legend(decision: Decision) -> list[tuple[str, str]]:
     present = {one.state for one in decision.pieces}
     entries = [(STATE_COLOURS[state], word) for state, word in words.items() if state in present]
     if len(decision.sheets) > 1:
-        sheets = {outcome for outcome in decision.sheet_outcomes if outcome is not None}
+        found = decision.sheet_outcomes
+        shown: dict[AcceptanceOutcome | None, str] = {
+            outcome: outcome_title(outcome) for outcome in AcceptanceOutcome if outcome in found
+        }
+        if not all(one.piece_count for one in decision.sheets):
+            shown[None] = tr("No seams")
         entries += [
-            (pale(SHEET_COLOURS[outcome]), filled(tr("sheet: {verdict}"), verdict=outcome_title(outcome)))
-            for outcome in AcceptanceOutcome if outcome in sheets
-        ]  # fmt: skip
+            (pale(SHEET_COLOURS[outcome]), filled(tr("sheet: {verdict}"), verdict=word))
+            for outcome, word in shown.items()
+        ]
     return entries
 
 

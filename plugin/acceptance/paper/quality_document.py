@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 import uuid
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,12 +17,12 @@ from ...imagery.errors import RasterError
 from ...imagery.grids import Extent
 from ...imagery.reference_systems import extent_on
 from ...toolkit.pages.templates import HowMeasured, environment, system_code, whole_path
-from ...toolkit.translation import filled, language, tr
+from ...toolkit.translation import filled, language, paper_sentence, tr
 from ..measure import acceptance_rules as rules
-from ..measure.decision import Decision, MetreFigures, PlanOutcome, RuleOutcome
+from ..measure.decision import AcceptanceOutcome, Decision, MetreFigures, PlanOutcome, RuleOutcome
 from ..measure.delivery import extent_of
 from .inspection_record import InspectionRecord
-from .words import check_word, failing_sentence, paper_sentence, plan_words, share
+from .words import check_word, failing_sentence, outcome_title, plan_words, share
 
 _UCUM = "http://www.opengis.net/def/uom/UCUM/"
 METRES, PER_CENT, ONE = f"{_UCUM}m", f"{_UCUM}%25", f"{_UCUM}1"
@@ -101,6 +101,7 @@ def quality_elements(record: InspectionRecord) -> Iterator[QualityElement]:
     yield from _figures(record, outcomes)
     if decision.plan is not None:
         yield from _sampling(decision, decision.plan, outcomes.get(rules.SAMPLING))
+    yield from _checked_beside(record)
     yield from _metaquality(decision, outcomes)
 
 
@@ -150,6 +151,39 @@ def _figures(record: InspectionRecord, outcomes: dict[str, RuleOutcome]) -> Iter
             measured, (Quantity((min(kept),), ONE),), _conformance(outcomes.get(rules.KEPT)),
             has_coverage=record.loss is not None,
         )
+
+
+def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
+    """Files and radiometry, as far as they were checked: they do not change the decision."""
+    delivery = record.decision.delivery
+    if delivery.is_checked:
+        found = [(one.name, "; ".join(one.findings)) for one in delivery.outlines if one.findings]
+        yield QualityElement(
+            USABILITY, "files", tr("completeness and form of the files"),
+            tr("Sheets that are missing, not whole, or of another form than most or than was ordered."),
+            Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")), (Quantity((len(found),), ONE),),
+            Conformance(tr("form of the delivery"), _each_said(found) or tr("No findings"), not found),
+        )
+    if record.radiometry:
+        outcomes = [one.outcome for one in record.radiometry]
+        open_ = [one for one in record.radiometry if one.outcome is not AcceptanceOutcome.ACCEPTED]
+        failed_by = dict.fromkeys(source for one in open_ for source in one.failed_by)
+        counts = tuple(outcomes.count(one) for one in (AcceptanceOutcome.REJECTED, AcceptanceOutcome.UNDECIDED))
+        said = [(one.name, "; ".join((outcome_title(one.outcome), *one.failed_by))) for one in open_]
+        yield QualityElement(
+            ACCURACY, "radiometry", tr("radiometry"),
+            tr("Images that do not keep the limits of radiometry, and those of which it can't be told."),
+            Evaluation(FULL, tr("All pixels of each image ('Check radiometry').")),
+            (Quantity(counts, ONE, tr("images rejected; images undecided")),),
+            Conformance(
+                "; ".join(failed_by) or tr("limits of radiometry"), _each_said(said) or tr("All images are accepted."),
+                False if counts[0] else None if counts[1] else True,
+            ),
+        )
+
+
+def _each_said(found: Sequence[tuple[str, str]]) -> str:
+    return " ".join(f"{name}: {words}." for name, words in found)
 
 
 def _by_sheet(

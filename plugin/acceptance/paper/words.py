@@ -1,12 +1,9 @@
 """How people meet the figures of a decision: their names, and values as they are written."""
 from __future__ import annotations
 
-import re
-
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ...imagery.errors import Message
-from ...toolkit.translation import decimals_beside, filled, formatted, sentence, shown_number, tr
+from ...toolkit.translation import decimals_beside, filled, formatted, shown_number, tr
 from ..measure import acceptance_rules as rules
 from ..measure.decision import AcceptanceOutcome, Decision, MetreFigures, RuleOutcome
 from ..measure.sampling_plans import SamplingPlan
@@ -39,11 +36,6 @@ DIGEST_STANDARD = "FIPS 180-4 (SHA-256)"
 """With their editions, on which the decision rests, its record and its digests."""
 NOTHING = "\u2013"
 """Where there is no value."""
-
-
-def paper_sentence(message: Message) -> str:
-    """A message with its shares as the figures beside it are written: 2 %, not 2%."""
-    return re.sub(r"(?<=\d)%", "\u00a0%", sentence(message))
 
 
 def check_word(check: str) -> str:

@@ -12,6 +12,9 @@ RULES_BAND_BAD = Message(
 )
 RULES_RANGE_BAD = Message("{place} in {name}: 'value_range' has to be two numbers, the smaller one first.")
 VALUE_RANGE_BAD = Message("The range of values has to be two numbers, the smaller one first, as 0,4095.")
+SHEETS_WITHOUT_FILES = Message(
+    "{name} has no field '{field}'; give the sheets that 'Check a delivery' wrote, or an index that gdaltindex made."
+)
 # why a rule could not be checked, and what was assumed to check it
 NOT_MEASURABLE = Message("not measurable: {why}", INFO)
 TOO_FEW_VALID_PIXELS = Message("{count} pixels are valid and at least {least} are needed; choose a larger part.", INFO)

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import shutil
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ from qgis.core import QgsGeometry, QgsProject, QgsRectangle
 from seam_inspector.plugin.seams.desk.accepting import DECISION, WHOLE_WAY, offered_form
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 
+from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
 from tests.qgis.runs import algorithm, assert_refused, run
 from tests.qgis.scenes import layer
@@ -73,7 +75,8 @@ def test_a_delivery_has_to_be_somewhere(tmp_path: Path) -> None:
 def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files, tmp_path: Path) -> None:
     wanted = {"accept:report": "decision.html", "accept:quality": "quality.xml", "accept:failures": "failures.gpkg",
               "accept:decided_sheets": "sheets.gpkg", "check:mosaic": "all.vrt", "scan:loss": "loss.tif",
-              "scan:seams": "seams.gpkg"}  # fmt: skip
+              "scan:seams": "seams.gpkg", "radiometry:radiometry": "radiometry.gpkg",
+              "radiometry:radiometry_report": "radiometry.html"}  # fmt: skip
     made = run(
         "accept_delivery", folder=str(folder), sheets=ordered(folder, "sheet_z"), sources=scene.sources, piece=20.0,
         contract="12/2026", **{name: str(tmp_path / file) for name, file in wanted.items()},
@@ -85,8 +88,13 @@ def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files,
     assert ["sheet_z", "the file is missing"] in page.rows
     parts = {row[0]: row[1:] for row in page.rows if len(row) == 3}
     assert parts["completeness and form of the files"] == ["With findings", "sheets with findings: 1 of 3"]
-    assert parts["radiometry"][0] == "Not checked"
+    assert parts["radiometry"] == ["Rejected", "images rejected: 2, undecided: 0 of 2"]
     assert "Its orthoimages, cut hard" in page.captions
+    text = (tmp_path / "quality.xml").read_text(encoding="utf-8")
+    assert faults(text) == []
+    measures = {one.get("id"): "".join(one.itertext()) for one in ET.fromstring(text).iterfind(".//*[@id]")}
+    assert "sheet_z: the file is missing." in measures["files"]
+    assert "sheet_a.tif: Rejected" in measures["radiometry"]
 
 
 def test_scripts_get_the_models_own_defaults() -> None:

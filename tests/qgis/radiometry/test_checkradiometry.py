@@ -7,9 +7,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from qgis.core import QgsGeometry
 
 from tests.numbers.synthetic import ORIGIN, read_pixels, write_raster
-from tests.qgis.runs import Log, algorithm, assert_sentence, run, run_unchecked
+from tests.qgis.runs import Log, algorithm, assert_refused, assert_sentence, run, run_unchecked
 from tests.qgis.scenes import Scene, layer, line, windows
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -38,10 +39,10 @@ def figures(rows: list[dict[str, Any]], raster: str) -> dict[tuple[str, str], An
 def test_parameters_and_outputs_are_those_promised() -> None:
     job = algorithm("checkradiometry")
     names = [definition.name() for definition in job.parameterDefinitions()]
-    wanted = "RASTERS WINDOWS READY_RULES RULES VALUE_RANGE GREY_AREAS SEAMLINES OUTPUT MAYBE_GREY REPORT"
+    wanted = "RASTERS SHEETS WINDOWS READY_RULES RULES VALUE_RANGE GREY_AREAS SEAMLINES OUTPUT MAYBE_GREY REPORT"
     assert names == wanted.split()
     required = [one.name() for one in job.parameterDefinitions() if not one.flags() & one.Flag.FlagOptional]
-    assert required == ["RASTERS", "READY_RULES", "OUTPUT"]
+    assert required == ["READY_RULES", "OUTPUT"]
     assert {"OUTPUT", "REPORT", "MAYBE_GREY", "DECISION", "REASONS"} <= {one.name() for one in job.outputDefinitions()}
 
 
@@ -68,6 +69,16 @@ def test_the_table_has_a_row_for_every_figure(mosaics: list[str]) -> None:
         assert row["limit"]
     assert outcome.results["PASSED_COUNT"] + outcome.results["FAILED_COUNT"] == len(rows) - 2
     assert outcome.results["NOT_MEASURABLE_COUNT"] == 2
+
+
+def test_an_index_names_rasters_too(mosaics: list[str]) -> None:
+    square = [QgsGeometry.fromWkt("POLYGON((0 0,1 0,1 1,0 0))")] * 3
+    index = layer("Polygon", square, location=("string", [mosaics[1], None, mosaics[0]]))
+    rows = run("checkradiometry", RASTERS=mosaics[:1], SHEETS=index).rows()
+    assert list(dict.fromkeys(row["raster"] for row in rows)) == ["cut.tif", "balanced.tif"]
+    assert_refused("checkradiometry", "No raster", SHEETS=layer("Polygon", square[:1], location=("string", [None])))
+    wrong = layer("Polygon", square[:2], name=("string", mosaics))
+    assert "no field 'location'" in str(run("checkradiometry", SHEETS=wrong).complaint)
 
 
 def test_the_ready_rules_judge_luminosity(mosaics: list[str]) -> None:
