@@ -384,7 +384,7 @@ def test_windows_without_numbers_are_counted(scene: Scene) -> None:
 def test_numbers_are_unique(scene: Scene, kind: str, given: list[Any], expected: list[int], renumbered: int) -> None:
     outcome = inspect(scene, WINDOWS=windows(*[SHARP] * 5, window_id=(kind, given)))
     assert outcome.column("window_id") == expected
-    assert [warning for warning in outcome.log.warnings if f"{renumbered} windows had no number" in warning]
+    assert [warning for warning in outcome.log.warnings if f"without a number of their own: {renumbered};" in warning]
 
 
 def test_other_fields_do_no_harm(scene: Scene) -> None:
