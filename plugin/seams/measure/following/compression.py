@@ -1,8 +1,8 @@
-"""Which sources the mosaic's own compression rounded anew, as JPEG does in squares of 8 px.
+"""Which sources a mosaic's own compression took alike of, as JPEG does in squares of 8 px.
 
 What is compressed again in the squares that it was compressed in before comes out as it was, nearly to the bit; what
-lay in other squares, or was rounded less, loses several per cent of its fine detail. Both may be in one mosaic, and the
-ground of either tells nothing of what the other should leave over.
+lay in other squares, or was not compressed yet, loses several per cent of its fine detail, more or less by how the
+squares lie in each other. All may be in one mosaic, and the ground of one tells nothing of what another leaves over.
 """
 from __future__ import annotations
 
@@ -16,15 +16,18 @@ JPEG_SQUARE_PX = 8
 
 _MIN_SURE = 4.0  # standard errors, along both axes: that there are squares; chance reaches 3
 _MIN_TOLD = 2.0  # the same at places that are known
-_MIN_SAME = 0.5  # of the mosaic's edges, that a source has at the same places
+_MIN_SAME = 0.75  # of the mosaic's edges, that a source in the same squares has at their places
 _EVERY = 2  # lines apart are looked at
 _MOST_EDGE = 3.0  # times the differences beside it, that one edge counts
 
+Alike = tuple[frozenset[int], ...]
+"""Numbers of the sources in groups, first those that came out as they were; none where all are alike."""
 
-def rounded_anew(
+
+def compressed_alike(
     mosaic: np.ndarray, sources: Mapping[int, np.ndarray], labels: np.ndarray, patch_px: int = 0
-) -> frozenset[int]:
-    """Numbers of the sources that were; empty where all were or none, as all ground is alike then.
+) -> Alike:
+    """The sources that are followed by how their squares lie in the mosaic's.
 
     High-passed planes (rows, columns), ``labels`` which source is followed, uint8, ``UNKNOWN`` for none. ``patch_px``:
     side of the patches that all of them consist of.
@@ -33,18 +36,20 @@ def rounded_anew(
     own = _Edges(mosaic, patch_px)
     places = own.places(labels != UNKNOWN)
     if len(numbers) < 2 or places is None:
-        return frozenset()
-    found = set()
+        return ()
+    groups: dict[tuple[object, ...], set[int]] = {places: set()}
     for number in numbers:
         elsewhere = own.places(labels == number)
         if elsewhere is not None and elsewhere != places:
-            return frozenset()  # the mosaic was not compressed, but its sources were before
-        source = sources[number]
-        seen = source != 0
-        its, edges = (one.errors(seen)[(0, 1), places].min() for one in (_Edges(source, patch_px), own))
-        if edges < _MIN_TOLD or its < _MIN_SAME * edges:
-            found.add(number)
-    return frozenset(found) if len(found) < len(numbers) else frozenset()
+            return ()  # the mosaic was not compressed, but its sources were before
+        seen = sources[number] != 0
+        its = _Edges(sources[number], patch_px)
+        edges, same = (one.errors(seen)[(0, 1), places] for one in (own, its))
+        in_same = (edges >= _MIN_TOLD) & (same >= _MIN_SAME * edges)
+        lies = places if in_same.all() else its.places(seen) or (None, *in_same.tolist())
+        groups.setdefault(lies, set()).add(number)
+    are_several = sum(map(bool, groups.values())) > 1
+    return tuple(map(frozenset, groups.values())) if are_several else ()
 
 
 class _Edges:

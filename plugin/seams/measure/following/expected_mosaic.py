@@ -256,8 +256,7 @@ def _likely(
     better with it, learned anew until it settles; what leaves least of the mosaic over counts."""
     if filters is not None:
         shown = {i: filters.applied(i, one) for i, one in sources.items()}
-        anew = filters.rounded_anew & set(sources)
-        return likely_source(own, shown, following.labels, following.clear, valid, sampling, anew)
+        return likely_source(own, shown, following.labels, following.clear, valid, sampling, filters.alike)
     labels, clear, best = following.labels, following.clear, None
     for _ in range(_ROUNDS):
         won = {i: one for i, one in sources.items() if (labels == i).any()}

@@ -6,7 +6,7 @@ weigh the same. What compression made of weak detail is expected of every source
 """
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Callable
@@ -18,7 +18,7 @@ from ..profile.ground import EnergyResponse, fit_response, sampled
 from ..seam_cells import is_one_of
 from .best_ground import MIN_ALIKE_STRANGE, MIN_EVEN_LEFT, MIN_STRANGE, learn_best_ground
 from .boxes import box_means, enlarged, near_border, opened, square_sums
-from .compression import rounded_anew
+from .compression import Alike, compressed_alike
 from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
@@ -84,12 +84,13 @@ def likely_source(
     clear: np.ndarray,
     valid: Mapping[int, np.ndarray],
     sampling: Sampling = FINE,
-    anew: Collection[int] | None = None,
+    alike: Alike | None = None,
 ) -> LikelySource:
     """Of ``sources``, high-passed planes as ``mosaic``, (rows, columns), those that it follows by a first estimate.
 
     ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure. ``valid``: pixels that a source has, of
-    those that don't have all. ``anew``: as ``rounded_anew`` finds them, where that is known of more ground.
+    those that don't have all. ``alike``: as ``compressed_alike`` has it, where that is known of
+    more ground.
     """
     near_side, wide_side, step = sampling.near, sampling.wide, sampling.grid_px
     grid = np.s_[::step, ::step]
@@ -118,7 +119,7 @@ def likely_source(
     nearest, cost = _least(list(sources), costs)
     found = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
     cells = _unexplained(own, energies, products, found, sources, sampling, lambda: (
-        rounded_anew(mosaic, sources, enlarged(found, step)) if anew is None else anew
+        compressed_alike(mosaic, sources, enlarged(found, step)) if alike is None else alike
     ))
     unexplained = enlarged(cells, CELL_PX // step, found.shape)
     if all(i in valid for i in sources):
@@ -129,7 +130,7 @@ def likely_source(
 
 def _unexplained(
     own: np.ndarray, energies: Mapping[int, np.ndarray], products: Mapping[int, np.ndarray], labels: np.ndarray,
-    sources: Mapping[int, np.ndarray], sampling: Sampling, anew: Callable[[], Collection[int]],
+    sources: Mapping[int, np.ndarray], sampling: Sampling, alike: Callable[[], Alike],
 ) -> np.ndarray:
     """Cells that the sources explain worse than the best ground of all, (cell rows, cell columns) bool.
 
@@ -172,16 +173,20 @@ def _unexplained(
         return found
     if _is_explained(wide, left, textured):
         return np.zeros_like(found)
-    of_anew = is_one_of(labels, anew())  # those and the others, each by its like
-    parts = (textured & part for part in (of_anew, ~of_anew) if part.any())
-    return np.logical_or.reduce([_strange_parts(wide, left, part, even, sampling) for part in parts])
+    same, *anew = alike() or (frozenset(sources),)
+    found = _strange_parts(wide, left, textured & is_one_of(labels, same), even, sampling)
+    for group in anew:
+        found |= _strange_parts(wide, left, textured & is_one_of(labels, group), even, sampling, by_likeness=False)
+    return found
 
 
 def _strange_parts(
-    wide: np.ndarray, left: np.ndarray, textured: np.ndarray, even: np.ndarray, sampling: Sampling
+    wide: np.ndarray, left: np.ndarray, textured: np.ndarray, even: np.ndarray, sampling: Sampling,
+    by_likeness: bool = True,
 ) -> np.ndarray:
     """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool, and
-    evenly."""
+    evenly. ``by_likeness``: images that resemble the true one are told as well; what compression leaves over of true
+    ones is as much."""
     ground = learn_best_ground(wide[textured], left[textured])
     if ground is None:
         return np.zeros_like(textured)
@@ -189,7 +194,9 @@ def _strange_parts(
         return textured
     strange, alike = ground.strangeness(wide, left)
     seen = textured & even
-    found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS) | opened(seen & alike, _ALIKE_CELLS)
+    found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
+    if by_likeness:
+        found |= opened(seen & alike, _ALIKE_CELLS)
     if not found.any():
         return found
     found = _to_borders(found, strange)

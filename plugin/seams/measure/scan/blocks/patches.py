@@ -4,7 +4,6 @@ Where a patch is unsure of it, or its neighbours follow another source, the squa
 """
 from __future__ import annotations
 
-from collections.abc import Collection
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,7 +12,7 @@ from scipy import ndimage
 from .....imagery.wavelets import placed_components
 from ...following.best_ground import learn_best_ground
 from ...following.boxes import enlarged, in_squares, opened
-from ...following.compression import rounded_anew
+from ...following.compression import Alike, compressed_alike
 from ...following.expected_mosaic import mosaic_of
 from ...following.followed_source import (
     LEAST_ENERGY,
@@ -94,13 +93,13 @@ def look_at_squares(pixels: BlockPixels, wavelet: str, levels: int, every: int =
         shown = {i: filters.applied(i, one) if i in learned_of else one for i, one in fines.items()}
         told = _told(fine, shown, planes, with_patch, empty)
         cells, filters, learned_of = cells_of(told)
-    anew = rounded_anew(fine, shown, enlarged(told.sampled_source, PATCH_PX), PATCH_PX)
+    alike = compressed_alike(fine, shown, enlarged(told.sampled_source, PATCH_PX), PATCH_PX)
     # What was warped is explained as badly as by another image.
-    strangers = told.strangers(anew) & ~np.isin(told.source, list(planes.resampled))
+    strangers = told.strangers(alike) & ~np.isin(told.source, list(planes.resampled))
     if strangers.any():
         told = told.without(strangers)
         cells, filters, learned_of = cells_of(told)
-    filters = replace(filters, rounded_anew=anew)
+    filters = replace(filters, alike=alike)
     return SquareLook(told.source, told.doubtful, empty, cells, filters, learned_of)
 
 
@@ -129,11 +128,11 @@ class _Told:
         """bool: what is explained worse than the best ground of all, on its own."""
         return self._strange(np.ones(self.own.shape, bool))[1]
 
-    def strangers(self, anew: Collection[int]) -> np.ndarray:
-        """bool: of an image that isn't given, though one that is may resemble it; by the best ground of all, of sources
-        that were rounded ``anew`` and of the others."""
-        of_anew = is_one_of(self.source, anew)
-        return self._together(of_anew) | self._together(~of_anew)
+    def strangers(self, alike: Alike) -> np.ndarray:
+        """bool: of an image that isn't given, though one that is may resemble it; by the best ground of all sources
+        that are ``alike``."""
+        groups = [is_one_of(self.source, group) for group in alike] or [np.ones(self.own.shape, bool)]
+        return np.logical_or.reduce([self._together(group) for group in groups])
 
     def _together(self, of: np.ndarray) -> np.ndarray:
         strange, alike = self._strange(of)
