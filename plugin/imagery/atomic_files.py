@@ -15,7 +15,6 @@ from . import messages
 from .errors import SettingsError
 from .messages import system_reason
 
-
 _checked: dict[str, str] = {}
 """Where the outputs of runs that go on led to when they were held against the inputs, by their paths."""
 

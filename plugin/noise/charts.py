@@ -180,7 +180,8 @@ def _legend(axes: Axes, columns: int) -> None:
     """Below the chart, where it hides nothing; of very many lines the first, for the chart has to keep its room."""
     lines, names = (each[:MAX_LEGEND] for each in axes.get_legend_handles_labels())
     axes.legend(
-        lines, names, fontsize="small", frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncol=columns, handlelength=3
+        lines, names, fontsize="small", frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncol=columns,
+        handlelength=3,
     )
 
 
