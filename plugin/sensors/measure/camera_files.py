@@ -25,7 +25,7 @@ from .sensor_model import file_content
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 MAX_PIXELS = 1e9  # of an image's side, a focal length, or from the image to the principal point
 MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
-UNREADABLE = (ParseError, ValueError, TypeError, KeyError, IndexError, AttributeError, StopIteration)
+UNREADABLE = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, AttributeError, StopIteration)
 """What a document that is none of these raises when it is taken apart."""
 _ORTHORITY = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 _BROWN = ("k1", "k2", "k3", "p1", "p2")

@@ -269,6 +269,7 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"camera.yaml": YAML.replace("  focal_len: 60\n", "")}, "no camera that can be read"),
     ({"camera.yaml": '{"type": "FeatureCollection", "features": []}'}, "no camera that can be read"),
     ({"camera.yaml": "<ExportAPERO/>"}, "no camera that can be read"),
+    ({"camera.yaml": re.sub("<F>.*</F>", "<F>1e300</F>", AUTOCAL)}, "no camera that can be read"),
     ({"camera.yaml": AUTOCAL.replace("DistM2C", "DistC2M")}, "distortion that is not known"),
     ({"places.csv": ""}, "no exterior orientation"),
     ({"places.csv": "filename,x,y\nphoto,1,2\n"}, "no exterior orientation"),
