@@ -38,7 +38,7 @@ class Report:
 def is_sentence(text: str) -> bool:
     """Whether a text is something for the user to read: a whole sentence, or one of QGIS's."""
     text = text.strip()
-    return bool(text) and "\n" not in text and (text.endswith((".", ".)")) or text.startswith(OF_QGIS))
+    return text.startswith(OF_QGIS) or ("\n" not in text and text.endswith((".", ".)")))  # QGIS repeats any name
 
 
 def judged(outcome: Outcome, stderr: str) -> list[str]:

@@ -6,7 +6,7 @@ import os
 import shutil
 import tempfile
 import zlib
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from itertools import count
 from pathlib import Path
@@ -14,6 +14,21 @@ from pathlib import Path
 from . import messages
 from .errors import SettingsError
 from .messages import system_reason
+
+_checked: dict[str, str] = {}
+"""Where the outputs of runs that go on led to when they were held against the inputs, by their paths."""
+
+
+@contextmanager
+def leading_to(places: Mapping[str, str]) -> Iterator[None]:
+    """Meanwhile these paths lead through links to their places or can't be written: a link that was changed after the
+    outputs were checked could lead to an input."""
+    _checked.update(places)
+    try:
+        yield
+    finally:
+        for path in places:
+            _checked.pop(path, None)
 
 
 def unfinished_name(path: Path) -> str:
@@ -64,7 +79,10 @@ class UnfinishedFile:
 
     def __init__(self, path: Path) -> None:
         """Raises OSError where no file can be."""
-        self._path = Path(os.path.realpath(path))  # the file that a link points to is replaced, not the link
+        place = os.path.realpath(path)  # the file that a link points to is replaced, not the link
+        if _checked.get(os.path.abspath(path), place) != place:
+            raise PermissionError(errno.EPERM, os.strerror(errno.EPERM))
+        self._path = Path(place)
         if self.replaces and not os.access(self._path, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         self._folder = Path(tempfile.mkdtemp(prefix=unfinished_name(self._path), dir=self._path.parent))

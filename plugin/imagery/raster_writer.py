@@ -43,7 +43,8 @@ def whole_raster(path: str) -> Iterator[str]:
             raise
         return
     try:
-        older = _files_beside(Path(path))
+        beside = Path(os.path.realpath(os.path.dirname(path)), os.path.basename(path))  # whatever becomes of links
+        older = _files_beside(beside)
         with replacing(Path(path)) as unfinished:
             yield str(unfinished)
             older -= set(os.listdir(unfinished.parent))
@@ -51,7 +52,7 @@ def whole_raster(path: str) -> Iterator[str]:
         raise RasterError(messages.RASTER_NOT_WRITTEN(path=path)) from None
     for name in older:
         with suppress(OSError):
-            Path(path).with_name(name).unlink()
+            beside.with_name(name).unlink()
 
 
 def check_width(like: Raster) -> None:

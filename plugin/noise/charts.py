@@ -21,6 +21,7 @@ from .noise_summary import NoiseGroup, class_title, compared_curve, noise_groups
 
 _LINES = {1: "-", 2: "--"}
 _HEADROOM = 1.25
+MAX_LEGEND = 16  # lines
 MAX_PANELS = 8  # classes of windows that a chart shows; the report's table has all
 BEHIND = "#8a8a8a"  # of the range behind a window's own curves: no band has it
 MAX_TITLE = 40  # characters of a name
@@ -176,9 +177,11 @@ def shown_title(name: str) -> str:
 
 
 def _legend(axes: Axes, columns: int) -> None:
-    """Below the chart, where it hides nothing."""
+    """Below the chart, where it hides nothing; of very many lines the first, for the chart has to keep its room."""
+    lines, names = (each[:MAX_LEGEND] for each in axes.get_legend_handles_labels())
     axes.legend(
-        fontsize="small", frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncol=columns, handlelength=3
+        lines, names, fontsize="small", frameon=False, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncol=columns,
+        handlelength=3,
     )
 
 

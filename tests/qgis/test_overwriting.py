@@ -22,6 +22,7 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QUrl
+from seam_inspector.plugin.toolkit.algorithms import base
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run, run_unchecked
@@ -100,6 +101,31 @@ def test_a_file_is_known_by_every_name(image: Path) -> None:
             assert_refused("simulatebayer", REFUSED, RASTER=str(image), OUTPUT=output)
         assert_refused("enhancephoto", REFUSED, PHOTO=name, OUTPUT=str(image))
     assert image.read_bytes() == before
+
+
+@pytest.mark.parametrize("swapped", ["file", "folder"])
+def test_a_link_that_is_changed_after_the_check_leads_to_no_input(
+    image: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, swapped: str
+) -> None:
+    free = tmp_path / "free"
+    free.mkdir()
+    (free / image.name).write_bytes(b"older")
+    link, target = (tmp_path / "out.tif", free / image.name) if swapped == "file" else (tmp_path / "out", free)
+    link.symlink_to(target)
+    before = {path: path.read_bytes() for path in (image, *image.parent.glob("image.t*"))}
+    checked = base.refuse_outputs
+
+    def raced(*arguments: Any) -> dict[str, str]:
+        leads = checked(*arguments)
+        link.unlink()
+        link.symlink_to(image if swapped == "file" else image.parent)
+        return leads
+
+    monkeypatch.setattr(base, "refuse_outputs", raced)
+    output = link if swapped == "file" else link / image.name
+    assert_sentence(run_unchecked("simulatebayer", RASTER=str(image), OUTPUT=str(output)).complaint, "can't be written")
+    assert {path: path.read_bytes() for path in before} == before
+    assert (free / image.name).read_bytes() == b"older"
 
 
 def test_layers_of_the_project_and_their_ids(image: Path, project: QgsProject) -> None:

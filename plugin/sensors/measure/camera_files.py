@@ -23,8 +23,9 @@ from .lenses import BrownLens, FisheyeLens, Lens
 from .sensor_model import file_content
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
+MAX_PIXELS = 1e9  # of an image's side, a focal length, or from the image to the principal point
 MAX_PIXEL_RATIO = 1.5  # of a pixel's sides: film that has shrunk is far from it, interchanged sides are beyond
-UNREADABLE = (ParseError, ValueError, TypeError, KeyError, IndexError, AttributeError, StopIteration)
+UNREADABLE = (ParseError, ArithmeticError, ValueError, TypeError, LookupError, AttributeError, StopIteration)
 """What a document that is none of these raises when it is taken apart."""
 _ORTHORITY = ("type", "im_size", "focal_len", "sensor_size", "cx", "cy")
 _BROWN = ("k1", "k2", "k3", "p1", "p2")
@@ -65,8 +66,11 @@ def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInteri
         found = chosen_camera(document(path), path, camera)
         made, own_size = found.interior, found.size
         lens = map(np.atleast_1d, vars(made.lens).values())
-        values = np.concatenate([made.focal, made.principal, made.centre, *lens])
-        sound = own_size.shape == (2,) and np.isfinite(values).all() and min(*made.focal, *own_size) > 0
+        pixels = np.concatenate([made.focal, made.principal, made.centre, own_size])
+        sound = (
+            own_size.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
+            and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *own_size) >= 1
+        )
     except UNREADABLE:
         sound = False
     if not sound:

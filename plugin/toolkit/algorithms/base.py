@@ -20,6 +20,7 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QT_TR_NOOP
 from qgis.PyQt.QtGui import QIcon
 
+from ...imagery.atomic_files import leading_to
 from ...imagery.errors import CancelledError, SeamInspectorError
 from ...imagery.gdal_calls import gdal_silenced
 from ..packages import missing_packages_sentence
@@ -52,6 +53,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
     """Outputs that are made from templates, likewise."""
     NAMED_BY_FORMAT: tuple[str, ...] = ()
     """Output files whose ending has to be one that is offered, beside pages; that of rasters always has."""
+
+    _leads: Mapping[str, str] = {}  # a run's
 
     def name(self) -> str:
         return self.ID
@@ -108,7 +111,8 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
             raise QgsProcessingException(missing)
         try:
             with gdal_silenced():
-                self._refuse(parameters, context)  # models and scripts may not have checked the values
+                checked = self._refuse(parameters, context)  # models and scripts may not have checked the values
+                self._leads = checked.leads
                 self.prepare(Run(self, parameters, context, feedback))
         except SeamInspectorError as error:
             raise QgsProcessingException(sentence(error.message)) from None
@@ -118,7 +122,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         run = Run(self, parameters, context, feedback)
-        with gdal_silenced():
+        with gdal_silenced(), leading_to(self._leads):
             try:
                 try:
                     results = self.execute(run)
@@ -244,10 +248,11 @@ def _refused(
     """The run of the values. Raises SettingsError for what no algorithm takes, and for output files among those named
     whose ending says something else than is written."""
     common.check_files(algorithm, parameters)
-    refuse_outputs(algorithm, parameters, context)
+    leads = refuse_outputs(algorithm, parameters, context)
     common.check_numbers(algorithm, parameters, context)
     common.check_systems(algorithm, parameters, context)
     run = Run(algorithm, parameters, context)
+    run.leads = leads
     run.check_endings(named)
     return run
 

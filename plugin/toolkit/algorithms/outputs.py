@@ -144,14 +144,16 @@ class _Output(NamedTuple):
 
 def refuse_outputs(
     algorithm: QgsProcessingAlgorithm, parameters: dict[str, Any], context: QgsProcessingContext
-) -> None:
-    """Raise SettingsError for outputs that can't be where they are to go, that are one file, or a file of an input,
-    sidecars included."""
+) -> dict[str, str]:
+    """Where the paths of outputs lead through links. Raises SettingsError for outputs that can't be where they are to
+    go, that are one file, or a file of an input, sidecars included."""
     wanted = []
     for definition in algorithm.destinationParameterDefinitions():
         if text := output_text(parameters.get(definition.name()), context):
             _refuse_impossible(definition, text)
             wanted.append((definition, text))
+    paths = [_place(*one).path for one in wanted if is_file(one[1])]
+    leads = {os.path.abspath(path): os.path.realpath(path) for path in paths if not path.startswith("/vsi")}
     outputs: list[_Output] = []
     for output in (_output(*one) for one in wanted):
         for other in outputs:
@@ -160,11 +162,16 @@ def refuse_outputs(
                 raise SettingsError(messages.OUTPUTS_ARE_ONE(path=path, first=first, second=output.title))
         outputs.append(output)
     if not any(os.path.exists(file) or file.startswith("/vsi") for one in outputs for file in one.files.values()):
-        return  # what is not there yet is no input: most runs need no look at them
+        return leads  # what is not there yet is no input: most runs need no look at them
     for place in _inputs(algorithm, parameters, context):
         for output in outputs:
             if met := output.meets(place):
                 raise SettingsError(messages.OUTPUT_IS_INPUT(output=output.title, path=met))
+    return leads
+
+
+def _place(definition: QgsProcessingParameterDefinition, text: str) -> DataPlace:
+    return table_place(text) if isinstance(definition, QgsProcessingParameterFeatureSink) else DataPlace(text)
 
 
 def _refuse_impossible(definition: QgsProcessingParameterDefinition, text: str) -> None:
@@ -245,7 +252,7 @@ def _is_locked(path: str) -> bool:
 
 
 def _output(definition: QgsProcessingParameterDefinition, text: str) -> _Output:
-    place = table_place(text) if isinstance(definition, QgsProcessingParameterFeatureSink) else DataPlace(text)
+    place = _place(definition, text)
     stem, ending = os.path.splitext(place.path)
     files = [place.path, text, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ()))]
     if not place.path.lower().endswith(".vrt"):  # GDAL removes a raster with its sidecars before it writes a new one

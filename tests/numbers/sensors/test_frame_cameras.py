@@ -251,6 +251,9 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
 
 @pytest.mark.parametrize(("files", "complaint"), [
     ({"camera.yaml": "a: [1"}, "no camera that can be read"),
+    ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "[1.0e-320, 1.0e-320]\n  focal")}, "no camera that can be read"),
+    ({"camera.yaml": YAML.replace("60\n  sensor", "1.0e+300\n  sensor")}, "no camera that can be read"),
+    ({"camera.yaml": YAML + "  cx: 1.0e+300\n"}, "no camera that can be read"),
     ({"camera.yaml": "[1, 2]"}, "no camera that can be read"),
     ({"camera.yaml": "!!python/object/apply:os.system ['true']"}, "no camera that can be read"),
     ({"camera.yaml": re.sub("sensor_size: .*", "sensor_size: [0, 0]", YAML)}, "no camera that can be read"),
@@ -266,6 +269,7 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
     ({"camera.yaml": YAML.replace("  focal_len: 60\n", "")}, "no camera that can be read"),
     ({"camera.yaml": '{"type": "FeatureCollection", "features": []}'}, "no camera that can be read"),
     ({"camera.yaml": "<ExportAPERO/>"}, "no camera that can be read"),
+    ({"camera.yaml": re.sub("<F>.*</F>", "<F>1e300</F>", AUTOCAL)}, "no camera that can be read"),
     ({"camera.yaml": AUTOCAL.replace("DistM2C", "DistC2M")}, "distortion that is not known"),
     ({"places.csv": ""}, "no exterior orientation"),
     ({"places.csv": "filename,x,y\nphoto,1,2\n"}, "no exterior orientation"),

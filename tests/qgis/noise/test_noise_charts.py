@@ -5,10 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from osgeo import gdal
 from qgis.core import QgsApplication
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.rasters import RasterRef
-from seam_inspector.plugin.noise.charts import draw_noise_clip
+from seam_inspector.plugin.noise.charts import MAX_LEGEND, draw_noise_clip, noise_figure
 from seam_inspector.plugin.noise.measure.band_noise import measure_noise, noisiest_band
 from seam_inspector.plugin.noise.measure.group_noise import measure_window
 from seam_inspector.plugin.radiometry.charts import balance_figure, histogram_figure
@@ -64,3 +65,13 @@ def test_histograms_hold_every_pixel(scene: Scene) -> None:
     for curve in curves.values():
         assert sum(curve.get_ydata()) == pytest.approx(100)
     assert balance_figure([result, result]) is None  # there are no seams
+
+
+@pytest.mark.filterwarnings("error")
+def test_very_many_bands_leave_the_chart_its_room(scene: Scene, tmp_path: Path) -> None:
+    path = tmp_path / "bands.tif"
+    gdal.Translate(str(path), str(scene.west), bandList=[1] * 90, srcWin=[0, 0, 256, 256])
+    figure = noise_figure([measure_window(RasterRef(str(path)), PixelWindow(64, 0, 128, 128))])
+    assert figure is not None
+    save_figure(figure, tmp_path / "chart.png")
+    assert len(figure.axes[-1].get_legend().get_texts()) == MAX_LEGEND
