@@ -1,4 +1,4 @@
-"""400 simulated deliveries, scanned in pieces of 10 m: what is decided against what was planted; and a very large one."""
+"""400 simulated deliveries in pieces of 10 m: what is decided against what was planted; and a very large one."""
 from __future__ import annotations
 
 import time
