@@ -9907,8 +9907,8 @@
         <translation>Udziały odnoszą się do zmierzonych metrów. Najdłuższa usterka arkusza kończy się na jego brzegu.</translation>
     </message>
     <message>
-        <source>Unclear: pieces whose 95 % interval holds the limit; they are counted by their value.</source>
-        <translation>Niejasne: odcinki, których 95 % przedział ufności obejmuje granicę; liczą się według swojej wartości.</translation>
+        <source>Unclear: pieces measured too roughly to say surely on which side of the limit they are; they are counted by their value.</source>
+        <translation>Niejasne: odcinki zmierzone zbyt zgrubnie, aby na pewno powiedzieć, po której stronie granicy leżą; liczą się według swojej wartości.</translation>
     </message>
     <message>
         <source>no.</source>
@@ -9944,8 +9944,8 @@
         <translation>Najdłuższe usterki: {shown} z {count}; wszystkie są w warstwie usterek.</translation>
     </message>
     <message>
-        <source>A failure is a row of failed pieces without a break. Kept and the orthoimages are those of its piece that kept least, the width of the band is its widest.</source>
-        <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków. Zachowanie detali i ortoobrazy dotyczą tego odcinka, który zachował najmniej, a szerokość pasa jest największą w ciągu.</translation>
+        <source>A failure is a row of failed pieces without a break. Kept and the orthoimages are those of the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
+        <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to miejsce, w którym utracono detale, tam, gdzie jest najszerszy.</translation>
     </message>
     <message>
         <source>Pictures of the failures</source>
@@ -12461,8 +12461,8 @@
         <translation>Istotna strata: wzdłuż linii mozaikowania zachowano {percent} % najdrobniejszych detali lub mniej albo całe okno jest mocno rozmyte. Osłabione: na pewno zachowano mniej niż wszystko. Zachowane: żadna strata nie jest pewna.</translation>
     </message>
     <message>
-        <source>A seam is where the mosaic passes from one orthoimage to the next; it is measured piece by piece.</source>
-        <translation>Linia mozaikowania biegnie tam, gdzie ortofotomapa przechodzi z jednego ortoobrazu w drugi; mierzy się ją odcinek po odcinku.</translation>
+        <source>A seam is where the mosaic passes from one orthoimage to the next. Where the two are blended there, fine detail is lost: the strip looks blurred. What is kept is measured piece by piece.</source>
+        <translation>Linia mozaikowania biegnie tam, gdzie ortofotomapa przechodzi z jednego ortoobrazu w drugi. Gdzie miesza się je ze sobą, tracone są drobne detale: widać tam rozmycie. To, co zachowano, mierzy się odcinek po odcinku.</translation>
     </message>
     <message>
         <source>The decision is by the detail kept along the seams; what else was checked stands beside it and does not change it. Not looked at by any of these: accuracy of position, the orthoimages by themselves, clouds and shadows, what buildings hide, metadata.</source>

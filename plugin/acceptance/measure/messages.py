@@ -267,6 +267,10 @@ NOT_TRANSFORMED = Message(
 LIMIT_NEGATIVE = Message("{parameter} is {value:g}; give 0 or more.")
 LIMIT_NO_SHARE = Message("{parameter} is {value:g} and has to lie between {least:g} and {most:g}.")
 QUALITY_UNKNOWN = Message("The {parameter} {value} is none of the standard's; known are {known}.")
+LQ_UNKNOWN = Message(
+    "{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; inspect the whole lot instead "
+    "(PLAN all), or draw a sample by stated risks ('Plan an inspection', PLAN risk with BAD_SHARE {value})."
+)
 WORD_UNKNOWN = Message("{parameter} is '{value}'; known are {known}.")
 
 

@@ -1,6 +1,7 @@
-"""400 simulated deliveries, scanned in pieces of 10 m: what is decided against what was planted."""
+"""400 simulated deliveries in pieces of 10 m: what is decided against what was planted; and a very large one."""
 from __future__ import annotations
 
+import time
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +10,7 @@ from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredPiece, Delivery
 
-from tests.numbers.acceptance.deliveries import rules
+from tests.numbers.acceptance.deliveries import delivery, rules, seam
 
 PIECE, SEAMS, PIECES = 10.0, 40, 20
 ALLOWED = 0.02
@@ -79,3 +80,20 @@ def test_few_are_left_undecided(found: list[Simulated]) -> None:
 def test_sums_of_pieces_have_no_bias(found: list[Simulated]) -> None:
     planted, failed = np.array([(one.planted, one.failed) for one in found]).T
     assert failed.sum() == pytest.approx(planted.sum(), rel=0.08)
+
+
+@pytest.mark.slow
+def test_a_hundred_thousand_pieces_are_decided_in_seconds() -> None:
+    """100 sheets of ten seams; the whole way from files to papers has a minute."""
+    kept = np.random.default_rng(1).choice([0.95, 0.85, 0.5], (100, 10, 100), p=[0.7, 0.27, 0.03]).tolist()
+    seams = [
+        seam(own, 20.0, f"sheet_{sheet}", str(place), (0.0, 200.0 * (10 * sheet + place)),
+             number=100 * (10 * sheet + place))
+        for sheet, seams in enumerate(kept) for place, own in enumerate(seams)
+    ]  # fmt: skip
+    large = delivery(*seams)
+    started = time.process_time()
+    found = decide(large, rules())
+    assert time.process_time() - started < 20
+    assert found.whole.piece_count == 100_000
+    assert found.whole.failed_share == pytest.approx(0.03, abs=0.002)

@@ -75,7 +75,8 @@ def test_pictures_stand_with_their_failures(tmp_path: Path) -> None:
 
 def test_radiometry_stands_on_the_cover_and_changes_nothing(tmp_path: Path) -> None:
     rated = (
-        RatedImage("a.tif", AcceptanceOutcome.ACCEPTED, ()), *(RatedImage(name, AcceptanceOutcome.REJECTED, ("7.2",)) for name in ("b.tif", "c.tif")),
+        RatedImage("a.tif", AcceptanceOutcome.ACCEPTED, ()),
+        *(RatedImage(name, AcceptanceOutcome.REJECTED, ("7.2",)) for name in ("b.tif", "c.tif")),
     )
     page = page_of(tmp_path, record_of(decided(), radiometry=rated))
     parts = {row[0]: row[1:] for row in page.rows if len(row) == 3}

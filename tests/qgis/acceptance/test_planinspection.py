@@ -54,7 +54,9 @@ def test_an_isolated_lot_has_a_sample_by_its_limiting_quality() -> None:
     assert any("ISO 2859-2:1985, isolated lot of 1200" in text for text in outcome.log.infos)
     decided = run("acceptmosaic", SEAMS=[outcome.layer()], PLAN="iso2859_2", LQ=8, DEFECTS=None, REPORT=None)
     assert decided.results["DECISION"] == "accepted"
-    assert "LQ 3 is none of the standard's" in str(plan(seams([P] * 40), PLAN="iso2859_2", LQ=3).complaint)
+    refused = str(plan(seams([P] * 40), PLAN="iso2859_2", LQ=1.25).complaint)
+    assert "LQ 1.25 is not in the tables of ISO 2859-2" in refused
+    assert "PLAN risk with BAD_SHARE 1.25" in refused
 
 
 def test_the_sample_is_decided_on() -> None:
