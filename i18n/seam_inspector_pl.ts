@@ -149,7 +149,7 @@
         <translation>Rozmieszcza wzdłuż linii mozaikowania ortofotomapy kwadratowe okna o boku około 100 m, gotowe do kontroli. Bok okna w pikselach jest najmniejszą potęgą liczby 2, która obejmuje zadaną długość, a krawędzie okna biegną po krawędziach pikseli ortofotomapy. Okna, które wystawałyby poza ortofotomapę, są przesuwane wzdłuż swojej linii mozaikowania; okna, które trzeba było pominąć, wymienia dziennik.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="95"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="104"/>
         <source>Seamlines</source>
         <translation>Linie mozaikowania</translation>
     </message>
@@ -447,11 +447,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="21"/>
         <source>The index layer has no field &apos;{field}&apos;; make it with gdaltindex.</source>
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/messages.py" line="18"/>
-        <source>{count} windows had no number of their own and were given the next free ones.</source>
-        <translation>{count} {count:okno bez własnego numeru otrzymało kolejny wolny numer|okna bez własnego numeru otrzymały kolejne wolne numery|okien bez własnego numeru otrzymało kolejne wolne numery}.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="34"/>
@@ -814,7 +809,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="227"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="230"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -1289,32 +1284,32 @@
         <translation>Usuń okna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="130"/>
+        <location filename="../plugin/toolkit/translation.py" line="135"/>
         <source>luminance</source>
         <translation>luminancja</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="131"/>
+        <location filename="../plugin/toolkit/translation.py" line="136"/>
         <source>red</source>
         <translation>czerwony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="132"/>
+        <location filename="../plugin/toolkit/translation.py" line="137"/>
         <source>green</source>
         <translation>zielony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="133"/>
+        <location filename="../plugin/toolkit/translation.py" line="138"/>
         <source>blue</source>
         <translation>niebieski</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="134"/>
+        <location filename="../plugin/toolkit/translation.py" line="139"/>
         <source>near infrared</source>
         <translation>bliska podczerwień</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="136"/>
+        <location filename="../plugin/toolkit/translation.py" line="141"/>
         <source>band {number}</source>
         <translation>kanał {number}</translation>
     </message>
@@ -1544,7 +1539,7 @@
         <translation>Symuluj filtr Bayera</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="35"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
         <source>Ground resolution</source>
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
@@ -1869,7 +1864,7 @@
         <translation>Sprawdź szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="34"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="35"/>
         <source>Image quality</source>
         <translation>Jakość obrazu</translation>
     </message>
@@ -2124,7 +2119,7 @@
         <translation>Orientacja wewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="37"/>
         <source>Interior orientation of photos</source>
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
@@ -2289,7 +2284,7 @@
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="37"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="38"/>
         <source>Satellite images</source>
         <translation>Obrazy satelitarne</translation>
     </message>
@@ -2504,17 +2499,17 @@
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="49"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="51"/>
         <source>Check radiometry</source>
         <translation>Sprawdź radiometrię</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="60"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
         <source>The images to be checked, each for itself.</source>
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="62"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="71"/>
         <source>Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows each raster is checked as a whole.</source>
         <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
     </message>
@@ -2524,7 +2519,7 @@
         <translation>Reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="106"/>
         <source>Lines, or polygons of which each is filled from one orthoimage: the step of tone at the seams is measured on the rasters they cross, 2 to 10 px on either side.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem: skok tonalny na liniach mozaikowania jest mierzony na rastrach, które one przecinają, od 2 do 10 px po obu stronach.</translation>
     </message>
@@ -2534,22 +2529,22 @@
         <translation>Radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="103"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="112"/>
         <source>One row per raster or window, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
         <translation>Jeden wiersz na raster lub okno, kontrolę i kanał: wartość, granica, czy jest spełniona oraz źródło reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="118"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="127"/>
         <source>Figures that passed</source>
         <translation>Wartości spełniające reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="128"/>
         <source>Figures that failed</source>
         <translation>Wartości niespełniające reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="120"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="129"/>
         <source>Figures that can&apos;t be measured</source>
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
@@ -2954,37 +2949,37 @@
         <translation>Obiekt</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="16"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="19"/>
         <source>not measurable: {why}</source>
         <translation>niemierzalne: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="17"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="20"/>
         <source>{count} pixels are valid and at least {least} are needed; choose a larger part.</source>
         <translation>liczba pikseli z danymi wynosi {count}, a potrzeba co najmniej {least}; wybierz większą część.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="32"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="35"/>
         <source>fewer than {least} uniform mid-tone areas of {side} x {side} px were found; draw windows on such areas.</source>
         <translation>znaleziono mniej niż {least} jednorodnych obszarów {side} × {side} px o średnich tonach; narysuj okna na takich obszarach.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="36"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="39"/>
         <source>the uniform areas do not vary at all; a photograph would, so check how the image was made.</source>
         <translation>obszary jednorodne wcale się nie zmieniają; na zdjęciu tak nie bywa, więc sprawdź, jak powstał obraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="51"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="54"/>
         <source>it has no red, green and blue.</source>
         <translation>brak kanałów czerwonego, zielonego i niebieskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="54"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="57"/>
         <source>no seam runs across valid pixels of it for {pixels} px or more.</source>
         <translation>żadna linia mozaikowania nie biegnie przez piksele z danymi na długości {pixels} px lub większej.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="55"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="58"/>
         <source>The rules set no limit; give one in the rules file.</source>
         <translation>Reguły nie określają żadnej granicy; podaj ją w pliku reguł.</translation>
     </message>
@@ -4067,17 +4062,17 @@
         <translation>próg {value:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="53"/>
+        <location filename="../plugin/noise/charts.py" line="54"/>
         <source>bold curve in the red: noise</source>
         <translation>gruba krzywa w czerwonym polu: szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="150"/>
+        <location filename="../plugin/noise/charts.py" line="151"/>
         <source>mean and range of {count} windows</source>
         <translation>średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="167"/>
+        <location filename="../plugin/noise/charts.py" line="168"/>
         <source>Window {window}: {names}</source>
         <translation>Okno {window}: {names}</translation>
     </message>
@@ -4102,7 +4097,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="239"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -4187,12 +4182,12 @@
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="128"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="120"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="128"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="120"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
@@ -4246,12 +4241,12 @@
         <translation>od {least} do {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="104"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="96"/>
         <source>at most {most}</source>
         <translation>najwyżej {most}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="104"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="96"/>
         <source>at least {least}</source>
         <translation>co najmniej {least}</translation>
     </message>
@@ -5750,10 +5745,6 @@
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <source>Windows where least was kept, the worst first, ready for the dock and for Inspect windows.</source>
-        <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/acceptmosaic.py" line="111"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
@@ -7246,22 +7237,22 @@
         <translation>Krzywa rośnie, ale okno jest za małe, aby odróżnić szum grubszy niż piksel (ziarno) od tekstury; narysuj większe.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="126"/>
+        <location filename="../plugin/noise/charts.py" line="127"/>
         <source>{field}: {value}</source>
         <translation>{field}: {value}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="127"/>
+        <location filename="../plugin/noise/charts.py" line="128"/>
         <source>All windows, {band}</source>
         <translation>Wszystkie okna, {band}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="149"/>
+        <location filename="../plugin/noise/charts.py" line="150"/>
         <source>1 window</source>
         <translation>1 okno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/charts.py" line="150"/>
+        <location filename="../plugin/noise/charts.py" line="151"/>
         <source>{name}: mean and range of {count} windows</source>
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
@@ -7646,7 +7637,7 @@
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="203"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="204"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
@@ -8186,7 +8177,7 @@
         <translation>{names} i jeszcze {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="52"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="54"/>
         <source>Checks images against the limits of a specification, by default JRC&apos;s for orthoimages in the LPIS: clipped tails, peak of the histogram and contrast of the luminosity, signal to noise on uniform mid-tone areas, colour balance on grey areas that you give, and with seamlines the step of tone at the seams. Whole rasters are streamed in blocks. What can&apos;t be measured is said with the reason; nothing is accepted on a guess.</source>
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
@@ -8196,62 +8187,62 @@
         <translation>Gotowe reguły</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="68"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="77"/>
         <source>jrc_lpis: as JRC&apos;s text says, clipping, peak and contrast of the luminosity. jrc_lpis_each_band: stricter, each band is held to the limits, and signal to noise and colour balance have to be known.</source>
         <translation>jrc_lpis: jak mówi tekst JRC, obcięcie, maksimum i kontrast histogramu jasności. jrc_lpis_each_band: surowiej, granice obowiązują każdy kanał, a stosunek sygnału do szumu i balans barw muszą być znane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="75"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="84"/>
         <source>A JSON file of your own with the limits and where they come from, instead of the ready rules; the documentation has one to start from.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast gotowych reguł; dokumentacja zawiera plik wyjściowy.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="81"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
         <source>Range of values</source>
         <translation>Zakres wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="83"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="92"/>
         <source>The lowest and highest value that pixels could have, as 0 to 4095 for 12 bits in 16. Needed where neither the file (NBITS) nor all files together say it: then nothing that depends on it is judged.</source>
         <translation>Najniższa i najwyższa wartość, jaką mogą mieć piksele, np. od 0 do 4095 dla 12 bitów w 16. Potrzebne, gdy nie podaje tego ani plik (NBITS), ani wszystkie pliki razem: wtedy nic, co od tego zależy, nie jest oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="88"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="97"/>
         <source>Grey areas</source>
         <translation>Szare obszary</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="90"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="99"/>
         <source>Polygons on surfaces that are grey: roads, roofs, concrete. The colour balance is measured on them; without them it is not measurable, since no pixel tells a cast from the colour of the ground.</source>
         <translation>Poligony na powierzchniach, które są szare: drogi, dachy, beton. Mierzony jest na nich balans barw; bez nich nie można go zmierzyć, ponieważ żaden piksel nie odróżnia dominanty barwnej od barwy terenu.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="107"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="116"/>
         <source>What may be grey</source>
         <translation>Obszary, które mogą być szare</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="110"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="119"/>
         <source>Uniform areas with little colour, where no grey areas are given: look at them, delete what is not grey, and give the others as grey areas.</source>
         <translation>Jednorodne obszary o słabej barwie, gdy nie podano obszarów szarych: obejrzyj je, usuń to, co nie jest szare, a pozostałe podaj jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="114"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="123"/>
         <source>The decision and all figures with the histograms on one HTML page.</source>
         <translation>Decyzja i wszystkie wartości z histogramami na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="115"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="124"/>
         <source>Decision: accepted, rejected or undecided</source>
         <translation>Decyzja: przyjęte, odrzucone lub nierozstrzygnięte</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="116"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="125"/>
         <source>Reasons of the decision</source>
         <translation>Uzasadnienie decyzji</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="157"/>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="175"/>
         <source>Decision: {word}.</source>
         <translation>Decyzja: {word}.</translation>
     </message>
@@ -8281,67 +8272,67 @@
         <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="19"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="22"/>
         <source>values of type {data_type} have no range of their own; give the range of values, or &apos;value_range&apos; in the rules file.</source>
         <translation>wartości typu {data_type} nie mają własnego zakresu; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="23"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="26"/>
         <source>the files do not say how many bits their values have. The largest value of all such images ({count}) is {largest}, so {possible} bits are possible. Give the range of values, as 0 to 4095 for 12 bits, or &apos;value_range&apos; in the rules file.</source>
         <translation>pliki nie podają, ile bitów mają ich wartości. Największa wartość wszystkich takich obrazów ({count}) wynosi {largest}, więc możliwa liczba bitów to {possible}. Podaj zakres wartości, np. od 0 do 4095 dla 12 bitów, albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="28"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="31"/>
         <source>the file says that its values have {bits} bits and holds values up to {largest}; give the range of values, or &apos;value_range&apos; in the rules file.</source>
         <translation>według pliku liczba bitów jego wartości to {bits}, a zawiera on wartości do {largest}; podaj zakres wartości albo „value_range” w pliku reguł.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="39"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="42"/>
         <source>no grey areas are given, and none that may be grey were found; draw roads or roofs and give them as grey areas.</source>
         <translation>nie podano obszarów szarych i nie znaleziono takich, które mogą być szare; narysuj drogi lub dachy i podaj je jako obszary szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="43"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="46"/>
         <source>no grey areas are given. {count} areas of 16 px that may be grey were found ({share:.1%} of those looked at, near {x:.1f}, {y:.1f}); their red, green and blue differ by {difference:.1%}, which a cast can do and the colour of the ground as well. Look at them and give those that are grey.</source>
         <translation>nie podano obszarów szarych. Znaleziono obszary 16 px, które mogą być szare: {count} ({share:.1%} obejrzanych, w pobliżu {x:.1f}, {y:.1f}); ich kanały czerwony, zielony i niebieski różnią się o {difference:.1%}, co może powodować zarówno dominanta barwna, jak i barwa terenu. Obejrzyj je i podaj te, które są szare.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="48"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="51"/>
         <source>the grey areas show fewer than {least} valid pixels of it that are neither too dark nor too bright; draw more.</source>
         <translation>w obszarach szarych jest mniej niż {least} jego pikseli z danymi, które nie są ani zbyt ciemne, ani zbyt jasne; narysuj więcej obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="52"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="55"/>
         <source>it has no red, green and blue to mix; name one of its bands in the rules.</source>
         <translation>nie ma czerwonego, zielonego i niebieskiego do zmieszania; podaj w regułach nazwę jednego z jego kanałów.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="53"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="56"/>
         <source>it has no band {band}.</source>
         <translation>nie ma kanału {band}.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="57"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="60"/>
         <source>{name}: what depends on the range of values is not judged: {why}</source>
         <translation>{name}: to, co zależy od zakresu wartości, nie jest oceniane: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="59"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="62"/>
         <source>{name}: {share:.2%} of the pixels lie beyond the range of {low:g} to {high:g} that was given, and count as clipped; check the range.</source>
         <translation>{name}: {share:.2%} pikseli leży poza podanym zakresem od {low:g} do {high:g} i liczy się jako obcięte; sprawdź zakres.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="63"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="66"/>
         <source>seam {number}</source>
         <translation>linia mozaikowania {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="64"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="67"/>
         <source>seam {number} (feature {features} of {layer})</source>
         <translation>linia mozaikowania {number} (obiekt {features} warstwy {layer})</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="65"/>
+        <location filename="../plugin/radiometry/measure/messages.py" line="68"/>
         <source>grey area {area} with {share:.1%}, the most of all</source>
         <translation>obszar szary {area}: {share:.1%}, najwięcej ze wszystkich</translation>
     </message>
@@ -8401,57 +8392,57 @@
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="126"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="127"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="133"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="134"/>
         <source>at least {kept:g} kept, sampled at level {level}, AQL {aql}</source>
         <translation>zachowane co najmniej {kept:g}, próba na poziomie {level}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="147"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="148"/>
         <source>at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break</source>
         <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="286"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="288"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="295"/>
         <source>{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s SEAMLINES to measure all of them.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
@@ -8486,67 +8477,67 @@
         <translation>Wartości i decyzja w postaci, którą odczyta katalog: ISO 19157:2013 w XML według ISO/TS 19157-2:2016.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="15"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="12"/>
         <source>least detail kept</source>
         <translation>najmniejsza zachowana część detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="16"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="13"/>
         <source>share of the seams that failed</source>
         <translation>niezgodna część linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="17"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="14"/>
         <source>longest failure without a break</source>
         <translation>najdłuższa nieprzerwana usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="18"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="15"/>
         <source>share of the seams that was measured</source>
         <translation>zmierzona część linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="19"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="16"/>
         <source>failed pieces in the sample</source>
         <translation>niezgodne odcinki w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="27"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="24"/>
         <source>normal inspection</source>
         <translation>kontrola normalna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="25"/>
         <source>tightened inspection</source>
         <translation>kontrola obostrzona</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="29"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="26"/>
         <source>reduced inspection</source>
         <translation>kontrola ulgowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="86"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="78"/>
         <source>A piece of seam fails where the operator saw a loss in its window, whatever it kept.</source>
         <translation>Odcinek jest niezgodny tam, gdzie operator widział stratę w jego oknie, niezależnie od tego, ile zachował.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="88"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="80"/>
         <source>A piece of seam fails where it keeps less than {least} of the detail.</source>
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="351"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="359"/>
         <source>can&apos;t be told</source>
         <translation>nie da się określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="294"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="328"/>
         <source>The seams were measured (scanmosaic): {settings}.</source>
         <translation>Linie mozaikowania zmierzono (scanmosaic): {settings}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="296"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="330"/>
         <source>The delivery was decided on (acceptmosaic) by the rules &apos;{rules}&apos;.</source>
         <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
     </message>
@@ -8616,252 +8607,252 @@
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
         <source>what the operator saw</source>
         <translation>co widział operator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
         <source>no loss in the window of a piece</source>
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="212"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="235"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="235"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="277"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="285"/>
         <source>{kept} kept</source>
         <translation>zachowano {kept}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="309"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="317"/>
         <source>{across} across.</source>
         <translation>Szerokość {across}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="310"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
         <source>Left: {across} across</source>
         <translation>Po lewej: szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="311"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="319"/>
         <source>Left: a part of it, {across} across</source>
         <translation>Po lewej: jego część, szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="313"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="321"/>
         <source>{first}; right: where least is kept, {detail} across in full size.</source>
         <translation>{first}; z prawej: miejsce, gdzie zachowano najmniej, szerokość {detail}, w pełnej wielkości.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="321"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
         <source>plan</source>
         <translation>plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="322"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
         <source>code letter</source>
         <translation>znak literowy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="323"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
         <source>lot</source>
         <translation>partia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="323"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
         <source>{count} pieces of seam</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="324"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="332"/>
         <source>sample</source>
         <translation>próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="324"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="332"/>
         <source>{count} pieces of seam, of which {measured} were measured</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
         <source>accepted up to</source>
         <translation>przyjęcie do</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
         <source>{count} failed pieces in the sample</source>
         <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="327"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="335"/>
         <source>found</source>
         <translation>stwierdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="328"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="336"/>
         <source>producer&apos;s risk</source>
         <translation>ryzyko dostawcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="338"/>
         <source>consumer&apos;s risk</source>
         <translation>ryzyko odbiorcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
         <source>seed of the drawing</source>
         <translation>ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="341"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="349"/>
         <source>first and second observer</source>
         <translation>pierwszy i drugi obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="341"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="349"/>
         <source>first observer and tool</source>
         <translation>pierwszy obserwator i narzędzie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="110"/>
         <source>acceptance of the delivery</source>
         <translation>odbiór dostawy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="109"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="110"/>
         <source>Whether the delivery keeps to the rules.</source>
         <translation>Czy dostawa spełnia reguły.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="110"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="111"/>
         <source>All rules together: the delivery is accepted where none of them fails.</source>
         <translation>Wszystkie reguły łącznie: dostawa jest przyjęta, gdy wszystkie są spełnione.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="121"/>
         <source>Each piece of seam: the finest detail that is left in the strip along it, relative to the ground around it (wavelet decomposition).</source>
         <translation>Każdy odcinek linii mozaikowania: najdrobniejsze detale, które pozostały w pasie wzdłuż niego, względem otoczenia (dekompozycja falkowa).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="123"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="124"/>
         <source>Each piece of seam: what the operator saw in its window.</source>
         <translation>Każdy odcinek linii mozaikowania: co operator widział w jego oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="132"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="133"/>
         <source>Length of the pieces of seam that failed, by the length that was measured.</source>
         <translation>Długość niezgodnych odcinków względem długości zmierzonej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="140"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="141"/>
         <source>Length of the longest row of failed pieces that follow each other without a break, across sheets too.</source>
         <translation>Długość najdłuższego nieprzerwanego ciągu niezgodnych odcinków, także przez granice arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="149"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="150"/>
         <source>Share of the finest detail of the orthoimages that is left in the piece of seam that kept least.</source>
         <translation>Część najdrobniejszych detali ortoobrazów, która pozostała w odcinku linii mozaikowania o najmniejszym zachowaniu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="170"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="204"/>
         <source>Drawn at random with the seed {seed}.</source>
         <translation>Wylosowano z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="173"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="207"/>
         <source>{count} pieces of seam of {sheets} sheets</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania z {sheets} {sheets:arkusza|arkuszy|arkuszy}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="176"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="210"/>
         <source>Each piece of seam of the sample.</source>
         <translation>Każdy odcinek linii mozaikowania z próby.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="179"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="213"/>
         <source>Pieces of seam in the sample that failed.</source>
         <translation>Niezgodne odcinki w próbie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="217"/>
         <source>risks of the plan of sampling</source>
         <translation>ryzyka planu kontroli wyrywkowej</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="190"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="224"/>
         <source>producer&apos;s risk; limiting quality</source>
         <translation>ryzyko dostawcy; jakość graniczna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="196"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="230"/>
         <source>From the results of all pieces of seam.</source>
         <translation>Z wyników wszystkich odcinków linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="206"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="240"/>
         <source>95 % interval of the share that failed</source>
         <translation>przedział ufności 95 % udziału niezgodnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="207"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="241"/>
         <source>Where the share of failed metres lies with a confidence of 95 %.</source>
         <translation>Gdzie z ufnością 95 % leży udział niezgodnych metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="242"/>
         <source>lower end; upper end</source>
         <translation>dolny koniec; górny koniec</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="213"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="247"/>
         <source>agreement of two observers (kappa)</source>
         <translation>zgodność dwóch obserwatorów (kappa)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="214"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="248"/>
         <source>agreement of the observer with the measurement (kappa)</source>
         <translation>zgodność obserwatora z pomiarem (kappa)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="221"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="255"/>
         <source>Cohen&apos;s kappa of {count} windows that both judged: 1 where both always agree, 0 where they do as often as by chance.</source>
         <translation>Kappa Cohena dla {count} {count:okna ocenionego|okien ocenionych|okien ocenionych} przez obu: 1, gdy obaj zawsze są zgodni, 0, gdy są zgodni tak często jak przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="224"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="258"/>
         <source>Windows judged by eye at 2x magnification.</source>
         <translation>Okna oceniane okiem w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="225"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="259"/>
         <source>Windows as they were placed on the seams.</source>
         <translation>Okna tak, jak rozmieszczono je na liniach mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="225"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="259"/>
         <source>Windows on the seams of the delivery.</source>
         <translation>Okna na liniach mozaikowania dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="228"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="262"/>
         <source>kappa; lower end; upper end (95 %)</source>
         <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
     </message>
@@ -9281,7 +9272,7 @@
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
@@ -9521,47 +9512,47 @@
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="178"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="179"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="179"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="180"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="182"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="183"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="183"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="184"/>
         <source>The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="193"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="194"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="194"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="195"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="197"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="198"/>
         <source>Inspection</source>
         <translation>Kontrola</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="198"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="199"/>
         <source>Normal; tightened after two of five lots were rejected; reduced after ten that were accepted.</source>
         <translation>Normalna; obostrzona po odrzuceniu dwóch z pięciu partii; ulgowa po przyjęciu dziesięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="205"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="206"/>
         <source>Of the drawing: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -9841,7 +9832,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="68"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="67"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -10178,7 +10169,7 @@
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="338"/>
         <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
@@ -10430,7 +10421,7 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="125"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="126"/>
         <source>not stated: the software&apos;s default ({parameter})</source>
         <translation>nie podano: wartość domyślna programu ({parameter})</translation>
     </message>
@@ -11412,97 +11403,97 @@
         <translation>W warstwie {name} brakuje {metres:.0f} m linii mozaikowania: tego, co miało skanowanie, albo tego, co leży między stacjami jej odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="305"/>
         <source>The run was stopped: there is neither report nor XML.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
         <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="310"/>
         <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="309"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="313"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="310"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="313"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
         <source>the file does not say where it lies</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
         <source>its pixels are {pixel:.4g} m instead of {wanted:.4g} m</source>
         <translation>piksel ma {pixel:.4g} m zamiast {wanted:.4g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
         <source>its reference system is another one</source>
         <translation>ma inny układ odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
         <source>whether it has data everywhere can&apos;t be told</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
@@ -11517,17 +11508,17 @@
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
         <source>No seams</source>
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="239"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="302"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="310"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
@@ -11582,17 +11573,17 @@
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="289"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="297"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="289"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="297"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Te same ortoobrazy, cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="243"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="251"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -11667,22 +11658,22 @@
         <translation>Tak, jak ma stać na papierze, np. 2026-11-23.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="200"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="234"/>
         <source>Length of seam that could be measured, by the length of all seams on ground with detail.</source>
         <translation>Długość linii mozaikowania, którą dało się zmierzyć, do długości wszystkich linii mozaikowania w terenie z detalami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="22"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="19"/>
         <source>Accepted</source>
         <translation>Przyjęto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="23"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="20"/>
         <source>Rejected</source>
         <translation>Odrzucono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="24"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="21"/>
         <source>Undecided</source>
         <translation>Nie rozstrzygnięto</translation>
     </message>
@@ -12015,10 +12006,6 @@
         <translation>co</translation>
     </message>
     <message>
-        <source>Checks the files of a delivery, scans its mosaic and decides on it, in one go: folder or index in, report, record, failures and sheets with their verdicts out.</source>
-        <translation>Sprawdza pliki dostawy, skanuje jej ortofotomapę i podejmuje decyzję, za jednym razem: z katalogu lub indeksu powstają raport, zapis jakości, usterki i arkusze z ocenami.</translation>
-    </message>
-    <message>
         <source>One feature for each failure without a break, for the producer.</source>
         <translation>Jeden obiekt na każdą nieprzerwaną usterkę, dla wykonawcy.</translation>
     </message>
@@ -12116,7 +12103,7 @@
         <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="295"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
@@ -12126,7 +12113,7 @@
         <translation>obrazy odrzucone: {rejected}, nierozstrzygnięte: {open} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="328"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="336"/>
         <source>{risk}: a delivery with {quality} of failed pieces is rejected</source>
         <translation>{risk}: odrzucenie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
@@ -12141,22 +12128,22 @@
         <translation>dobra jakość {quality} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="168"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="202"/>
         <source>accepted up to {most} failed pieces.</source>
         <translation>przyjęcie do {most} niezgodnych odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="185"/>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="219"/>
         <source>Producer&apos;s risk: probability that a delivery with {good} of failed pieces is rejected. Limiting quality: the share of failed pieces at which a delivery is accepted with a probability of {risk} (consumer&apos;s risk).</source>
         <translation>Ryzyko dostawcy: prawdopodobieństwo odrzucenia dostawy, w której udział niezgodnych odcinków wynosi {good}. Jakość graniczna: udział niezgodnych odcinków, przy którym dostawa jest przyjmowana z prawdopodobieństwem {risk} (ryzyko odbiorcy).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="59"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="51"/>
         <source>{standard}, single sampling, level {level}, {severity}, AQL {aql}</source>
         <translation>{standard}, plan jednostopniowy, poziom {level}, {severity}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="57"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="49"/>
         <source>{standard}, single sampling of an isolated lot (procedure A), limiting quality {lq:g} %</source>
         <translation>{standard}, plan jednostopniowy dla partii izolowanej (procedura A), jakość graniczna {lq:g} %</translation>
     </message>
@@ -12176,17 +12163,17 @@
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="188"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="189"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 has it: three times what you want at least.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="139"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="140"/>
         <source>at least {kept:g} kept, sampled as an isolated lot, LQ {lq:g} %</source>
         <translation>zachowane co najmniej {kept:g}, próba z partii izolowanej, LQ {lq:g} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="186"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="187"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
@@ -12758,6 +12745,86 @@
         <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is no number; write it with a point, as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <source>{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; inspect the whole lot instead (PLAN all), or draw a sample by stated risks (&apos;Plan an inspection&apos;, PLAN risk with BAD_SHARE {value}).</source>
+        <translation>{parameter} {value} nie występuje w dostępnych tu tablicach ISO 2859-2, które mają {known}; zamiast tego skontroluj całą partię (PLAN all) albo wylosuj próbę według podanych ryzyk („Zaplanuj kontrolę”, PLAN risk, BAD_SHARE {value}).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="163"/>
+        <source>Sheets that are missing, not whole, or of another form than most or than was ordered.</source>
+        <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="175"/>
+        <source>Images that do not keep the limits of radiometry, and those of which it can&apos;t be told.</source>
+        <translation>Obrazy, które nie spełniają wymagań radiometrii, oraz te, których nie da się ocenić.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="164"/>
+        <source>The files of all sheets (&apos;Check a delivery&apos;).</source>
+        <translation>Pliki wszystkich arkuszy („Sprawdź dostawę”).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="165"/>
+        <source>form of the delivery</source>
+        <translation>postać dostawy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="176"/>
+        <source>All pixels of each image (&apos;Check radiometry&apos;).</source>
+        <translation>Wszystkie piksele każdego obrazu („Sprawdź radiometrię”).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="177"/>
+        <source>images rejected; images undecided</source>
+        <translation>obrazy odrzucone; obrazy nierozstrzygnięte</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="179"/>
+        <source>limits of radiometry</source>
+        <translation>wymagania radiometrii</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="179"/>
+        <source>All images are accepted.</source>
+        <translation>Wszystkie obrazy przyjęto.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="66"/>
+        <source>Alone or beside the rasters: the sheets that &apos;Check a delivery&apos; wrote, or a tile index as gdaltindex writes it. The files that their field &apos;location&apos; names are checked.</source>
+        <translation>Same lub obok rastrów: arkusze zapisane przez „Sprawdź dostawę” albo indeks arkuszy zapisany przez gdaltindex. Sprawdzane są pliki, które wskazuje ich pole „location”.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="16"/>
+        <source>{name} has no field &apos;{field}&apos;; give the sheets that &apos;Check a delivery&apos; wrote, or an index that gdaltindex made.</source>
+        <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="18"/>
+        <source>Windows without a number of their own: {count}; they were given the next free ones.</source>
+        <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
+    </message>
+    <message>
+        <source>images</source>
+        <translation>obrazy</translation>
+    </message>
+    <message>
+        <source>Report on radiometry</source>
+        <translation>Raport o radiometrii</translation>
+    </message>
+    <message>
+        <source>Checks the files of a delivery and their radiometry, scans its mosaic and decides on it, in one go: folder or index in, report with one cover for all three, record, failures and sheets with their verdicts out.</source>
+        <translation>Sprawdza pliki dostawy i ich radiometrię, skanuje mozaikę i rozstrzyga o niej za jednym razem: na wejściu folder lub indeks, na wyjściu raport ze wspólną stroną tytułową, rekord jakości, usterki i arkusze z werdyktami.</translation>
+    </message>
+    <message>
+        <source>One row per sheet, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
+        <translation>Jeden wiersz na arkusz, kontrolę i kanał: wartość, granica, czy spełniona, i źródło reguły.</translation>
+    </message>
+    <message>
+        <source>All figures of the radiometry with the histograms.</source>
+        <translation>Wszystkie liczby kontroli radiometrii z histogramami.</translation>
     </message>
 </context>
 </TS>
