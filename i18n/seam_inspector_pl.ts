@@ -449,12 +449,12 @@
         <translation>Warstwa indeksu nie ma pola „{field}”; utwórz ją poleceniem gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="34"/>
+        <location filename="../plugin/toolkit/messages.py" line="36"/>
         <source>A Dask scheduler was given but Dask is not installed; install &apos;dask[distributed]&apos; or leave the scheduler empty.</source>
         <translation>Podano scheduler Dask, ale pakiet Dask nie jest zainstalowany; zainstaluj „dask[distributed]” albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="44"/>
+        <location filename="../plugin/toolkit/messages.py" line="46"/>
         <source>The Dask scheduler at {address} has no workers; start some or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie ma procesów roboczych; uruchom je albo pozostaw pole puste.</translation>
     </message>
@@ -1254,7 +1254,7 @@
         <translation>Nie wybrano linii mozaikowania; wybierz ich warstwę w danych wejściowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="32"/>
+        <location filename="../plugin/toolkit/messages.py" line="34"/>
         <source>{task} failed ({error}); please report this.</source>
         <translation>Zadanie „{task}” nie powiodło się ({error}); zgłoś ten błąd.</translation>
     </message>
@@ -2749,7 +2749,7 @@
         <translation>Tylko jeden ortoobraz źródłowy da się tu porównać: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="86"/>
+        <location filename="../plugin/toolkit/messages.py" line="88"/>
         <source>{name} is no PNG, SVG or PDF file; give the chart a name with one of these endings.</source>
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
@@ -2834,22 +2834,22 @@
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="29"/>
+        <location filename="../plugin/toolkit/messages.py" line="31"/>
         <source>No rasters are given; choose at least one.</source>
         <translation>Nie podano rastrów; wybierz co najmniej jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="62"/>
+        <location filename="../plugin/toolkit/messages.py" line="64"/>
         <source>&apos;{output}&apos; would be written over {path}, which belongs to an input; choose another file.</source>
         <translation>„{output}” nadpisałby {path}, który należy do danych wejściowych; wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="64"/>
+        <location filename="../plugin/toolkit/messages.py" line="66"/>
         <source>&apos;{first}&apos; and &apos;{second}&apos; would be written to the same file, {path}; give each a file of its own.</source>
         <translation>„{first}” i „{second}” zostałyby zapisane do tego samego pliku, {path}; podaj dla każdego osobny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="30"/>
+        <location filename="../plugin/toolkit/messages.py" line="32"/>
         <source>None of the rasters can be used: {why}</source>
         <translation>Nie można użyć żadnego z rastrów: {why}</translation>
     </message>
@@ -5210,17 +5210,17 @@
         <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="45"/>
+        <location filename="../plugin/toolkit/messages.py" line="47"/>
         <source>The Dask scheduler at {address} is gone; start it and its workers anew, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} przestał działać; uruchom go ponownie razem z procesami roboczymi, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="47"/>
+        <location filename="../plugin/toolkit/messages.py" line="49"/>
         <source>The Dask scheduler at {address} has had no workers for {seconds:.0f} s; start some, then run this again.</source>
         <translation>Scheduler Dask pod adresem {address} od {seconds:.0f} s nie ma procesów roboczych; uruchom je, a potem powtórz operację.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="54"/>
+        <location filename="../plugin/toolkit/messages.py" line="56"/>
         <source>The workers of the Dask scheduler at {address} lack {packages} in their Python; install it there, as &apos;pip install .&apos; in the plugin&apos;s folder does (GDAL as osgeo comes from the system), or leave the scheduler empty.</source>
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
@@ -7257,7 +7257,7 @@
         <translation>{name}: średnia i zakres {count} {count:okna|okien|okien}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="85"/>
+        <location filename="../plugin/toolkit/messages.py" line="87"/>
         <source>What is written is {filters}, and {name} says something else; give it that ending.</source>
         <translation>Zapisywane są pliki {filters}, a {name} ma inne rozszerzenie; nadaj mu właściwe.</translation>
     </message>
@@ -10159,12 +10159,12 @@
         <translation>podane</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="25"/>
+        <location filename="../plugin/toolkit/messages.py" line="27"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a number.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="27"/>
+        <location filename="../plugin/toolkit/messages.py" line="29"/>
         <source>&apos;{parameter}&apos; is {value:g}; give a whole number between -{most} and {most}.</source>
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
@@ -10371,27 +10371,27 @@
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="66"/>
+        <location filename="../plugin/toolkit/messages.py" line="68"/>
         <source>&apos;{output}&apos; is to be written to {path}, which is not a file on a disk; choose a file.</source>
         <translation>Wynik „{output}” ma być zapisany w {path}, a to nie jest plik na dysku; wybierz plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="67"/>
+        <location filename="../plugin/toolkit/messages.py" line="69"/>
         <source>{path} is being written by another program; close it there, or choose another file.</source>
         <translation>Do pliku {path} zapisuje inny program; zamknij go tam albo wybierz inny plik.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="69"/>
+        <location filename="../plugin/toolkit/messages.py" line="71"/>
         <source>&apos;{output}&apos; can&apos;t be a table of the name {name}, as none in a GeoPackage begins with {begins}; choose another name.</source>
         <translation>Wynik „{output}” nie może być tabelą o nazwie {name}, ponieważ nazwa tabeli w pliku GeoPackage nie może zaczynać się od {begins}; wybierz inną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="74"/>
+        <location filename="../plugin/toolkit/messages.py" line="76"/>
         <source>{path} can&apos;t be written; make room on the disk, or choose another folder.</source>
         <translation>Nie można zapisać pliku {path}; zwolnij miejsce na dysku albo wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="76"/>
+        <location filename="../plugin/toolkit/messages.py" line="78"/>
         <source>{path} holds {held} of {count} features, as the rest can&apos;t be written; make room on the disk, and run this again.</source>
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
@@ -10416,7 +10416,7 @@
         <translation>Uwaga do okna {number}:</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="24"/>
+        <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>&apos;{parameter}&apos; is {value}, which is not a coordinate reference system; choose one.</source>
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
@@ -11118,12 +11118,12 @@
         <translation>Żaden poligon linii mozaikowania nie wskazuje podanego ortoobrazu źródłowego, więc poligony nic nie mówią; pierwszy wskazuje „{name}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="79"/>
+        <location filename="../plugin/toolkit/messages.py" line="81"/>
         <source>{path} is as it was, as the run did not come to its end; what was measured until then is in {part}.</source>
         <translation>Plik {path} pozostał bez zmian, bo wykonanie nie doszło do końca; to, co do tej pory zmierzono, jest w pliku {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="83"/>
+        <location filename="../plugin/toolkit/messages.py" line="85"/>
         <source>{path} is open in another program and can&apos;t be replaced; the new layer is {part}.</source>
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
@@ -12524,17 +12524,17 @@
         <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="58"/>
+        <location filename="../plugin/toolkit/messages.py" line="60"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="59"/>
+        <location filename="../plugin/toolkit/messages.py" line="61"/>
         <source>In {count} windows ({windows}): {what}</source>
         <translation>Okna ({count}: {windows}): {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="60"/>
+        <location filename="../plugin/toolkit/messages.py" line="62"/>
         <source>In {count} windows ({windows}), such as {window}: {what}</source>
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
@@ -12697,27 +12697,27 @@
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="37"/>
+        <location filename="../plugin/toolkit/messages.py" line="39"/>
         <source>The Dask scheduler at {address} does not answer ({error}); check the address, of which the port mostly is 8786, or leave it empty.</source>
         <translation>Scheduler Dask pod adresem {address} nie odpowiada ({error}); sprawdź adres, którego port to najczęściej 8786, albo pozostaw go pusty.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="41"/>
+        <location filename="../plugin/toolkit/messages.py" line="43"/>
         <source>What answers at {address} is not a Dask scheduler; check the address, of which the port mostly is 8786, or leave it empty.</source>
         <translation>To, co odpowiada pod adresem {address}, nie jest schedulerem Dask; sprawdź adres, którego port to najczęściej 8786, albo pozostaw go pusty.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="50"/>
+        <location filename="../plugin/toolkit/messages.py" line="52"/>
         <source>The workers of the Dask scheduler at {address} have not answered for {seconds:.0f} s; start them anew, then run this again.</source>
         <translation>Procesy robocze schedulera Dask pod adresem {address} nie odpowiadają od {seconds:.0f} s; uruchom je od nowa, a potem powtórz to zadanie.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="72"/>
+        <location filename="../plugin/toolkit/messages.py" line="74"/>
         <source>&apos;{output}&apos; can&apos;t be {path}: QGIS takes &apos;{found}&apos; in the path of a layer for something else; choose another name.</source>
         <translation>&apos;{output}&apos; nie może być plikiem {path}: QGIS inaczej rozumie &apos;{found}&apos; w ścieżce warstwy; wybierz inną nazwę.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="20"/>
+        <location filename="../plugin/toolkit/messages.py" line="22"/>
         <source>The rectangle around the outline is measured where a window is not a rectangle along the mosaic&apos;s axes: {count}.</source>
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
@@ -12742,7 +12742,7 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="26"/>
+        <location filename="../plugin/toolkit/messages.py" line="28"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is no number; write it with a point, as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
     </message>
@@ -12802,7 +12802,7 @@
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="18"/>
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
         <source>Windows without a number of their own: {count}; they were given the next free ones.</source>
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
