@@ -1539,7 +1539,7 @@
         <translation>Symuluj filtr Bayera</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="37"/>
         <source>Ground resolution</source>
         <translation>Terenowa zdolność rozdzielcza</translation>
     </message>
@@ -1864,7 +1864,7 @@
         <translation>Sprawdź szum losowy</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="35"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="36"/>
         <source>Image quality</source>
         <translation>Jakość obrazu</translation>
     </message>
@@ -2119,7 +2119,7 @@
         <translation>Orientacja wewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="37"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="38"/>
         <source>Interior orientation of photos</source>
         <translation>Orientacja wewnętrzna zdjęć</translation>
     </message>
@@ -2284,7 +2284,7 @@
         <translation>Strona z obrazem każdego znaczka i znalezionym miejscem.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/base.py" line="38"/>
+        <location filename="../plugin/toolkit/algorithms/base.py" line="39"/>
         <source>Satellite images</source>
         <translation>Obrazy satelitarne</translation>
     </message>
@@ -2579,7 +2579,7 @@
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="74"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="75"/>
         <source>Reference system</source>
         <translation>Układ współrzędnych</translation>
     </message>
@@ -7617,7 +7617,7 @@
         <translation>Od pionu; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="70"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="71"/>
         <source>Pixel size (metres)</source>
         <translation>Wielkość piksela (metry)</translation>
     </message>
@@ -7637,7 +7637,7 @@
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="204"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="205"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
@@ -8392,17 +8392,17 @@
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="127"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="128"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="134"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="135"/>
         <source>at least {kept:g} kept, sampled at level {level}, AQL {aql}</source>
         <translation>zachowane co najmniej {kept:g}, próba na poziomie {level}, AQL {aql}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="148"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="149"/>
         <source>at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break</source>
         <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
     </message>
@@ -8867,7 +8867,7 @@
         <translation>prawdopodobieństwo przyjęcia (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="59"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="60"/>
         <source>Sheets</source>
         <translation>Arkusze</translation>
     </message>
@@ -9512,47 +9512,47 @@
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="179"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="180"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="180"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="181"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="183"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="184"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="184"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="185"/>
         <source>The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="194"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="195"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="195"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="196"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="198"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="199"/>
         <source>Inspection</source>
         <translation>Kontrola</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="199"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="200"/>
         <source>Normal; tightened after two of five lots were rejected; reduced after ten that were accepted.</source>
         <translation>Normalna; obostrzona po odrzuceniu dwóch z pięciu partii; ulgowa po przyjęciu dziesięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="206"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="207"/>
         <source>Of the drawing: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -10421,7 +10421,7 @@
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="126"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="127"/>
         <source>not stated: the software&apos;s default ({parameter})</source>
         <translation>nie podano: wartość domyślna programu ({parameter})</translation>
     </message>
@@ -11188,117 +11188,117 @@
         <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="44"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="45"/>
         <source>Check a delivery</source>
         <translation>Sprawdź dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="46"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="47"/>
         <source>Checks the files of a delivery before their seams: sheets that are missing, were not ordered, or have no data inside their outline; pixel size, reference system, bands, type of the pixels and names. Writes the sheets with what was found at each, ready for &apos;Accept or reject a delivery&apos;, and one mosaic over all of them, ready for the scan.</source>
         <translation>Sprawdza pliki dostawy przed jej liniami mozaikowania: arkusze, których brakuje, których nikt nie zamówił albo które nie mają danych wewnątrz swojego obrysu; rozmiar piksela, układ odniesienia, kanały, typ pikseli i nazwy. Zapisuje arkusze z uwagami do każdego, gotowe dla odbioru dostawy, oraz jedną ortofotomapę wszystkich arkuszy, gotową do skanowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="56"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="57"/>
         <source>Of the delivered sheets. Empty: the files that the sheets&apos; field location names.</source>
         <translation>Dostarczonych arkuszy. Puste: pliki, które wymienia pole location arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="61"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="62"/>
         <source>Outlines of the sheets that were ordered, as polygons with a field sheet, name or location. Empty: all files in the folder count as ordered, and only their form is checked.</source>
         <translation>Obrysy zamówionych arkuszy jako poligony z polem sheet, name lub location. Puste: zamówiono to, co zawiera katalog, i sprawdzana jest tylko postać plików.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="68"/>
         <source>The pattern of file names, with * and ?, such as ortho_????_??.tif. Empty: any name.</source>
         <translation>Jak mają się nazywać pliki, ze znakami * i ?, np. ortho_????_??.tif. Puste: dowolnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="71"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="72"/>
         <source>To 1 %. Empty: as most sheets have it.</source>
         <translation>Z dokładnością do 1 %. Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="74"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="75"/>
         <source>Empty: as most sheets have it.</source>
         <translation>Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="78"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="79"/>
         <source>How many, without alpha. Empty: as most sheets have.</source>
         <translation>Ile, bez kanału alfa. Puste: tyle, ile w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="82"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="83"/>
         <source>8 bit is uint8, 16 bit uint16. Empty: as most sheets have it.</source>
         <translation>8 bitów to uint8, 16 bitów to uint16. Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="86"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="87"/>
         <source>Of a sheet&apos;s outline.</source>
         <translation>Obrysu arkusza.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="91"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="92"/>
         <source>Each sheet with its file, what was found at it, and whether that is nothing.</source>
         <translation>Każdy arkusz z jego plikiem, uwagami i informacją, czy uwag nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="95"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="96"/>
         <source>A virtual mosaic over the sheets that fit together; nothing is copied.</source>
         <translation>Wirtualna ortofotomapa arkuszy, które do siebie pasują; nic nie jest kopiowane.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="55"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="56"/>
         <source>Folder</source>
         <translation>Katalog</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="66"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="67"/>
         <source>Pattern of names</source>
         <translation>Wzorzec nazw</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="77"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="78"/>
         <source>Bands</source>
         <translation>Kanały</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="81"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="82"/>
         <source>Type of the pixels</source>
         <translation>Typ pikseli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="85"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="86"/>
         <source>Largest share without data (%)</source>
         <translation>Największy udział bez danych (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="90"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="91"/>
         <source>Checked sheets</source>
         <translation>Sprawdzone arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="94"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="95"/>
         <source>Mosaic of all sheets</source>
         <translation>Ortofotomapa wszystkich arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="99"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="100"/>
         <source>Number of sheets</source>
         <translation>Liczba arkuszy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="100"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="101"/>
         <source>Sheets without a file</source>
         <translation>Arkusze bez pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="101"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="102"/>
         <source>Sheets with findings</source>
         <translation>Arkusze z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="102"/>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="103"/>
         <source>Complete (1) or not (0)</source>
         <translation>Kompletna (1) lub nie (0)</translation>
     </message>
@@ -12163,17 +12163,17 @@
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="189"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="190"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 has it: three times what you want at least.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="140"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="141"/>
         <source>at least {kept:g} kept, sampled as an isolated lot, LQ {lq:g} %</source>
         <translation>zachowane co najmniej {kept:g}, próba z partii izolowanej, LQ {lq:g} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="187"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="188"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
@@ -12816,11 +12816,7 @@
     </message>
     <message>
         <source>Checks the files of a delivery and their radiometry, scans its mosaic and decides on it, in one go: folder or index in, report with one cover for all three, record, failures and sheets with their verdicts out.</source>
-        <translation>Sprawdza pliki dostawy i ich radiometrię, skanuje mozaikę i rozstrzyga o niej za jednym razem: na wejściu folder lub indeks, na wyjściu raport ze wspólną stroną tytułową, rekord jakości, usterki i arkusze z werdyktami.</translation>
-    </message>
-    <message>
-        <source>One row per sheet, check and band: value, limit, whether it passed, and the rule&apos;s source.</source>
-        <translation>Jeden wiersz na arkusz, kontrolę i kanał: wartość, granica, czy spełniona, i źródło reguły.</translation>
+        <translation>Sprawdza pliki dostawy i ich radiometrię, bada ortofotomapę i rozstrzyga o niej za jednym razem: na wejściu katalog lub indeks, na wyjściu raport ze wspólną stroną tytułową, rekord jakości, usterki i arkusze z ocenami.</translation>
     </message>
     <message>
         <source>All figures of the radiometry with the histograms.</source>

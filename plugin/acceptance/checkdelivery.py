@@ -1,6 +1,7 @@
 """``seaminspector:checkdelivery``: whether all sheets are there, whole and of the form that was ordered."""
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -147,6 +148,7 @@ class CheckDelivery(SeamInspectorAlgorithm):
         from .measure.delivery import in_words
 
         folder, is_ordered = run.path(FOLDER), bool(run.parameters.get(SHEETS))
+        folder = folder and os.path.abspath(folder)  # what is written names the files from anywhere
         files = _rasters(Path(folder), with_folders=is_ordered) if folder else []
         found, homes = [], {Path(folder)}
         for name, path, outline, wkt in index_rows(run, SHEETS, self._index) if is_ordered else ():

@@ -85,8 +85,9 @@ def standard_quality(run: Run, name: str) -> str:
     value, (known, usual) = run.raster_value(name), QUALITIES[name]
     word = usual if value is None or value == "" else word_of(value, known)
     if word is None:
-        unknown = messages.LQ_UNKNOWN if name == LQ else messages.QUALITY_UNKNOWN
-        raise SettingsError(unknown(parameter=name, value=value, known=", ".join(known)))
+        if name == LQ:
+            raise SettingsError(messages.LQ_UNKNOWN(parameter=name, value=value, known=", ".join(known)))
+        raise SettingsError(messages.QUALITY_UNKNOWN(parameter=name, value=value, known=", ".join(known)))
     return word
 
 

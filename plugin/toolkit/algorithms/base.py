@@ -4,10 +4,11 @@ Their groups in the toolbox are here too; each name, not translated, is its grou
 """
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from qgis.core import (
+    QgsProcessing,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingException,
@@ -228,9 +229,23 @@ class ReadyModel(QgsProcessingModelAlgorithm):
 
     def _with_defaults(self, parameters: dict[str, Any]) -> dict[str, Any]:
         """The values with the model's own defaults for those that scripts leave out, where QGIS takes those of its
-        steps."""
+        steps, and temporary outputs for what other steps need."""
         known = {one.name(): one.defaultValue() for one in self.parameterDefinitions() if not one.isDestination()}
-        return {**{name: value for name, value in known.items() if value is not None}, **parameters}
+        needed = dict.fromkeys(self._passed_on(), QgsProcessing.TEMPORARY_OUTPUT)
+        given = {name: value for name, value in parameters.items() if name not in needed or value is not None}
+        return {**{name: value for name, value in known.items() if value is not None}, **needed, **given}
+
+    def _passed_on(self) -> Iterator[str]:
+        """Names of the model's outputs that are inputs of its steps."""
+        steps = self.childAlgorithms()
+        taken = {
+            (source.outputChildId(), source.outputName())
+            for step in steps.values() for several in step.parameterSources().values() for source in several
+        }  # fmt: skip
+        for step_id, step in steps.items():
+            for name, output in step.modelOutputs().items():
+                if (step_id, output.childOutputName()) in taken:
+                    yield f"{step_id}:{name}"
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
         """Raise SeamInspectorError for what no step is to be asked for."""

@@ -185,5 +185,6 @@ def test_of_a_feather_that_is_wider_than_the_corridor(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("demo_block", FEATHERED, indirect=True)
+@pytest.mark.xfail(strict=True, reason="the ground beside a window in a dodged field was dodged, a scan's was not")
 def test_of_the_demo_block_along_the_seams_that_are_found(tmp_path: Path, demo_block: Delivery) -> None:
     assert_they_say_the_same(demo_block, scanned_pieces(demo_block, tmp_path, False, 20.0), False, 4)

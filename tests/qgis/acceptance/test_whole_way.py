@@ -75,8 +75,7 @@ def test_a_delivery_has_to_be_somewhere(tmp_path: Path) -> None:
 def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files, tmp_path: Path) -> None:
     wanted = {"accept:report": "decision.html", "accept:quality": "quality.xml", "accept:failures": "failures.gpkg",
               "accept:decided_sheets": "sheets.gpkg", "check:mosaic": "all.vrt", "scan:loss": "loss.tif",
-              "scan:seams": "seams.gpkg", "radiometry:radiometry": "radiometry.gpkg",
-              "radiometry:radiometry_report": "radiometry.html"}  # fmt: skip
+              "scan:seams": "seams.gpkg", "radiometry:radiometry_report": "radiometry.html"}  # fmt: skip
     made = run(
         "accept_delivery", folder=str(folder), sheets=ordered(folder, "sheet_z"), sources=scene.sources, piece=20.0,
         contract="12/2026", **{name: str(tmp_path / file) for name, file in wanted.items()},
@@ -95,6 +94,21 @@ def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files,
     measures = {one.get("id"): "".join(one.itertext()) for one in ET.fromstring(text).iterfind(".//*[@id]")}
     assert "sheet_z: the file is missing." in measures["files"]
     assert "sheet_a.tif: Rejected" in measures["radiometry"]
+
+
+def test_what_a_step_needs_of_another_has_not_to_be_asked_for(
+    folder: Path, scene: Files, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Neither the seams nor an absolute path: the sheets are found from where their layer lies."""
+    monkeypatch.chdir(folder.parent)
+    made = run(
+        "accept_delivery", folder=folder.name, sources=scene.sources, piece=20.0,
+        **{"check:checked_sheets": str(tmp_path / "sheets.gpkg"), "check:mosaic": str(tmp_path / "all.vrt"),
+           "accept:report": str(tmp_path / "decision.html")},
+    )  # fmt: skip
+    assert made.complaint is None
+    page = outline((tmp_path / "decision.html").read_text(encoding="utf-8"))
+    assert {row[0]: row[1:] for row in page.rows if len(row) == 3}["radiometry"][0] == "Rejected"
 
 
 def test_scripts_get_the_models_own_defaults() -> None:

@@ -26,7 +26,7 @@ from ...following.followed_source import (
 from ...following.likely_source import MIN_FIT
 from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable
-from ...seam_cells import UNKNOWN, is_one_of
+from ...seam_cells import UNKNOWN, is_one_of, present
 from .block_grid import SQUARE_PX
 from .block_pixels import MOST_HELD, BlockPixels, Planes
 
@@ -125,8 +125,9 @@ class _Told:
 
     @property
     def odd(self) -> np.ndarray:
-        """bool: what is explained worse than the best ground of all, on its own."""
-        return self._strange(np.ones(self.own.shape, bool))[1]
+        """bool: what is explained worse than the best ground of the same source, on its own."""
+        each = [self._strange(self.source == number)[1] for number in present(self.source)]
+        return np.logical_or.reduce([np.zeros(self.own.shape, bool), *each])
 
     def strangers(self, alike: Alike) -> np.ndarray:
         """bool: of an image that isn't given, though one that is may resemble it; by the best ground of all sources
