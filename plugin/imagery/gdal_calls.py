@@ -461,7 +461,7 @@ def _odd_ones(folder: str, *identity: int) -> tuple[str, ...]:
 
 # --- calls --------------------------------------------------------------------------------------------------------
 
-_MASK_INSIDE = "GDAL_TIFF_INTERNAL_MASK"
+_MASK_INSIDE, _REDUCED_JPEG = "GDAL_TIFF_INTERNAL_MASK", "GTIFF_IMPLICIT_JPEG_OVR"
 
 
 @contextmanager
@@ -507,6 +507,20 @@ def gdal_pixels(call: Callable[[], Any], failure: Message, damage: Callable[[str
     for text in filter(_DAMAGE.search, said):
         raise RasterError(damage(text.partition(" (this warning")[0]))
     return result
+
+
+@contextmanager
+def whole_jpeg_tiles() -> Iterator[None]:
+    """Datasets opened here, in this thread, decode whole tiles of JPEG in TIFF for reduced pixels.
+
+    Else libjpeg decodes a half to an eighth of a tile alone, where it takes sound tiles for cut off now and then.
+    """
+    before = gdal.GetThreadLocalConfigOption(_REDUCED_JPEG)
+    gdal.SetThreadLocalConfigOption(_REDUCED_JPEG, "NO")
+    try:
+        yield
+    finally:
+        gdal.SetThreadLocalConfigOption(_REDUCED_JPEG, before)
 
 
 @contextmanager

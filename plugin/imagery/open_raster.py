@@ -14,7 +14,7 @@ from osgeo import gdal, gdal_array
 
 from . import limits, messages
 from .errors import Message, RasterError
-from .gdal_calls import RASTERS, check_raster_path, gdal_call, gdal_pixels, open_dataset
+from .gdal_calls import RASTERS, check_raster_path, gdal_call, gdal_pixels, open_dataset, whole_jpeg_tiles
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
@@ -89,6 +89,7 @@ class OpenRaster:
 
         Raises RasterError when it can't be opened or used.
         """
+        self._is_of_file = dataset is None
         if dataset is None:
             there = ref.path.startswith("/vsi") or ":" in ref.path or os.path.exists(ref.path)
             failure = messages.NOT_A_RASTER(name=ref.name) if there else messages.NOT_FOUND(path=ref.path)
@@ -167,20 +168,33 @@ class OpenRaster:
         stored = gdal.GetDataTypeSize(self.dataset.GetRasterBand(1).DataType) // 8 * self.dataset.RasterCount
         if columns * rows * stored > limits.MOST_READ_BYTES:
             raise RasterError(messages.TOO_MUCH_AT_ONCE(name=self.ref.name, width=columns, height=rows))
-        data = self._pixels(lambda: self.dataset.ReadAsArray(*inside, **options), window).reshape(-1, rows, columns)
-        first, mask = self.dataset.GetRasterBand(1), None
-        flags = gdal_call(first.GetMaskFlags, messages.NOT_READABLE(name=self.ref.name))
-        if flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
-            mask = self._pixels(lambda: first.GetMaskBand().ReadAsArray(*inside, columns, rows), window)
-        return self._block(data, mask)
+        def read_mask(dataset: gdal.Dataset) -> np.ndarray | None:
+            mask: np.ndarray | None = dataset.GetRasterBand(1).GetMaskBand().ReadAsArray(*inside, columns, rows)
+            return mask
 
-    def _pixels(self, call: Callable[[], Any], window: PixelWindow) -> Any:
+        data = self._pixels(lambda dataset: dataset.ReadAsArray(*inside, **options), window, size)
+        mask = None
+        flags = gdal_call(self.dataset.GetRasterBand(1).GetMaskFlags, messages.NOT_READABLE(name=self.ref.name))
+        if flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
+            mask = self._pixels(read_mask, window, size)
+        return self._block(data.reshape(-1, rows, columns), mask)
+
+    def _pixels(
+        self, call: Callable[[gdal.Dataset], Any], window: PixelWindow, size: tuple[int, int] | None
+    ) -> np.ndarray:
         """What a call reads of a window."""
+        def attempt(dataset: gdal.Dataset) -> np.ndarray:
+            failure = messages.NOT_READABLE(name=self.ref.name)
+            return np.asarray(gdal_pixels(lambda: call(dataset), failure, partial(damaged, self.ref.name, window)))
+
         try:
-            return gdal_pixels(call, messages.NOT_READABLE(name=self.ref.name), partial(damaged, self.ref.name, window))
+            return attempt(self.dataset)
         except RasterError:
             self.dataset.FlushCache()  # else the next one would get the made up pixels without a warning
-            raise
+            if size is None or not self._is_of_file:
+                raise
+        with whole_jpeg_tiles():
+            return attempt(gdal_call(lambda: _opened(self.ref), messages.NOT_READABLE(name=self.ref.name)))
 
     def thinned(self, window: PixelWindow, step: int) -> PixelBlock:
         """Every so many-th pixel of a window along both sides."""

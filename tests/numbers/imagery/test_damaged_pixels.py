@@ -92,3 +92,21 @@ def test_what_is_no_word_of_a_decoder_is_no_damage(make_raster: MakeRaster, monk
 
     monkeypatch.setattr(raster, "dataset", Talking())
     assert raster.read(SOUND).invalid is None
+
+
+def test_sound_tiles_are_read_smaller_though_gdal_doubts_them(make_raster: MakeRaster) -> None:
+    """A half to an eighth of a JPEG tile is decoded alone, and taken for cut off beside a last tile of one column."""
+    options = ["TILED=YES", "COMPRESS=JPEG", "PHOTOMETRIC=YCBCR"]
+    path = make_raster("sound.tif", orthoimage((300, 513)), options=options)
+    whole, doubted = OpenRaster(RasterRef(path)).read(PixelWindow(0, 0, 512, 256)).bands, 0
+    for column in range(0, 512, 64):
+        window, said = PixelWindow(column, 0, 64, 64), []
+        gdal.PushErrorHandler(lambda level, number, text, said=said: said.append(text))
+        gdal.Open(path).ReadAsArray(column, 0, 64, 64, buf_xsize=8, buf_ysize=8)
+        gdal.PopErrorHandler()
+        smaller = OpenRaster(RasterRef(path)).read(window, (8, 8), averaged=True).bands
+        if said:
+            means = whole[:, :64, column : column + 64].reshape(-1, 8, 8, 8, 8).mean((2, 4))
+            np.testing.assert_allclose(smaller, means, atol=0.51)
+            doubted += 1
+    assert doubted
