@@ -87,9 +87,16 @@ class Message:
         return self.worded(lambda template: template)
 
     def worded(self, translate: Callable[[str], str], fill: Callable[..., str] = str.format) -> str:
-        """The sentence, its template and those of the messages in it sent through ``translate``, then ``fill``."""
-        values = {name: _worded(value, translate, fill) for name, value in self.values.items()}
-        return fill(translate(self.template), **values)
+        """The sentence, its template and those of the messages in it sent through ``translate``, then ``fill``.
+
+        A sentence at the end of another one leaves its full stop to that.
+        """
+        template, values = translate(self.template), {}
+        for name, value in self.values.items():
+            values[name] = words = _worded(value, translate, fill)
+            if isinstance(value, Message) and isinstance(words, str) and f"{{{name}}}." in template:
+                values[name] = words.removesuffix(".")
+        return fill(template, **values)
 
 
 class Exceeding(float):

@@ -2,6 +2,8 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 from qgis.core import QgsProject
@@ -26,3 +28,14 @@ def save_settings(project: QgsProject, key: str, values: dict[str, Any]) -> None
     text = json.dumps(values)
     if project.readEntry(_SCOPE, key)[0] != text:
         project.writeEntry(_SCOPE, key, text)
+
+
+@contextmanager
+def unmodified(project: QgsProject) -> Iterator[None]:
+    """What is written here is no change that its user made: nobody is asked to save a project for that alone."""
+    is_modified = project.isDirty()
+    try:
+        yield
+    finally:
+        if not is_modified:
+            project.setDirty(False)

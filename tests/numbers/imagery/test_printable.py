@@ -6,7 +6,7 @@ import unicodedata
 
 import pytest
 from seam_inspector.plugin.imagery import messages
-from seam_inspector.plugin.imagery.errors import cell_text, in_sentence, of_cell, printable
+from seam_inspector.plugin.imagery.errors import Message, cell_text, in_sentence, of_cell, printable
 
 NAMES = ["<script>alert(1)</script>", '"><svg onload=x>', "{{7*7}}", "[% @project_path %]",
          "{0.__class__}", "$\\frac$", "łódź",
@@ -50,3 +50,10 @@ def test_a_cell_holds_no_formula(text: str) -> None:
 def test_a_cell_without_a_formula_stays(text: str) -> None:
     assert cell_text(text) == text
     assert of_cell(text) == text
+
+
+def test_a_sentence_at_the_end_of_another_one_leaves_it_its_full_stop() -> None:
+    inner, outer = Message("{name} is cut off; copy it anew."), Message("{sheet}: {finding}. Go on.")
+    assert str(outer(sheet="A", finding=inner(name="a.tif"))) == "A: a.tif is cut off; copy it anew. Go on."
+    assert str(outer(sheet="A", finding=Message("it is missing")())) == "A: it is missing. Go on."
+    assert str(outer(sheet="A", finding="a.b.")) == "A: a.b.. Go on."  # a name keeps what is its own

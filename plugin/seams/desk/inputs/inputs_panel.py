@@ -14,6 +14,7 @@ from ....imagery import limits as imagery_limits
 from ....imagery.errors import WARNING, SettingsError
 from ....toolkit.desk.layer_box import LayerBox, vectors_without
 from ....toolkit.desk.widgets import SummaryBox, single_shot
+from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, sentence, shown_metres, tr
 from ...measure import limits, messages
 from ...measure.inputs.raster_facts import source_doubts
@@ -210,7 +211,8 @@ class InputsPanel(QWidget):
         fitting = fitting_side_m(grid, inputs.side_m, inputs.spacing_m, inputs.levels)
         if fitting != inputs.side_m:
             self._fitted = inputs.side_m, fitting
-            self._session.set_inputs(replace(inputs, side_m=fitting, spacing_m=2 * fitting))
+            with unmodified(QgsProject.instance()):
+                self._session.set_inputs(replace(inputs, side_m=fitting, spacing_m=2 * fitting))
 
     def _show_side(self, *_: object) -> None:
         """What becomes of the side: pixels, and the metres that these span; and what it was changed from."""

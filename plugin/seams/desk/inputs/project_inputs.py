@@ -13,7 +13,7 @@ from qgis.PyQt.QtCore import QObject, pyqtSignal
 from ....imagery import limits as imagery_limits
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.picture_stretch import Stretch
-from ....toolkit.project_settings import load_settings, save_settings
+from ....toolkit.project_settings import load_settings, save_settings, unmodified
 from ...measure import limits
 from ...measure.limits import DENSITIES
 from ...measure.window_records import REFERENCES
@@ -123,7 +123,8 @@ class LayerPlaces:
                 found[name] = place
         if found != self._places:
             self._places = found
-            save_settings(self._project, _PLACES_KEY, found)
+            with unmodified(self._project):
+                save_settings(self._project, _PLACES_KEY, found)
 
     def found_again(self, inputs: Inputs) -> Inputs:
         """The inputs, with layers of the same place instead of those that are not in the project any more."""

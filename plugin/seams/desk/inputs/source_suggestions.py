@@ -25,6 +25,7 @@ from ....toolkit import layers
 from ....toolkit.background_tasks import BackgroundTasks
 from ....toolkit.desk.widgets import single_shot
 from ....toolkit.layers import box_extent, transformed_extent
+from ....toolkit.project_settings import unmodified
 from ....toolkit.translation import filled, tr
 from ....toolkit.version_differences import ALPHA, PALETTE, band_roles
 from ... import jobs
@@ -175,7 +176,8 @@ class Suggesting(QObject):
         missing = tuple(source for source in inputs.sources if project.mapLayer(source) is None)
         is_index_enough = not inputs.sources and bool(inputs.source_index)
         if not is_index_enough and set(inputs.sources).difference(missing) != set(self._suggested):
-            self._set_inputs(replace(inputs, sources=(*missing, *self._suggested)))
+            with unmodified(project):
+                self._set_inputs(replace(inputs, sources=(*missing, *self._suggested)))
 
     def choose_mosaic(self, layer_id: str) -> None:
         """The operator's choice. Another mosaic of the same block keeps its sources, a new block gets the suggested."""
@@ -216,7 +218,8 @@ class Suggesting(QObject):
         if not self._are_seamlines_chosen:
             found = with_likely_vectors(found)
         if found != inputs:
-            self._session.set_inputs(found)
+            with unmodified(QgsProject.instance()):
+                self._session.set_inputs(found)
 
     def _is_ours(self, inputs: Inputs) -> bool:
         """By identity: the same sources set by the operator, the project or a script are theirs."""

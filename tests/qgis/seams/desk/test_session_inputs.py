@@ -301,12 +301,16 @@ def test_mosaic_and_seamlines_are_suggested_until_the_operator_says_otherwise(
     contours.setName("contours")
     seams.setName("seamlines")
     project.addMapLayers([*rasters.values(), contours, seams])
+    project.setDirty(False)
     wait_until(lambda: session.inputs.mosaic, "for the suggestion")
+    assert load_inputs(project) == session.inputs
+    assert not project.isDirty()  # nobody is asked to save a project for what the desk guessed
     assert session.inputs.mosaic == rasters["mosaic"].id()
     assert set(session.inputs.sources) == {rasters["west"].id(), rasters["east"].id()}
     assert session.inputs.seamlines == seams.id()
     panel.seamlines.setCurrentIndex(0)
     panel.seamlines.activated.emit(0)
+    assert project.isDirty()
     panel.mosaic.setCurrentIndex(0)
     panel.mosaic.activated.emit(0)
     project.addMapLayer(QgsRasterLayer(paths["west"], "more"))
