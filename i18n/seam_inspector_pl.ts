@@ -589,47 +589,47 @@
         <translation>Zaznaczono {count} {count:okno|okna|okien}: {verdicts}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
         <source>1 source</source>
         <translation>1 źródło</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="194"/>
         <source>{count} sources</source>
         <translation>{count} {count:źródło|źródła|źródeł}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="197"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="198"/>
         <source>{count} missing</source>
         <translation>brakujące: {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="199"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="200"/>
         <source>source index</source>
         <translation>indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="201"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="202"/>
         <source>seamlines</source>
         <translation>linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="224"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
         <source>The smallest power of two of the mosaic&apos;s pixels that spans at least the given metres</source>
         <translation>Najmniejsza potęga liczby 2 pikseli ortofotomapy, która obejmuje co najmniej podaną liczbę metrów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="226"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="228"/>
         <source>too short</source>
         <translation>za krótki</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="160"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="161"/>
         <source>choose the mosaic</source>
         <translation>wybierz ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="245"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="247"/>
         <source>The orthophoto mosaic under inspection: north-up, a file that GDAL reads</source>
         <translation>Kontrolowana ortofotomapa: zorientowana na północ, w pliku odczytywanym przez GDAL</translation>
     </message>
@@ -639,12 +639,12 @@
         <translation>brak</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="249"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="251"/>
         <source>A tile index of orthoimages as gdaltindex writes it, for blocks with too many sources to load: polygons with the field &apos;location&apos;</source>
         <translation>Indeks kafli ortoobrazów w postaci zapisywanej przez gdaltindex, dla bloków, w których ortoobrazów jest zbyt wiele, aby je wczytać: poligony z polem „location”</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="254"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="256"/>
         <source>The mosaic&apos;s seams, or the polygons of its sources: windows are placed along them, and a click near one is moved onto it</source>
         <translation>Linie mozaikowania ortofotomapy albo poligony jej ortoobrazów źródłowych: wzdłuż nich rozmieszczane są okna, a kliknięcie w pobliżu linii jest na nią przesuwane</translation>
     </message>
@@ -654,37 +654,37 @@
         <translation>nowa warstwa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="258"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="260"/>
         <source>The polygon layer that holds the windows; a new one is made with the first window</source>
         <translation>Warstwa poligonowa z oknami; nowa powstaje wraz z pierwszym oknem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="261"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="263"/>
         <source>Metres that a clicked or placed window spans at least</source>
         <translation>Najmniejsza długość boku klikniętego lub rozmieszczonego okna w metrach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="286"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
         <source>&amp;Mosaic</source>
         <translation>&amp;Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="287"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
         <source>Source &amp;index</source>
         <translation>&amp;Indeks źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="288"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
         <source>Seam&amp;lines</source>
         <translation>&amp;Linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="289"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="291"/>
         <source>&amp;Windows</source>
         <translation>O&amp;kna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="290"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="292"/>
         <source>Window si&amp;de</source>
         <translation>&amp;Bok okna</translation>
     </message>
@@ -1379,12 +1379,12 @@
         <translation>Pokaż tylko tę krzywą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="189"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="190"/>
         <source>opening ...</source>
         <translation>otwieranie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="192"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="193"/>
         <source>can&apos;t be used</source>
         <translation>nie można użyć</translation>
     </message>
@@ -4117,27 +4117,27 @@
         <translation>{name} (ortofotomapa)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="91"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="93"/>
         <source>Observer: {word}.</source>
         <translation>Obserwator: {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="110"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="112"/>
         <source>against the sources</source>
         <translation>względem źródeł</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="111"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="113"/>
         <source>against the hard-cut composite</source>
         <translation>względem kompozycji z ostrym cięciem</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="112"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="114"/>
         <source>expected of a 50:50 feather</source>
         <translation>oczekiwany po wtapianiu 50:50</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="138"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="140"/>
         <source>Sources that are not shown: {count}.</source>
         <translation>Niepokazane źródła: {count}.</translation>
     </message>
@@ -4879,12 +4879,12 @@
         <translation>według reguły z artykułu: {verdict}, stosunek 1: {ratio:.2f}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="124"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="126"/>
         <source>kept along the seam</source>
         <translation>zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="125"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="127"/>
         <source>kept along the seam (level 1: {low:.2f} to {high:.2f})</source>
         <translation>zachowane wzdłuż linii mozaikowania (poziom 1: od {low:.2f} do {high:.2f})</translation>
     </message>
@@ -5203,11 +5203,6 @@
         <location filename="../plugin/seams/desk/charts/curves_legend.py" line="134"/>
         <source>On or below this line a loss is significant by curves: against the sources (paper), or their composite</source>
         <translation>Na tej linii lub pod nią strata jest istotna według krzywych: względem ortoobrazów (artykuł) albo ich kompozycji</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="89"/>
-        <source>Main cause: {cause}.</source>
-        <translation>Główna przyczyna: {cause}.</translation>
     </message>
     <message>
         <location filename="../plugin/toolkit/messages.py" line="47"/>
@@ -5600,12 +5595,7 @@
         <translation>Za małą część tej linii mozaikowania albo terenu po jednej z jej stron można zmierzyć; podaj ortoobrazy źródłowe.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="167"/>
-        <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic about {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
-        <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba około {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="171"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="172"/>
         <source>Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. Give the orthoimages to have a verdict.</source>
         <translation>Bez ortoobrazów źródłowych teren mówi tu za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Aby otrzymać ocenę, podaj ortoobrazy źródłowe.</translation>
     </message>
@@ -5620,17 +5610,12 @@
         <translation>Nie podano ani ortoobrazów źródłowych, ani linii mozaikowania; dodaj ortoobrazy albo linie mozaikowania, aby zbadać samą ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="175"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="176"/>
         <source>All seams together keep {kept:.0f} % of the finest detail ({low:.0f} to {high:.0f} %), by the ground beside them.</source>
         <translation>Wzdłuż wszystkich linii mozaikowania razem zachowane jest {kept:.0f} % najdrobniejszych detali (od {low:.0f} do {high:.0f} %) w odniesieniu do terenu obok nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="179"/>
-        <source>Without orthoimages a piece of seam can be judged on this mosaic from about {length:.0f} m on.</source>
-        <translation>Bez ortoobrazów źródłowych odcinek linii mozaikowania można na tej ortofotomapie ocenić od długości około {length:.0f} m.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="182"/>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="184"/>
         <source>Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.</source>
         <translation>Bez ortoobrazów źródłowych nie można na tej ortofotomapie ocenić żadnego odcinka linii mozaikowania, nawet najdłuższego; dodaj jej ortoobrazy.</translation>
     </message>
@@ -5835,22 +5820,22 @@
         <translation>od 80 do 90 %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="365"/>
+        <location filename="../plugin/seams/window_summary.py" line="367"/>
         <source>another source has more detail here: cut hard, the window would have {percent} %</source>
         <translation>inny ortoobraz ma tu więcej detali: przy ostrym cięciu okno miałoby ich {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="368"/>
+        <location filename="../plugin/seams/window_summary.py" line="370"/>
         <source>the sources differ here: cut hard, the window would have no more than {percent} %</source>
         <translation>ortoobrazy się tu różnią: przy ostrym cięciu okno miałoby najwyżej {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="376"/>
+        <location filename="../plugin/seams/window_summary.py" line="378"/>
         <source>the strip is thin in the window, all of which has {percent} % of a hard cut&apos;s</source>
         <translation>pas jest wąski w porównaniu z oknem, a całe okno ma {percent} % detali ostrego cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="380"/>
+        <location filename="../plugin/seams/window_summary.py" line="382"/>
         <source>By the paper&apos;s rule it is {verdict}, with {percent} % of the detail of the least detailed source</source>
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
@@ -5870,12 +5855,12 @@
         <translation>Znaleziono: {cause}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="99"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="101"/>
         <source>Absolute contrast at level 1: {percent} %.</source>
         <translation>Kontrast bezwzględny na poziomie 1: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="101"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="103"/>
         <source>Pixels where no source wins clearly: {percent} %.</source>
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
@@ -6765,27 +6750,27 @@
         <translation>Badanie trwa; można je zatrzymać poniżej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="162"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="163"/>
         <source>looking for sources ...</source>
         <translation>szukanie ortoobrazów...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="162"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="163"/>
         <source>check the sources</source>
         <translation>zaznacz ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="184"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="185"/>
         <source>Inputs: {missing}</source>
         <translation>Dane wejściowe: {missing}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="264"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="266"/>
         <source>Windows of the side that was given do not fit this mosaic, so it was changed</source>
         <translation>Okna o podanym boku nie pasują do tej ortofotomapy, więc bok zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="130"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="131"/>
         <source>Look at the sources</source>
         <translation>Sprawdź ortoobrazy</translation>
     </message>
@@ -6800,12 +6785,12 @@
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="358"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="361"/>
         <source>floating point</source>
         <translation>zmiennoprzecinkowe</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="358"/>
+        <location filename="../plugin/seams/desk/inputs/source_suggestions.py" line="361"/>
         <source>{bits} bit</source>
         <translation>{bits}-bitowe</translation>
     </message>
@@ -7027,12 +7012,12 @@
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="371"/>
+        <location filename="../plugin/seams/window_summary.py" line="373"/>
         <source>it takes detail as a share of all variance, and the tones were changed</source>
         <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="373"/>
+        <location filename="../plugin/seams/window_summary.py" line="375"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
     </message>
@@ -10474,7 +10459,7 @@
         <translation>Pliki GeoTIFF (*.tif *.tiff *.TIF *.TIFF)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/report/flagged_windows.py" line="134"/>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="136"/>
         <source>clips of {side} px a side around x {x}, y {y}, at 2x on the screen.</source>
         <translation>wycinki o boku {side} px wokół x {x}, y {y}, na ekranie w powiększeniu 2×.</translation>
     </message>
@@ -10739,7 +10724,7 @@
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="223"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="225"/>
         <source>{pixels} px, {metres} m</source>
         <translation>{pixels} px, {metres} m</translation>
     </message>
@@ -11049,17 +11034,12 @@
         <translation>wtopione są obrazy odsunięte o {apart} px</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="146"/>
-        <source>, and their misfit took most of it</source>
-        <translation>, a większość tego zabrało ich niedopasowanie</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="148"/>
         <source>images are feathered over {width} m</source>
         <translation>obrazy są wtopione na szerokości {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="396"/>
+        <location filename="../plugin/seams/window_summary.py" line="398"/>
         <source>The whole window has {percent} % of the sharpness of its sources.</source>
         <translation>Całe okno ma {percent} % ostrości ortoobrazów źródłowych.</translation>
     </message>
@@ -11718,17 +11698,17 @@
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="231"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="233"/>
         <source>few windows below {pixels} px can be measured</source>
         <translation>niewiele okien mniejszych niż {pixels} px daje się zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="234"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="236"/>
         <source>{asked} m is too small for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za mało dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="235"/>
+        <location filename="../plugin/seams/desk/inputs/inputs_panel.py" line="237"/>
         <source>{asked} m is too large for this mosaic: {side} m, every {spacing} m</source>
         <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
@@ -11793,7 +11773,7 @@
         <translation>Brakujący najdrobniejszy detal, wzdłuż linii mozaikowania lub w całym oknie, wyrażony liczbą metrów kwadratowych okna, które tyle go zawierają; 0 tam, gdzie strata nie jest pewna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="320"/>
+        <location filename="../plugin/seams/window_summary.py" line="322"/>
         <source>Along the seam as much of the finest detail is left as around it</source>
         <translation>Wzdłuż linii mozaikowania zostało tyle najdrobniejszych detali co wokół niej</translation>
     </message>
@@ -11813,22 +11793,17 @@
         <translation>{lost} % najdrobniejszych detali utracono {where}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="304"/>
-        <source>{lost} % of the finest detail is lost in the whole window</source>
-        <translation>{lost} % najdrobniejszych detali utracono w całym oknie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="322"/>
+        <location filename="../plugin/seams/window_summary.py" line="324"/>
         <source>Along the seam no loss is certain</source>
         <translation>Wzdłuż linii mozaikowania żadnej straty nie da się odróżnić od przypadku</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="332"/>
+        <location filename="../plugin/seams/window_summary.py" line="334"/>
         <source>Along the seam {kept} % is left of the finest detail around it ({low} to {high} %).</source>
         <translation>Wzdłuż linii mozaikowania zostało {kept} % najdrobniejszych detali z otoczenia ({low} do {high} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="336"/>
+        <location filename="../plugin/seams/window_summary.py" line="338"/>
         <source>The loss along the seam lies between {least} and {most} % (95 % interval).</source>
         <translation>Strata wzdłuż linii mozaikowania wynosi od {least} do {most} %, z prawdopodobieństwem 95 %.</translation>
     </message>
@@ -11838,27 +11813,22 @@
         <translation>Samo mieszanie zostawiłoby tam {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="301"/>
-        <source>{lost} % of the finest detail is lost {where}, {whole} % in the whole window</source>
-        <translation>{lost} % najdrobniejszych detali utracono {where}, {whole} % w całym oknie</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="319"/>
+        <location filename="../plugin/seams/window_summary.py" line="321"/>
         <source>No change from one source to another is found in the window.</source>
         <translation>W oknie nie znaleziono przejścia z jednego źródła na drugie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="346"/>
+        <location filename="../plugin/seams/window_summary.py" line="348"/>
         <source>It is less than an eye just sees at 2x.</source>
         <translation>To mniej, niż oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="347"/>
+        <location filename="../plugin/seams/window_summary.py" line="349"/>
         <source>It is {times} times what an eye just sees at 2x.</source>
         <translation>To {times} razy tyle, ile oko ledwo dostrzega przy powiększeniu 2x.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="395"/>
+        <location filename="../plugin/seams/window_summary.py" line="397"/>
         <source>The window is as sharp as its sources.</source>
         <translation>Okno jest tak ostre jak jego źródła.</translation>
     </message>
@@ -12821,6 +12791,36 @@
     <message>
         <source>All figures of the radiometry with the histograms.</source>
         <translation>Wszystkie liczby kontroli radiometrii z histogramami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="167"/>
+        <source>Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.</source>
+        <translation>Bez ortoobrazów źródłowych ten odcinek mówi za mało: zachowane jest od {low:.0f} do {high:.0f} % najdrobniejszych detali. Na tej ortofotomapie potrzeba co najmniej {needed:.0f} m linii mozaikowania; ustaw dłuższe odcinki albo podaj ortoobrazy źródłowe.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="180"/>
+        <source>Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is sound takes more.</source>
+        <translation>Bez ortoobrazów źródłowych znacząca strata jest widoczna na tej ortofotomapie od około {length:.0f} m linii mozaikowania; stwierdzenie, że linia jest dobra, wymaga więcej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/flagged_windows.py" line="91"/>
+        <source>Main cause in the whole window: {cause}.</source>
+        <translation>Główna przyczyna w całym oknie: {cause}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="306"/>
+        <source>{lost} % of the orthoimages&apos; finest detail is lost in the whole window</source>
+        <translation>{lost} % najdrobniejszych detali ortoobrazów źródłowych utracono w całym oknie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="302"/>
+        <source>{lost} % of the finest detail is lost {where}, {whole} % of the orthoimages&apos; in the whole window</source>
+        <translation>{lost} % najdrobniejszych detali utracono {where}, a {whole} % detali ortoobrazów źródłowych w całym oknie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="146"/>
+        <source>, and their misfit took most of what is lost there</source>
+        <translation>, a większość utraconych tam detali zabrało ich niedopasowanie</translation>
     </message>
 </context>
 </TS>

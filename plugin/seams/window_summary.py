@@ -143,7 +143,7 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
             "images {apart} px apart are feathered"
         )
         if causes[0] == Cause.MISREGISTRATION:
-            text += tr(", and their misfit took most of it")
+            text += tr(", and their misfit took most of what is lost there")
     elif Cause.FEATHERING in causes:
         text = tr("images are feathered over {width} m") if width else tr("images are feathered")
     else:
@@ -298,10 +298,12 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
             where = filled(tr("in a strip of {width} m along the seam"), width=shown_number(row.band_width, 1))
         text = tr("{lost} % of the finest detail is lost {where}")
         if is_whole:
-            text = tr("{lost} % of the finest detail is lost {where}, {whole} % in the whole window")
+            text = tr(
+                "{lost} % of the finest detail is lost {where}, {whole} % of the orthoimages' in the whole window"
+            )
         said = filled(text, lost=percent(1 - (row.kept_1 or 0.0)), where=where, whole=percent(1 - sharpness**2))
     else:
-        text = tr("{lost} % of the finest detail is lost in the whole window")
+        text = tr("{lost} % of the orthoimages' finest detail is lost in the whole window")
         said = filled(text, lost=percent(1 - sharpness**2))
     at_seam = [cause for cause in causes if cause in ALONG_THE_SEAM or _is_softened_seam(cause, found)] * is_along
     in_whole = [cause for cause in causes if cause not in at_seam and took_words(cause, 0.0)] * is_whole

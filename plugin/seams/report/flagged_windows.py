@@ -86,7 +86,9 @@ class WindowSections:
         yield " ".join([window_sentence(record), *window_why(record)])
         facts = []
         if record.cause and record.cause != "none":
-            words = tr("Main cause: {cause}.") if record.verdict in LOSSES else tr("Found: {cause}.")
+            words = tr("Found: {cause}.")
+            if record.verdict in LOSSES:
+                words = tr("Main cause in the whole window: {cause}.")
             facts += [filled(words, cause=cause_word(record.cause)), cause_sentence(record.cause)]
         facts += [filled(tr("Observer: {word}."), word=observer_word(record.observer) or tr("not judged"))]
         paper = paper_words(record)

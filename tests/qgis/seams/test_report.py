@@ -354,8 +354,8 @@ def test_what_a_window_is_found_to_have_matches_its_verdict(tmp_path: Path) -> N
     )
     write_report(tmp_path / "report.html", ReportRequest((lost, kept, sound)))
     page = outline((tmp_path / "report.html").read_text(encoding="utf-8"))
-    assert page.words.count("Main cause:") == 1
-    assert "Main cause: blur." in page.words
+    assert page.words.count("Main cause in the whole window:") == 1
+    assert "Main cause in the whole window: blur." in page.words
     assert "Found: feathering." in page.words
     found = {row[0]: row[1] for row in page.rows if row[0] in ("1", "2", "3") and len(row) == 4}
     assert "cause: blur" in found["1"]

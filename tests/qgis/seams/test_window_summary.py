@@ -191,7 +191,7 @@ SHARP = "The window is as sharp as its sources."
         (
             {"causes": "misregistration; feathering", "misfit": 2.04, "feather_width": 1.5},
             (f"Significant loss. {STRIP}: images 2.0 px apart are feathered over 1.5 m, and their misfit took "
-             "most of it. Register the two images before you blend them."),
+             "most of what is lost there. Register the two images before you blend them."),
         ),
         ({"misfit": 2.04}, f"Significant loss. {STRIP}: images are feathered. {CUT}"),  # it cost nothing
         (
@@ -205,7 +205,8 @@ SHARP = "The window is as sharp as its sources."
         ),
         (
             {"verdict": "reduced", "sharpness": 0.8, "cause": "blur", "causes": "blur; feathering; compressed"},
-            f"Reduced. {STRIP}, 36 % in the whole window: images are feathered; the mosaic is blurred. {CUT}",
+            (f"Reduced. {STRIP}, 36 % of the orthoimages' in the whole window: images are feathered; the mosaic is "
+             f"blurred. {CUT}"),
         ),
         (
             {**SOUND, "cause": "none", "causes": "none", "visibility": 0.1, "feather_width": 0.0, "loss": 0.0},
@@ -223,13 +224,13 @@ SHARP = "The window is as sharp as its sources."
         (  # by the sharpness: what is left along the seam is no reason
             {"verdict": "reduced", "kept": (1.07,), "kept_low": 0.88, "kept_high": 1.22, "band_width": 0.0,
              "sharpness": 0.97, "cause": "none", "causes": "none"},
-            "Reduced. 5.9 % of the finest detail is lost in the whole window.",
+            "Reduced. 5.9 % of the orthoimages' finest detail is lost in the whole window.",
         ),
         (  # by the sharpness, too: kept is not shown
             {"kept": (1.37,), "kept_low": 1.1, "kept_high": 1.6, "band_width": 0.0, "sharpness": 0.36,
              "causes": "blur", "loss": 8704.0},
-            ("Significant loss. 87 % of the finest detail is lost in the whole window (8,704 m²): the mosaic is "
-             "blurred. Leave out the filter that softened it."),
+            ("Significant loss. 87 % of the orthoimages' finest detail is lost in the whole window (8,704 m²): "
+             "the mosaic is blurred. Leave out the filter that softened it."),
         ),
         (  # it may be more: what to do about it is to measure
             {"verdict": "reduced", "kept": (0.59,), "kept_low": 0.35, "kept_high": 0.94,
@@ -359,8 +360,9 @@ def test_what_the_whole_window_lost_is_told_apart_with_its_share(qgis_app: QgsAp
     said = told("resampled; misregistration; feathering; clipping; balanced", values=values, texture=texture,
                 off_pixel=0.31, sharpness=0.85)  # fmt: skip
     assert said == (
-        f"Significant loss. {STRIP}, 28 % in the whole window: images 2.0 px apart are feathered over 1.5 m, and their "
-        "misfit took most of it; the mosaic was resampled. Register the two images before you blend them. "
+        f"Significant loss. {STRIP}, 28 % of the orthoimages' in the whole window: images 2.0 px apart are feathered "
+        "over 1.5 m, and their misfit took most of what is lost there; the mosaic was resampled. Register the two "
+        "images before you blend them. "
         f"{LIES} It is 1.4 times what an eye just sees at 2x. In the whole window 72 % of the finest detail is "
         "left (sharpness 85 %): resampling took 15 %, clipping took 3.0 %, the seam took 10 %. Besides: balanced."
     )
@@ -380,7 +382,7 @@ def test_a_blur_along_the_seam_is_no_blur_of_the_window(qgis_app: QgsApplication
         clipped_lost=0.0, lost=0.0,
     )  # fmt: skip
     assert whole == (
-        f"Significant loss. {STRIP}, 19 % in the whole window: the mosaic is blurred. Leave "
+        f"Significant loss. {STRIP}, 19 % of the orthoimages' in the whole window: the mosaic is blurred. Leave "
         f"out the filter that softened it. {LIES} In the whole window 81 % of the finest detail is left "
         "(sharpness 90 %): blur took 19 %."
     )

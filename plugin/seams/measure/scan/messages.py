@@ -165,7 +165,8 @@ TOO_LITTLE_BESIDE_SEAM = Message(
 )
 LONE_PIECE_TOO_SHORT = Message(
     "Without orthoimages this piece tells too little: between {low:.0f} and {high:.0f} % of the finest detail is "
-    "kept. On this mosaic about {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.", INFO
+    "kept. On this mosaic at least {needed:.0f} m of seam are needed; take longer pieces, or give the orthoimages.",
+    INFO,
 )
 LONE_INTERVAL_TOO_WIDE = Message(
     "Without orthoimages the ground here tells too little: between {low:.0f} and {high:.0f} % of the finest detail is "
@@ -176,7 +177,8 @@ LONE_NETWORK = Message(
     INFO,
 )
 LONE_FROM_LENGTH = Message(
-    "Without orthoimages a piece of seam can be judged on this mosaic from about {length:.0f} m on.", INFO
+    "Without orthoimages a significant loss shows on this mosaic from about {length:.0f} m of seam on; that a seam is "
+    "sound takes more.", INFO
 )
 LONE_NEVER = Message(
     "Without orthoimages no piece of seam can be judged on this mosaic, however long; add its orthoimages.", WARNING
