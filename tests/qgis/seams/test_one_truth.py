@@ -137,8 +137,10 @@ def test_sentence_table_label_and_report_say_the_same_number(
                 assert f"({shown})" in said
                 assert f"loss: {shown}" in report
                 assert (" along the seam" in said or " beside the seam" in said) == is_lost_along_the_seam(row), said
-                lost = row.kept_1 if is_lost_along_the_seam(row) else (row.sharpness or 0.0) ** 2
-                assert f"{percent(1 - (lost or 0.0))} % of the finest detail is lost" in said
+                lost, of_what = row.kept_1, "the finest detail"
+                if not is_lost_along_the_seam(row):
+                    lost, of_what = (row.sharpness or 0.0) ** 2, "the orthoimages' finest detail"
+                assert f"{percent(1 - (lost or 0.0))} % of {of_what} is lost" in said
             else:
                 assert "%" not in said or said == row.reason
         assert ("kept 1" in report) == (judged_kept(row) is not None), name
