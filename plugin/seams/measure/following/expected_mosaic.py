@@ -95,6 +95,7 @@ def expected_mosaic(
     patch_px: int = 0,
     has_warped: bool = False,
     given: Sequence[np.ndarray] | None = None,
+    interpolated: Collection[int] = (),
 ) -> ExpectedMosaic:
     """Planes (rows, columns) float32 of the mosaic and its sources, ``following`` a first estimate.
 
@@ -105,9 +106,10 @@ def expected_mosaic(
     ``filters``: what came over the mosaic, where that is known from more ground than there is here. ``sampling``: how
     closely sources are told from each other. ``patch_px``: as for ``mosaic_of``, whose ground this is compared with.
     ``has_warped``: whether a source was warped to the mosaic's grid, which explains it no better than another image.
-    ``given``: the planes before any of them was moved, where that was done.
+    ``given``: the planes before any of them was moved, where that was done. ``interpolated``: those that lie between
+    the mosaic's pixels, or were moved.
     """
-    window = _Window(mosaic, planes, fine, following, valid, known, sampling, patch_px, has_warped)
+    window = _Window(mosaic, planes, fine, following, valid, known, sampling, patch_px, has_warped, interpolated)
     if filters is None:
         found, labels, in_tone = window.learned()
     else:
@@ -153,13 +155,16 @@ class _Window:
     sampling: Sampling
     patch_px: int
     has_warped: bool
+    interpolated: Collection[int]
 
     def labels(
         self, filters: Filters | None, left_out: Collection[int] = (), strange: np.ndarray | bool = True
     ) -> np.ndarray:
         """(rows, columns) uint8; ``strange``: where no source may explain the mosaic."""
         sources = {i: self.fine[1 + i] for i in sorted(self.following.followed) if i not in left_out}
-        likely = _likely(self.fine[0], sources, self.following, self.valid, filters, self.sampling)
+        likely = _likely(
+            self.fine[0], sources, self.following, self.valid, filters, self.sampling, self.interpolated
+        )
         unexplained = np.logical_and(likely.unexplained, strange & (not self.has_warped))
         found = likely.labels | (unexplained * np.uint8(UNKNOWN))
         return found if self.known is None else np.where(self.known == UNKNOWN, found, self.known)
@@ -250,18 +255,19 @@ class _Window:
 
 def _likely(
     own: np.ndarray, sources: Mapping[int, np.ndarray], following: FollowedSource, valid: Mapping[int, np.ndarray],
-    filters: Filters | None, sampling: Sampling,
+    filters: Filters | None, sampling: Sampling, interpolated: Collection[int],
 ) -> LikelySource:
     """The most likely source of every pixel. What came over each is learned where it is followed, and as that is told
     better with it, learned anew until it settles; what leaves least of the mosaic over counts."""
     if filters is not None:
         shown = {i: filters.applied(i, one) for i, one in sources.items()}
-        return likely_source(own, shown, following.labels, following.clear, valid, sampling, filters.alike)
+        return likely_source(own, shown, following.labels, following.clear, valid, sampling, filters.alike,
+                             interpolated)
     labels, clear, best = following.labels, following.clear, None
     for _ in range(_ROUNDS):
         won = {i: one for i, one in sources.items() if (labels == i).any()}
         shown = {i: through_filter(own, one, _surest(labels == i, clear)) for i, one in won.items()}
-        likely = likely_source(own, shown, labels, clear, valid, sampling)
+        likely = likely_source(own, shown, labels, clear, valid, sampling, interpolated=interpolated)
         changed, labels = np.count_nonzero(likely.labels != labels) / labels.size, likely.labels
         if best is None or likely.left < best.left:
             best = likely

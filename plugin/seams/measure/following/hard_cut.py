@@ -19,6 +19,7 @@ from .expected_mosaic import ExpectedMosaic, expected_mosaic
 from .followed_source import FollowedSource
 from .likely_source import MIN_FIT
 from .placed_sources import PlacedSources, follow_sources
+from .source_filters import LEAST_MOVED_PX
 
 LEAST_GAIN_CHANGE, LEAST_BIAS = 1e-6, 1e-2
 _EASED_PX = 48  # beside a seam
@@ -177,8 +178,13 @@ def judged_ground(
         following = replace(following, clear=following.clear & image.valid)
     given = [images[of].plane for of in followed.source_of]
     is_moved = any(one is not plane for one, plane in zip(given, followed.planes))
+    interpolated = {
+        i for i, of in enumerate(followed.source_of)
+        if i in followed.moves or np.hypot(*images[of].offset) >= LEAST_MOVED_PX
+    }
     found = expected_mosaic(
-        image.plane, followed.planes, followed.fine, following, valid, known, given=given if is_moved else None
+        image.plane, followed.planes, followed.fine, following, valid, known, given=given if is_moved else None,
+        interpolated=interpolated,
     )
     found = found.of_sources(followed.source_of)
     labels = found.labels

@@ -6,7 +6,7 @@ weigh the same. What compression made of weak detail is expected of every source
 """
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Callable
@@ -15,9 +15,15 @@ import numpy as np
 from scipy import ndimage
 
 from ..profile.ground import EnergyResponse, fit_response, sampled
-from ..seam_cells import is_one_of
-from .best_ground import MIN_ALIKE_STRANGE, MIN_EVEN_LEFT, MIN_STRANGE, learn_best_ground
-from .boxes import box_means, enlarged, near_border, opened, square_sums
+from ..seam_cells import is_one_of, present
+from .best_ground import (
+    MIN_EVEN_LEFT,
+    MIN_STAND_IN_FACTOR,
+    MIN_STAND_IN_STRANGE,
+    MIN_STRANGE,
+    learn_best_ground,
+)
+from .boxes import box_means, enlarged, near_border, opened, square_sums, widened
 from .compression import Alike, compressed_alike
 from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
 
@@ -36,6 +42,7 @@ _ROUNDS = 5
 _MIN_TEXTURED = 8  # times the least energy
 _STRIP_CELLS = 4  # a side of the least part that no source explains: a seam leaves something over along itself
 _ALIKE_CELLS = 12  # the same where a source does resemble it
+_MIXED_LEFT = 0.5  # of what one source leaves over: with less a mixture explains the mosaic
 _EVEN_PART, _EVEN_SHARE = 0.5, 0.4  # of what is left over around: most cells leave so much, of a step of tones few do
 
 
@@ -85,12 +92,13 @@ def likely_source(
     valid: Mapping[int, np.ndarray],
     sampling: Sampling = FINE,
     alike: Alike | None = None,
+    interpolated: Collection[int] = (),
 ) -> LikelySource:
     """Of ``sources``, high-passed planes as ``mosaic``, (rows, columns), those that it follows by a first estimate.
 
     ``labels``, ``clear`` (rows, columns): that estimate, and where it is sure. ``valid``: pixels that a source has, of
     those that don't have all. ``alike``: as ``compressed_alike`` has it, where that is known of
-    more ground.
+    more ground. ``interpolated``: those that lie between the mosaic's pixels, which leave more over than others do.
     """
     near_side, wide_side, step = sampling.near, sampling.wide, sampling.grid_px
     grid = np.s_[::step, ::step]
@@ -118,7 +126,7 @@ def likely_source(
         costs.append(cost)
     nearest, cost = _least(list(sources), costs)
     found = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
-    cells = _unexplained(own, energies, products, found, sources, sampling, lambda: (
+    cells = _unexplained(own, energies, products, found, sources, sampling, interpolated, lambda: (
         compressed_alike(mosaic, sources, enlarged(found, step)) if alike is None else alike
     ))
     unexplained = enlarged(cells, CELL_PX // step, found.shape)
@@ -130,7 +138,7 @@ def likely_source(
 
 def _unexplained(
     own: np.ndarray, energies: Mapping[int, np.ndarray], products: Mapping[int, np.ndarray], labels: np.ndarray,
-    sources: Mapping[int, np.ndarray], sampling: Sampling, alike: Callable[[], Alike],
+    sources: Mapping[int, np.ndarray], sampling: Sampling, interpolated: Collection[int], alike: Callable[[], Alike],
 ) -> np.ndarray:
     """Cells that the sources explain worse than the best ground of all, (cell rows, cell columns) bool.
 
@@ -158,13 +166,14 @@ def _unexplained(
         return np.zeros_like(textured)
     # A step of tones leaves over much along a line, and nothing beside it.
     even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
-    found = _strange_parts(wide, left, textured, even, sampling)
+    found = _strange_parts(wide, left, textured, even, sampling, _stand_ins(wide, left, textured, labels))
     if not found.any():
         return found
     common = {
         (i, j): energies[i] if i == j else square_sums(sources[i], sources[j], CELL_PX)
         for i in sources for j in sources
     }
+    alone = left.copy()
     for count in (2, 3):  # a mixture of some that are given is nothing strange
         for some in combinations(sources, count):
             by_some = _left_by(own, [products[i] for i in some], [[common[i, j] for j in some] for i in some])
@@ -174,19 +183,34 @@ def _unexplained(
     if _is_explained(wide, left, textured):
         return np.zeros_like(found)
     same, *anew = alike() or (frozenset(sources),)
-    found = _strange_parts(wide, left, textured & is_one_of(labels, same), even, sampling)
-    for group in anew:
-        found |= _strange_parts(wide, left, textured & is_one_of(labels, group), even, sampling, by_likeness=False)
+    # What weights that change within a square leave over of a mixture is as much as of one that stands in.
+    stand_ins = _stand_ins(wide, left, textured & (left > _MIXED_LEFT * alone), labels)
+    found = np.zeros_like(textured)
+    for group in (same.difference(interpolated), same.intersection(interpolated), *anew):
+        inside = textured & is_one_of(labels, group)
+        found |= _strange_parts(wide, left, inside, even, sampling, None if group in anew else stand_ins & inside)
+    return found
+
+
+def _stand_ins(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, labels: np.ndarray) -> np.ndarray:
+    """Where a source leaves over many times as much as it does on its own best ground, (cell rows, cell columns) bool:
+    there it stands in for one of the same ground. One that was resampled leaves over as much everywhere."""
+    found = np.zeros(textured.shape, bool)
+    for number in present(labels):
+        own = textured & (labels == number)
+        ground = learn_best_ground(wide[own], left[own])
+        if ground is not None:
+            found |= own & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
     return found
 
 
 def _strange_parts(
     wide: np.ndarray, left: np.ndarray, textured: np.ndarray, even: np.ndarray, sampling: Sampling,
-    by_likeness: bool = True,
+    stand_ins: np.ndarray | None = None,
 ) -> np.ndarray:
     """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool, and
-    evenly. ``by_likeness``: images that resemble the true one are told as well; what compression leaves over of true
-    ones is as much."""
+    evenly. ``stand_ins``: images that resemble the true one are told as well, and these are such; what compression
+    leaves over of true ones is as much."""
     ground = learn_best_ground(wide[textured], left[textured])
     if ground is None:
         return np.zeros_like(textured)
@@ -195,17 +219,19 @@ def _strange_parts(
     strange, alike = ground.strangeness(wide, left)
     seen = textured & even
     found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
-    if by_likeness:
-        found |= opened(seen & alike, _ALIKE_CELLS)
+    inside = found
+    if stand_ins is not None:
+        found |= opened(seen & (alike | stand_ins), _ALIKE_CELLS)
+        inside = ndimage.binary_propagation(found, mask=found | (seen & stand_ins))
     if not found.any():
         return found
-    found = _to_borders(found, strange)
+    found = _to_borders(found, strange) | ~widened(~inside, WIDE_CELLS // 2 + 1)
     return without_islands(found.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
 
 
 def _is_explained(wide: np.ndarray, left: np.ndarray, textured: np.ndarray) -> bool:
     """Whether nothing could be strange, whatever true sources leave over: the usual window, in a tenth of the time."""
-    much = (textured & (left > least * wide) for least in (MIN_STRANGE, MIN_ALIKE_STRANGE))
+    much = (textured & (left > least * wide) for least in (MIN_STRANGE, MIN_STAND_IN_STRANGE))
     if any(opened(one, side).any() for one, side in zip(much, (_STRIP_CELLS, _ALIKE_CELLS))):
         return False
     return np.count_nonzero(textured & (left > MIN_EVEN_LEFT / 2 * wide)) * 2 < np.count_nonzero(textured)

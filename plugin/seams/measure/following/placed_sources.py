@@ -24,6 +24,8 @@ MAX_UNCLEAR_LEFT = 0.7  # of what was unclear, when moved sources tell more
 MIN_UNCLEAR_SHARE = 0.3  # of the pixels: sources moved to where the mosaic lies may tell more
 _FEWEST_WITH_COPY = 3  # sources: of two that are one image, or of one, nothing can be told
 MIN_FIT_GAIN = 0.1  # by which shifted sources have to explain more to be believed
+MIN_IDLE_FIT = 0.97  # of the fine detail: with less, one that is hardly followed is looked for elsewhere
+MAX_IDLE_LEFT = 0.5  # of what was left over, when it is found there
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,13 +64,17 @@ def follow_sources(
     plain = _clearer(plain, fine, images, shape)
     first = PlacedSources(plain, planes, fine, tuple(range(count)))
     unexplained, unclear = int(np.count_nonzero(plain.unexplained)) / plain.unexplained.size, plain.unclear_share
-    if plain.fit >= MIN_SOURCE_FIT and unexplained < MIN_UNEXPLAINED_SHARE:
+    # Where another source fits well, one that lies elsewhere is hardly followed.
+    idle = {i for i, share in enumerate(plain.shares) if share < MIN_BOTH_SHARE}
+    may_lie_elsewhere = bool(idle) and plain.fit < MIN_IDLE_FIT
+    if plain.fit >= MIN_SOURCE_FIT and unexplained < MIN_UNEXPLAINED_SHARE and not may_lie_elsewhere:
         return first
     shifts = {i: _shift_where(image.spectra, other.spectra, plain.unexplained) for i, other in enumerate(images)}
     moved = {i: s for i, s in shifts.items() if s is not None and s.length >= MIN_MOVED_PX}
-    of_followed = [find_shift(image.spectra, images[i].spectra, plain.labels == i) for i in plain.followed]
-    if unexplained >= MIN_UNEXPLAINED_SHARE:
-        of_followed += [s for i, s in moved.items() if i in plain.followed and s.length > FARTHEST_FILTERED_PX]
+    followed = [i for i in plain.followed if i not in idle]
+    of_followed = [find_shift(image.spectra, images[i].spectra, plain.labels == i) for i in followed]
+    if unexplained >= MIN_UNEXPLAINED_SHARE or may_lie_elsewhere:
+        of_followed += [s for i, s in moved.items() if i in idle or s.length > FARTHEST_FILTERED_PX]
     if not moved or _is_of_all(of_followed):
         return first
     placed = tuple(shifted(planes[i], s.x, s.y) for i, s in moved.items())
@@ -80,7 +86,9 @@ def follow_sources(
     found = _without_idle_planes(both, shape)
     explains_part = unexplained >= MIN_UNEXPLAINED_SHARE and found.following.unexplained.mean() <= unexplained / 2
     is_clearer = unclear >= MIN_UNCLEAR_SHARE and found.following.unclear_share <= MAX_UNCLEAR_LEFT * unclear
-    return found if explains_part or is_clearer or found.following.fit >= plain.fit + MIN_FIT_GAIN else first
+    finds_idle = may_lie_elsewhere and 1 - found.following.fit <= MAX_IDLE_LEFT * (1 - plain.fit)
+    is_better = found.following.fit >= plain.fit + MIN_FIT_GAIN
+    return found if explains_part or is_clearer or finds_idle or is_better else first
 
 
 def _without(copy: int, found: PlacedSources) -> PlacedSources:

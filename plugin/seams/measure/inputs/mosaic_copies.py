@@ -17,6 +17,8 @@ from ....imagery.open_raster import OpenRaster, placed
 from ....imagery.raster_pool import RasterPool
 from ....imagery.rasters import Raster, RasterRef
 from ....imagery.reference_systems import same_coordinates
+from ..following.followed_source import high_pass
+from ..following.source_filters import filtered, fit_filter
 from ..source_images import Source, is_same_file, sources_in
 from . import messages
 
@@ -34,7 +36,8 @@ LEAST_COARSER, MEDIAN_COARSER = 0.7, 0.93
 LEAST_LIKE, MEDIAN_LIKE = 0.3, 0.6
 LEAST_BESIDE_EQUAL = 0.8  # where other places are equal, which no compression with loss leaves
 MOST_SIZE_DIFFERENCE = 0.001  # of the pixels of a copy
-PLAINLY, NEARLY_ALL = 2.0, 0.02  # times as much of the detail is lacking; and a share that rounding leaves
+PLAINLY, NEARLY_ALL = 2.0, 0.005  # times as much of the detail is lacking; and a share that rounding leaves
+HARDLY_LACKING = 0.05  # of the detail: as much as an orthoimage loses when it is resampled
 FEWEST_TURNS = 2  # places; one may be by chance
 LEAST_DROP = 2.5  # where it is beaten an orthoimage lacks as many times what it lacks elsewhere, copies at most twice
 LEAST_CONTENT = 2.0  # variance of differences between neighbours, DN squared: below it rounding counts
@@ -229,9 +232,10 @@ def _takes_turns(own: np.ndarray, others: Sequence[np.ndarray]) -> bool:
     wins, is_beaten = best > PLAINLY * own + NEARLY_ALL, own > PLAINLY * best + NEARLY_ALL
     if min(np.count_nonzero(wins), np.count_nonzero(is_beaten)) < FEWEST_TURNS:
         return False
-    lacking, others_lacking = float(np.median(own[wins])) + NEARLY_ALL, float(np.median(best[is_beaten])) + NEARLY_ALL
+    lacking, others_lacking = float(np.median(own[wins])), float(np.median(best[is_beaten]))
     # A copy with loss beats the others along the seams only, where they are mixed and it lacks what the loss took.
-    return lacking <= PLAINLY * others_lacking and float(np.median(own[is_beaten])) >= LEAST_DROP * lacking
+    drops = float(np.median(own[is_beaten])) >= LEAST_DROP * lacking + NEARLY_ALL
+    return drops and lacking + HARDLY_LACKING <= PLAINLY * (others_lacking + HARDLY_LACKING)
 
 
 def _has_judged_band(source: Source, mosaic: Raster, pool: RasterPool) -> bool:
@@ -275,7 +279,10 @@ def _places_with_content(mosaic: Raster, pool: RasterPool) -> list[_MosaicPlace]
 
 
 def _lacking(source: Source, mosaic: Raster, places: Sequence[_MosaicPlace], pool: RasterPool) -> np.ndarray:
-    """Share of the mosaic's detail that a source does not explain, (places,); nan where it has hardly any pixels."""
+    """Share of the mosaic's detail that a source does not explain, (places,); nan where it has hardly any pixels.
+
+    Through a filter: one that was resampled into the mosaic explains it as well as one that lies on its pixels.
+    """
     found = np.full(len(places), np.nan)
     for number, place in enumerate(places):
         if not sources_in([source], mosaic.grid.window_extent(place.window)):
@@ -286,8 +293,16 @@ def _lacking(source: Source, mosaic: Raster, places: Sequence[_MosaicPlace], poo
             continue
         both = place.valid & valid
         if both.mean() > 0.2:
-            found[number] = 1 - np.maximum(likeness_of(place.values, values, both, 0.0), 0.0) ** 2
+            shown = _shown(place.values[0], values[0], both)[np.newaxis]
+            found[number] = 1 - np.maximum(likeness_of(place.values, shown, both, 0.0), 0.0) ** 2
     return found
+
+
+def _shown(mosaic: np.ndarray, source: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    """A source as the mosaic shows it, (rows, columns); as it is where that can't be told."""
+    own, its = (np.where(valid, one, one[valid].mean()).astype(np.float32) for one in (mosaic, source))
+    taps = fit_filter(high_pass(own), high_pass(its), valid)
+    return its if taps is None else filtered(its, taps)
 
 
 def is_made_of(ref: RasterRef, mosaic: RasterRef) -> bool:

@@ -137,6 +137,21 @@ def test_a_missing_image_of_a_triplet_is_not_taken_for_its_neighbours(alike: flo
     assert found[:, :160].mean() < 0.02
 
 
+@pytest.mark.parametrize("share", [0.3, 0.55])
+def test_a_source_that_stands_in_for_its_neighbour_is_told_by_its_own_ground(share: float) -> None:
+    """It leaves 3 % over, as much as resampling does; where it is the true one it leaves next to nothing."""
+    common = texture(SHAPE, 0.8, 60)
+    first, missing = (
+        (plane(0, 1) + 20 * (0.985**0.5 * common + 0.015**0.5 * texture(SHAPE, 0.8, seed))).astype(np.float32)
+        for seed in (1, 3)
+    )
+    border = round((1 - share) * SHAPE[1])
+    found = found_in(np.rint(cut_at(border, first, missing)), [first]).unexplained
+    assert found[:, border + 10 : -10].mean() > 0.98
+    assert found[:, 10 : border - 10].mean() < 0.01
+    assert not found_in(np.rint(missing), [first]).unexplained.any()  # as much everywhere: nothing tells it apart
+
+
 def test_a_source_that_was_resampled_leaves_more_over_than_others() -> None:
     """As much everywhere, so it is none that is missing."""
     first, second, resampled = alike_planes(0.985)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from osgeo import gdal
+from scipy import ndimage
 from seam_inspector.plugin.imagery import raster_pool
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
@@ -100,6 +101,26 @@ def test_images_that_are_alike_everywhere_are_no_copies_where_the_mosaic_turns_f
     kept, notices = told(triplet["mosaic"], [triplet["a"], copy, triplet["b"]])
     assert kept == ["a.tif", "b.tif"]
     assert notices == {"lossy.tif": messages.COPY_AMONG_SOURCES.template}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("noise_dn", [5.0, 12.0])
+def test_an_image_that_was_resampled_into_the_mosaic_is_no_copy_of_it(make_raster: MakeRaster, noise_dn: float) -> None:
+    """Both cover the mosaic and are alike everywhere, with noise as soft as resampling leaves it; the grid of one lies
+    half a pixel beside the mosaic's."""
+    rng = np.random.default_rng(3)
+    scene = orthoimage((SIDE, SIDE), seed=4).astype(float)
+    first, second = (
+        ndimage.gaussian_filter(np.clip(scene + rng.normal(0, noise_dn, scene.shape), 1, 255), (0, 1.2, 1.2))
+        for _ in range(2)
+    )
+    given = ndimage.shift(second, (0, 0.5, -0.5), order=3, mode="mirror")
+    mosaic = np.where(np.arange(SIDE) < 600, first, second)
+    paths = [
+        make_raster(f"{name}.tif", np.clip(np.rint(one), 1, 255).astype(np.uint8))
+        for name, one in (("mosaic", mosaic), ("a", first), ("b", given))
+    ]
+    assert told(paths[0], paths[1:]) == (["a.tif", "b.tif"], {})
 
 
 @pytest.mark.slow
