@@ -1,4 +1,5 @@
-"""Imports run one way: imagery <- toolkit <- subjects <- wiring. Subjects don't know each other, nor files one another."""
+"""Imports run one way: imagery <- toolkit <- subjects <- wiring. Subjects don't know each other; no file leads back to
+itself."""
 from __future__ import annotations
 
 import ast
