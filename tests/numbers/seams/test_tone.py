@@ -80,6 +80,14 @@ def test_a_gain_is_no_gamma_when_rounded(band: np.ndarray) -> None:
     assert fit(np.rint(0.6 * band + 20).astype(np.uint8), band).gamma == 1
 
 
+def test_values_below_zero_have_no_power(band: np.ndarray) -> None:
+    source = band.astype(np.float32) - 100
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        tone = fit(0.5 * source, source)
+    assert (tone.gamma, tone.gain) == (1, pytest.approx(0.5, rel=1e-3))
+
+
 def test_nothing_is_made_up_where_there_is_nothing_to_fit(band: np.ndarray) -> None:
     flat = np.full_like(band, 90)
     means = [coarse_means(one, LEVELS)[np.newaxis] for one in (band, flat)]
