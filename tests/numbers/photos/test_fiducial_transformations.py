@@ -229,6 +229,8 @@ def test_comparison_by_hand() -> None:
     assert made.standard_deviation == pytest.approx(np.std([5, 1], ddof=1))
     assert pixel_size(first) == pytest.approx(20)
     assert made.scaled(20).mean == 60
+    (of_one_photo,), alone = mark_differences(first[:1], [ComparedMark("", "1", (3, 4))])  # which does not say which
+    assert (of_one_photo.distance, alone) == (5, [])
     with pytest.raises(PhotoError, match="no mark in common"):
         mark_differences(first, [ComparedMark("d", "9", (0, 0))])
     with pytest.raises(PhotoError, match="twice"):
