@@ -51,6 +51,7 @@ def test_a_transformation_is_found_again(model: PlaneModel, seed: int) -> None:
     made = fit_transformation(model, points, target)
     assert made(points) == pytest.approx(target, abs=1e-6)
     assert made.inverse(target) == pytest.approx(points, abs=1e-6)
+    assert made.inverse.matrix[2, 2] == pytest.approx(1)
 
 
 def applied(model: PlaneModel, p: np.ndarray, points: np.ndarray) -> np.ndarray:

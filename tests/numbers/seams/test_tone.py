@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.seams.measure import tone
 from seam_inspector.plugin.seams.measure.causes import MIN_CLIPPED_SHARE
+from seam_inspector.plugin.seams.measure.compared_image import Change
 from seam_inspector.plugin.seams.measure.tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
 
 from tests.examples import at_most
@@ -142,3 +143,11 @@ def test_values_beyond_float32_are_ranked_without_a_word() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert tone._median(values) == 3
+
+
+@pytest.mark.parametrize("gain", [0.5, -0.5])
+def test_sharpness_is_contrast_over_gain(gain: float) -> None:
+    change = Change(Tone(gain, 0.0), (0.4, None), 0.0, None, None)
+    assert change.sharpness == (pytest.approx(0.8), None)
+    for tone in (None, Tone(0.0, 90.0)):
+        assert Change(tone, (0.4, None), 0.0, None, None).sharpness == (None, None)
