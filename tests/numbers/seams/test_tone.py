@@ -149,5 +149,5 @@ def test_values_beyond_float32_are_ranked_without_a_word() -> None:
 def test_sharpness_is_contrast_over_gain(gain: float) -> None:
     change = Change(Tone(gain, 0.0), (0.4, None), 0.0, None, None)
     assert change.sharpness == (pytest.approx(0.8), None)
-    for tone in (None, Tone(0.0, 90.0)):
-        assert Change(tone, (0.4, None), 0.0, None, None).sharpness == (None, None)
+    for unknown in (None, Tone(0.0, 90.0)):
+        assert Change(unknown, (0.4, None), 0.0, None, None).sharpness == (None, None)
