@@ -21,7 +21,9 @@ TRANSLATIONS := $(patsubst %.ts,%.qm,$(wildcard i18n/*.ts))
 export QGIS_PLUGINPATH := $(CURDIR)/build/plugins
 export PYTHONPATH := $(CURDIR)/build/plugins
 
+ifndef SIDE_BY_SIDE_TARGETS
 .NOTPARALLEL:
+endif
 .PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
@@ -47,7 +49,10 @@ lint: link ## Check style and types, and that nothing is left unused
 check: lint ## Before every commit, in two minutes: style, types, and the quick tests of the numbers
 	$(ONE_THREAD) $(PYTHON) -m pytest -q -p no:pytest_qgis $(SIDE_BY_SIDE) --quick tests/numbers
 
-test: lint test-numbers test-qt6 test-in-qgis ## Check style and types, then run all tests
+# Types and what needs no QGIS are a process each, so two of these go side by side; tests take all processors themselves
+test: link ## Check style and types, then run all tests
+	$(MAKE) --jobs 2 --output-sync=target SIDE_BY_SIDE_TARGETS=1 lint test-qt6
+	$(MAKE) test-numbers test-in-qgis
 
 test-numbers: link ## Run the tests of the numbers, without QGIS
 	$(ONE_THREAD) $(PYTHON) -m pytest -p no:pytest_qgis $(SIDE_BY_SIDE) tests/numbers

@@ -18,6 +18,9 @@ if not LINK.exists():
     LINK.symlink_to("../..", target_is_directory=True)
 sys.path.insert(0, str(PLUGINS))
 
+_DESKTOP_BEGUN = 0.7
+"""Of the run, by when all files of the real application are begun: the last ones take a while."""
+
 for profile, examples in (("all", 60), ("quick", 10)):
     settings.register_profile(
         profile,
@@ -37,11 +40,22 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    long_files = {item.path for item in items if _is_slow(item)}
-    items.sort(key=lambda item: item.path not in long_files)  # begun first, so that none is left for the end
+    turns = _turns(items)
+    items.sort(key=lambda item: turns[item.path])
     if config.getoption("quick"):
         config.hook.pytest_deselected(items=[item for item in items if _is_slow(item)])
         items[:] = [item for item in items if not _is_slow(item)]
+
+
+def _turns(items: list[pytest.Item]) -> dict[Path, float]:
+    """When the tests of a file are begun, 0 to 1: long ones first, so that none is left for the end. The real
+    application waits as often as it works, so its files come among the others, which take the processor meanwhile."""
+    long_files = {item.path for item in items if _is_slow(item)}
+    files = sorted(dict.fromkeys(item.path for item in items), key=lambda path: path not in long_files)
+    desktop = [path for path in files if path.parent.name == "desktop"]
+    others = [path for path in files if path.parent.name != "desktop"]
+    ends = (others, 1.0), (desktop, _DESKTOP_BEGUN)
+    return {path: end * turn / len(kind) for kind, end in ends for turn, path in enumerate(kind)}
 
 
 def pytest_collection_finish(session: pytest.Session) -> None:

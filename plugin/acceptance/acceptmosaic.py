@@ -144,13 +144,11 @@ class AcceptMosaic(SeamInspectorAlgorithm):
         run.tell(*chain(*told))
 
     def orthoimages(self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]) -> tuple[RasterRef, ...]:
-        """What the mosaics were made from: as given, else as the scan says (``scanned``, paths)."""
         from ..imagery.rasters import RasterRef
 
         return tuple(self._images) or tuple(map(RasterRef, scanned))
 
     def prover(self, run: Run, min_kept: float) -> Prover | None:
-        """Who proves failures, once ``orthoimages`` was asked; here nobody."""
         return None
 
     def execute(self, run: Run) -> dict[str, Any]:

@@ -127,18 +127,22 @@ class PlanInspection(SeamInspectorAlgorithm):
         from .planned_sample import delivered_lot, planned, write_sample
 
         run.tell(*self._told)
-        delivery, lot = delivered_lot(run, self._seams, self._mosaic)
+        delivery, lot = delivered_lot(run, self._seams, self._mosaic, run.text(SHEET_FIELD), run.real(PIECE))
         size = run.whole(LOT_SIZE) or len(lot)
         if size < len(lot):
             raise SettingsError(messages.LOT_SMALLER_THAN_GIVEN(size=size, given=len(lot)))
-        risk = self._risk(run) if run.word(stated.PLAN) == RISK else None
-        plan, said = planned(run, lot, size, risk, None if risk is None else self._correlation(run))
-        sample = drawn_sample(lot, min(run.whole(COUNT), size) if plan is None else plan.sample_size, run.whole(SEED))
-        run.tell(*said or [messages.PLANNED_BY_COUNT(size=len(sample), lot=size)])
+        plan, count = None, min(run.whole(COUNT), size)
+        if run.word(stated.PLAN) != BY_COUNT:
+            risk = self._risk(run) if run.word(stated.PLAN) == RISK else None
+            plan, said = planned(run, lot, size, risk, None if risk is None else self._correlation(run))
+            count = plan.sample_size
+        sample = drawn_sample(lot, count, run.whole(SEED))
+        run.tell(*said if plan else [messages.PLANNED_BY_COUNT(size=len(sample), lot=size)])
         if plan is not None and len(sample) < plan.sample_size:
             run.tell(messages.SAMPLE_LARGER_THAN_GIVEN(size=plan.sample_size, drawn=len(sample)))
+        on = None if self._mosaic is None or run.word(UNIT) != WINDOWS else (self._mosaic, run.real(SIDE))
         return {
-            OUTPUT: write_sample(run, sample, size, delivery.wkt, self._mosaic),
+            OUTPUT: write_sample(run, OUTPUT, sample, size, delivery.wkt, on),
             SAMPLE_SIZE: len(sample),
             ACCEPTANCE_NUMBER: None if plan is None else plan.rejection_number - 1,
             LOT_SIZE: size,

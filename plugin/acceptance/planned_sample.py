@@ -34,7 +34,6 @@ from .measure.delivery import DeliveredPiece, Delivery, in_order
 from .measure.inspection_plan import cut_pieces, plan_of_risk, plan_sentence, risk_sentences
 from .measure.sampling_plans import SamplingPlan, isolated_lot_plan, single_sampling_plan
 from .measure.sampling_risks import StatedRisk, operating_characteristic
-from .planinspection import BY_COUNT, OUTPUT, PIECE, SHEET_FIELD, SIDE, UNIT, WINDOWS
 from .sheet_index import with_sheets
 
 _STEP = 0.01  # of a piece: raster steps up to that are straightened where no mosaic says how large they are
@@ -94,13 +93,12 @@ def middle_on(mosaic: Raster, piece: DeliveredPiece, wkt: str) -> tuple[float, f
 
 
 def delivered_lot(
-    run: Run, seams: Sequence[SeamLayer], mosaic: Raster | None
+    run: Run, seams: Sequence[SeamLayer], mosaic: Raster | None, sheet_field: str, piece_m: float
 ) -> tuple[Delivery, Sequence[DeliveredPiece]]:
     """The pieces of the scans, and those that plain seamlines are cut into; of these the lot: all, or those that
     windows can be placed on."""
     step = None if mosaic is None else mosaic.grid.ground_sample_distance
-    transforms = run.context.transformContext()
-    delivery, told = with_cut_seamlines(seams, transforms, run.text(SHEET_FIELD), run.real(PIECE), step)
+    delivery, told = with_cut_seamlines(seams, run.context.transformContext(), sheet_field, piece_m, step)
     run.tell(*told)
     delivery = with_sheets(delivery, run)
     if mosaic is None:
@@ -115,13 +113,11 @@ def delivered_lot(
 
 def planned(
     run: Run, lot: Sequence[DeliveredPiece], size: int, risk: StatedRisk | None, correlation: float | None
-) -> tuple[SamplingPlan | None, list[Message]]:
-    """The plan, none where as many are drawn as were asked for; and how many are inspected, and what that risks."""
+) -> tuple[SamplingPlan, list[Message]]:
+    """The plan of stated risks or of a standard, and in words how many are inspected, and what that risks."""
     if risk is not None:
         by_risk = plan_of_risk(lot, size, risk, correlation, run.real(stated.MIN_KEPT))
         return by_risk.plan, [*risk_sentences(by_risk, risk)]
-    if run.word(stated.PLAN) == BY_COUNT:
-        return None, []
     if run.word(stated.PLAN) == stated.ISOLATED:
         plan = isolated_lot_plan(size, stated.standard_quality(run, stated.LQ))
     else:
@@ -197,24 +193,24 @@ WINDOW_COLUMNS: tuple[Column[SampledItem], ...] = (
 
 
 def write_sample(
-    run: Run, sample: Sequence[DeliveredPiece], lot_size: int, wkt: str, mosaic: Raster | None
+    run: Run, output: str, sample: Sequence[DeliveredPiece], lot_size: int, wkt: str, on: tuple[Raster, float] | None
 ) -> str | None:
-    """The layer, as pieces or as windows."""
+    """The layer, as pieces, or as windows ``on`` a mosaic, of a side in metres; ``output``: the parameter's name."""
     items = [SampledItem(order, piece, lot_size) for order, piece in enumerate(sample, 1)]
-    is_windows = mosaic is not None and run.word(UNIT) == WINDOWS
-    if mosaic is not None and is_windows:
+    if on is not None:
+        mosaic, side_m = on
         crs, columns, kind = layers.mosaic_crs(mosaic), WINDOW_COLUMNS, QgsWkbTypes.Type.Polygon
-        windows = [sampled_window(mosaic, piece, wkt, run.real(SIDE)) for piece in sample]
+        windows = [sampled_window(mosaic, piece, wkt, side_m) for piece in sample]
         outlines = [layers.rectangle(mosaic.grid.window_extent(window)) for window in windows]
     else:
         crs, columns = reference_system(wkt), PIECE_COLUMNS
         kind = QgsWkbTypes.Type.LineString
         outlines = [QgsGeometry(QgsLineString(*piece.vertices.T.tolist())) for piece in sample]
     fields = column_fields(columns)
-    sink, destination = run.sink(OUTPUT, fields, kind, crs)
+    sink, destination = run.sink(output, fields, kind, crs)
     run.write(sink, (
         feature(fields, column_values(columns, item), outline) for item, outline in zip(items, outlines)
     ))  # fmt: skip
-    run.title(destination, tr("Sample (windows)") if is_windows else tr("Sample (pieces)"))
-    run.style(destination, "placed_windows" if is_windows else "")
+    run.title(destination, tr("Sample (pieces)") if on is None else tr("Sample (windows)"))
+    run.style(destination, "" if on is None else "placed_windows")
     return destination

@@ -19,9 +19,8 @@ READABLE = 3.0  # contrast of words, by WCAG 2.1 what large ones need; themes of
     ("name", "options"),
     [
         ("light", {}),
-        ("dark", {"theme": "Night Mapping"}),
+        ("dark", {"theme": "Night Mapping", "screen": "1366x768"}),
         ("scaled", {"scale": 2, "screen": "3200x2000"}),
-        ("small", {"screen": "1366x768"}),
         ("polish", {"screen": "1366x768", "locale": "pl"}),
     ],
 )

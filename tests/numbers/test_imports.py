@@ -1,11 +1,15 @@
-"""Imports run one way: imagery <- toolkit <- subjects <- wiring. Subjects don't know each other."""
+"""Imports run one way: imagery <- toolkit <- subjects <- wiring. Subjects don't know each other; no file leads back to
+itself."""
 from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components
 
 SUBJECTS = ("seams", "acceptance", "noise", "radiometry", "resolution", "photos", "sensors")
 FLOORS = ("imagery", "toolkit")
@@ -88,6 +92,36 @@ def faults(package: Path) -> list[str]:
 
 def test_imports_run_one_way(repository: Path) -> None:
     assert faults(repository / "plugin") == []
+
+
+def circles(package: Path) -> list[set[str]]:
+    """Files that import each other by way of others, also for types alone or within functions; a folder's own
+    ``__init__`` takes no part."""
+    files = {".".join(("plugin", *path.relative_to(package).with_suffix("").parts)): path
+             for path in package.rglob("*.py") if path.name != "__init__.py"}  # fmt: skip
+    names, numbers = list(files), {name: number for number, name in enumerate(files)}
+    arrows = {(numbers[name], numbers[target]) for name, path in files.items()
+              for _, _, taken in imports(path, package)
+              for target in (taken, taken.rpartition(".")[0]) if target in files}  # fmt: skip
+    rows, columns = zip(*arrows) if arrows else ((), ())
+    matrix = csr_array((np.ones(len(rows)), (rows, columns)), shape=(len(names),) * 2)
+    count, labels = connected_components(matrix, directed=True, connection="strong")
+    found = [{names[number] for number in np.flatnonzero(labels == label)} for label in range(count)]
+    return [circle for circle in found if len(circle) > 1]
+
+
+def test_files_import_each_other_in_no_circle(repository: Path) -> None:
+    assert circles(repository / "plugin") == []
+
+
+def test_a_planted_circle_is_found(tmp_path: Path) -> None:
+    lines = {
+        "one": "from .two import Two", "two": "if TYPE_CHECKING:\n    from . import three",
+        "three": "def late():\n    from .one import One", "four": "from .one import One",
+    }  # fmt: skip
+    for name, line in lines.items():
+        (tmp_path / f"{name}.py").write_text(line, encoding="utf-8")
+    assert circles(tmp_path) == [{"plugin.one", "plugin.two", "plugin.three"}]
 
 
 def test_every_folder_is_a_subject_or_a_shared_floor(repository: Path) -> None:

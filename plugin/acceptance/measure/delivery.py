@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...imagery.grids import Extent
+from ...imagery.lines import vertex_stations
 
 
 @dataclass(frozen=True)
@@ -86,12 +87,8 @@ class DeliveredPiece:
     def point(self, share: float) -> tuple[float, float]:
         """The point at a share of its length."""
         x, y = self.vertices.T
-        along = _along(self.vertices)
+        along = vertex_stations(self.vertices)
         return float(np.interp(share * along[-1], along, x)), float(np.interp(share * along[-1], along, y))
-
-
-def _along(vertices: np.ndarray) -> np.ndarray:
-    return np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(vertices, axis=0).T))])
 
 
 def extent_of(lines: Iterable[np.ndarray]) -> Extent:

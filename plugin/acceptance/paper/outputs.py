@@ -32,7 +32,7 @@ from .rated_images import rated_images
 from .sheet_files import SHEET_COLUMNS, sheet_features
 
 if TYPE_CHECKING:
-    from ..acceptmosaic import AcceptMosaic
+    from .proofs import Proving
 
 ScannedLoss = tuple[Raster, Mapping[str, str]]
 """A picture of losses, and how its scan says it was measured."""
@@ -53,7 +53,7 @@ class ReadFiles:
     """The file of rules; empty without."""
 
 
-def write(run: Run, decision: Decision, read: ReadFiles, proving: AcceptMosaic) -> dict[str, Any]:
+def write(run: Run, decision: Decision, read: ReadFiles, proving: Proving) -> dict[str, Any]:
     """Write what is wanted; what can't be written is told, and does not cost the decision."""
     losses = read.losses
     loss, settings = losses[0] if len(losses) == 1 else (None, next((one for _, one in losses), {}))

@@ -4,13 +4,17 @@ Who measures it is no matter here: the decision knows no orthoimages, and takes 
 """
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
 from ...imagery.grids import Extent, PixelWindow
-from ...imagery.rasters import Raster
+from ...imagery.rasters import Raster, RasterRef
+
+if TYPE_CHECKING:
+    from ...toolkit.algorithms.run import Run
 
 PROOF_SIDE_M = 40.0
 """Side of the place where least is kept, of which the proof is."""
@@ -46,3 +50,13 @@ class Proof:
 Prover = Callable[[Raster, Extent, tuple[str, str]], "Proof | None"]
 """From a mosaic, a place in its reference system, and what the pieces of seam there call the two orthoimages beside
 them, to the proof; None where there is none."""
+
+
+class Proving(Protocol):
+    """Who knows the orthoimages and proves failures: the algorithm."""
+
+    def orthoimages(self, run: Run, scanned: Sequence[str], mosaics: Sequence[Raster]) -> tuple[RasterRef, ...]:
+        """What the mosaics were made from: as given, else as the scan says (``scanned``, paths)."""
+
+    def prover(self, run: Run, min_kept: float) -> Prover | None:
+        """Who proves failures, once ``orthoimages`` was asked; None where nobody does."""

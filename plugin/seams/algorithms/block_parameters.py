@@ -1,7 +1,9 @@
-"""Mosaic and orthoimages of a run, from the parameters MOSAIC, SOURCES and SOURCE_INDEX."""
+"""Mosaic, orthoimages and seams of a run, from the parameters MOSAIC, SOURCES, SOURCE_INDEX and others, and the long
+jobs that are done with them."""
 from __future__ import annotations
 
-from collections.abc import Iterable
+import time
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -15,8 +17,14 @@ from ..measure import messages
 if TYPE_CHECKING:
     from ...imagery.rasters import Raster, RasterRef
     from ..measure.inspection import Block
+    from ..measure.scan.block_runs import ScanStep
+    from ..measure.scan.lines.seam_features import SeamFeature
     from ..measure.seam_cells import Cell
     from ..measure.source_images import Source
+
+
+_TOLD_EVERY_S = 10.0
+"""How long the rest of a job will take."""
 
 
 @dataclass(frozen=True)
@@ -86,3 +94,30 @@ def given_block(run: Run, mosaic: Raster, given: GivenSources, cells: Iterable[C
     block, of_copies = without_copies(block)
     run.tell_once([*notices, *of_copies])
     return block
+
+
+def given_features(run: Run, name: str, crs: QgsCoordinateReferenceSystem) -> tuple[list[SeamFeature], Sequence[str]]:
+    """The seams of a parameter in a reference system, and the names of their fields; tells how many can't be
+    transformed."""
+    from ...toolkit import layers
+    from ..tables.input_layers import seam_features
+
+    layer = run.source(name)
+    names = layer.fields().names()
+    features, lost = seam_features(layers.features(layer), names, run.transform(layer, crs))
+    run.tell(*(() if lost is None else (lost,)))
+    return features, names
+
+
+def follow_steps(run: Run, steps: Iterable[ScanStep], part: float) -> None:
+    """Do what a job still has to do: its progress, as a part of the whole run's, its notices, and now and then how
+    long the rest will take."""
+    from ..jobs import time_left
+
+    told_at = time.monotonic()
+    for step in steps:
+        run.tell_once(step.notices)
+        run.progress(part * step.share)
+        if step.seconds_left is not None and time.monotonic() - told_at > _TOLD_EVERY_S:
+            told_at = time.monotonic()
+            run.doing(time_left(step.seconds_left))

@@ -1,7 +1,6 @@
 """``seaminspector:mendseams``: failed seams cut anew where the orthoimages agree, and measured again."""
 from __future__ import annotations
 
-import time
 from typing import TYPE_CHECKING, Any
 
 from qgis.core import (
@@ -27,7 +26,7 @@ from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure.limits import MEND_BLEND_PX, MEND_WIDTH_M, MENDED_SEAMS, MOST_BLEND_PX
 from ..measure.mending import messages
-from .block_parameters import check_sources, gathered_sources, given_sources
+from .block_parameters import check_sources, follow_steps, gathered_sources, given_features, given_sources
 
 if TYPE_CHECKING:
     from ..measure.mending.failed_runs import ScannedPiece
@@ -39,7 +38,6 @@ SEAMS, WHAT, WIDTH, BLEND, PATCHES, MENDED, CUTS = "SEAMS", "WHAT", "WIDTH", "BL
 MENDED_MOSAIC = "MENDED_MOSAIC"
 MENDED_METRES, LEFT_METRES = "MENDED_METRES", "LEFT_METRES"
 _CUT = 0.6  # of the time: the rest is to measure what was made
-_TOLD_EVERY_S = 10.0  # how long the rest will take
 
 
 class MendSeams(SeamInspectorAlgorithm):
@@ -134,7 +132,6 @@ class MendSeams(SeamInspectorAlgorithm):
         from ..measure.inputs.mosaic_copies import leave_out_copies
         from ..measure.mending.failed_runs import given_pieces
         from ..measure.mending.mending import CUT_COLUMNS, LEFT, MendRequest, mending, metres
-        from ..tables.input_layers import seam_features
 
         self.check(run)
         settings = self._settings(run)
@@ -149,10 +146,7 @@ class MendSeams(SeamInspectorAlgorithm):
             if QgsWkbTypes.geometryType(given.wkbType()) == QgsWkbTypes.GeometryType.PolygonGeometry:
                 pieces = self._scanned(run, given, crs, sources)
             else:
-                names = given.fields().names()
-                features, lost = seam_features(layers.features(given), names, run.transform(given, crs))
-                run.tell(*(() if lost is None else (lost,)))
-                pieces = given_pieces(features, names)
+                pieces = given_pieces(*given_features(run, SEAMS, crs))
             request = MendRequest(mosaic, tuple(sources), tuple(pieces), settings)
             runs, unnamed = request.runs
             if unnamed:
@@ -179,17 +173,9 @@ class MendSeams(SeamInspectorAlgorithm):
         run: Run, job: Mending, patches: str, mended: str, executor: Any, ahead: int
     ) -> list[MendedSeam]:
         """Raises CancelledError where nobody wants it any more."""
-        from ..jobs import time_left
-
         if job.done:
             run.tell(messages.MENDING_GOES_ON(done=job.done))
-        told_at = time.monotonic()
-        for step in job.steps(executor, ahead, run.is_cancelled):
-            run.tell_once(step.notices)
-            run.progress(_CUT * step.share)
-            if step.seconds_left is not None and time.monotonic() - told_at > _TOLD_EVERY_S:
-                told_at = time.monotonic()
-                run.doing(time_left(step.seconds_left))
+        follow_steps(run, job.steps(executor, ahead, run.is_cancelled), _CUT)
         if run.is_cancelled():
             raise CancelledError(messages.MENDING_STOPPED())
         return job.result(patches, mended, lambda share: run.goes_on(_CUT + (1 - _CUT) * share), executor, ahead)

@@ -36,10 +36,10 @@ from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
 from ..measure import messages
 from .accepting import open_form
+from .desk_keys import DeskKeys
 from .inputs.inputs_panel import InputsPanel
 from .judge_bar import JudgeBar
 from .judging_desk import JudgingDesk
-from .keys import DeskKeys
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .map.window_view import WindowView

@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy import ndimage
 from seam_inspector.plugin.noise.measure.band_noise import BandNoise, NoiseAmount, measure_noise
+from seam_inspector.plugin.noise.measure.noise_amount import ACCEPTABLE_RATIO, EXCELLENT_RATIO, noise_amount
 
 from tests.examples import at_most
 from tests.numbers.synthetic import patchy_texture, texture
@@ -35,6 +36,18 @@ def test_the_amount_is_that_of_the_ratio_on_rough_ground_and_on_smooth(
     sigma: float, amount: str, contrast: float
 ) -> None:
     assert measured(120 + contrast * texture((512, 512), 4, 2) + white(sigma)).amount == amount
+
+
+@pytest.mark.parametrize(
+    ("ratio", "reached", "missed"),
+    [(EXCELLENT_RATIO, NoiseAmount.LITTLE, NoiseAmount.SOME), (ACCEPTABLE_RATIO, NoiseAmount.SOME, NoiseAmount.MUCH)],
+)
+def test_an_image_is_as_good_as_its_ratio_when_it_just_reaches_it(
+    ratio: float, reached: NoiseAmount, missed: NoiseAmount
+) -> None:
+    quiet = (0.5, 0.5, 0.5)
+    assert noise_amount(2.0, 2 * ratio, quiet, "coif3", are_whole=False) is reached
+    assert noise_amount(2.0, 1.99 * ratio, quiet, "coif3", are_whole=False) is missed
 
 
 def test_what_the_curve_calls_low_is_not_little_noise_for_that() -> None:

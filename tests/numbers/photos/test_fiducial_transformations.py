@@ -51,6 +51,7 @@ def test_a_transformation_is_found_again(model: PlaneModel, seed: int) -> None:
     made = fit_transformation(model, points, target)
     assert made(points) == pytest.approx(target, abs=1e-6)
     assert made.inverse(target) == pytest.approx(points, abs=1e-6)
+    assert made.inverse.matrix[2, 2] == pytest.approx(1)
 
 
 def applied(model: PlaneModel, p: np.ndarray, points: np.ndarray) -> np.ndarray:
@@ -229,6 +230,8 @@ def test_comparison_by_hand() -> None:
     assert made.standard_deviation == pytest.approx(np.std([5, 1], ddof=1))
     assert pixel_size(first) == pytest.approx(20)
     assert made.scaled(20).mean == 60
+    (of_one_photo,), alone = mark_differences(first[:1], [ComparedMark("", "1", (3, 4))])  # which does not say which
+    assert (of_one_photo.distance, alone) == (5, [])
     with pytest.raises(PhotoError, match="no mark in common"):
         mark_differences(first, [ComparedMark("d", "9", (0, 0))])
     with pytest.raises(PhotoError, match="twice"):

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from seam_inspector.plugin.seams.measure.neighbourhoods import Neighbourhoods
-from seam_inspector.plugin.seams.measure.verdict_statistics import _smoothed_shares, smoothed_threshold
+from seam_inspector.plugin.seams.measure.verdict_statistics import _parabola, _smoothed_shares, smoothed_threshold
 
 from benchmarks.calibration import ALONE, POPULATIONS, Layout, Population, coverage
 from tests.examples import at_most
@@ -84,3 +84,9 @@ def test_smoothing_keeps_mean_and_standard_deviation(values: list[float], bandwi
     assert mass.sum() == pytest.approx(1, abs=1e-6)
     assert (mass * middles).sum() == pytest.approx(mean, abs=1e-3 * deviation)
     assert np.sqrt((mass * (middles - mean) ** 2).sum()) == pytest.approx(deviation, rel=2e-3)
+
+
+def test_the_top_of_a_parabola_a_plateau_and_an_end() -> None:
+    steps = np.arange(7.0)
+    rows = [-((steps - 2.3) ** 2), np.array([0, 1, 3, 3, 3, 1, 0.0]), steps, -steps]
+    np.testing.assert_allclose(_parabola(np.array(rows)), (2.3, 3, 6, 0))

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from scipy import stats
 from seam_inspector.plugin.seams.measure import tone
 from seam_inspector.plugin.seams.measure.causes import MIN_CLIPPED_SHARE
+from seam_inspector.plugin.seams.measure.compared_image import Change
 from seam_inspector.plugin.seams.measure.tone import Tone, clipped_share, coarse_means, colour_shift, fit_tones
 
 from tests.examples import at_most
@@ -80,6 +81,14 @@ def test_a_gain_is_no_gamma_when_rounded(band: np.ndarray) -> None:
     assert fit(np.rint(0.6 * band + 20).astype(np.uint8), band).gamma == 1
 
 
+def test_values_below_zero_have_no_power(band: np.ndarray) -> None:
+    source = band.astype(np.float32) - 100
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        tone = fit(0.5 * source, source)
+    assert (tone.gamma, tone.gain) == (1, pytest.approx(0.5, rel=1e-3))
+
+
 def test_nothing_is_made_up_where_there_is_nothing_to_fit(band: np.ndarray) -> None:
     flat = np.full_like(band, 90)
     means = [coarse_means(one, LEVELS)[np.newaxis] for one in (band, flat)]
@@ -134,3 +143,11 @@ def test_values_beyond_float32_are_ranked_without_a_word() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert tone._median(values) == 3
+
+
+@pytest.mark.parametrize("gain", [0.5, -0.5])
+def test_sharpness_is_contrast_over_gain(gain: float) -> None:
+    change = Change(Tone(gain, 0.0), (0.4, None), 0.0, None, None)
+    assert change.sharpness == (pytest.approx(0.8), None)
+    for unknown in (None, Tone(0.0, 90.0)):
+        assert Change(unknown, (0.4, None), 0.0, None, None).sharpness == (None, None)

@@ -195,6 +195,16 @@ def test_files_with_cameras_in_projected_coordinates(tmp_path: Path, make: Calla
     np.testing.assert_allclose(seen(make(tmp_path)), opencv(GROUND, CAMERA, PLACE), atol=1e-6)
 
 
+def test_a_block_that_says_no_model_is_perspective_and_a_fisheye_is_refused(tmp_path: Path) -> None:
+    path = block_of_elements(tmp_path)
+    text = path.read_text()
+    path.write_text(text.replace("<CameraModelType>Perspective</CameraModelType>", ""))
+    np.testing.assert_allclose(seen(path), opencv(GROUND, CAMERA, PLACE), atol=1e-6)
+    path.write_text(text.replace(">Perspective<", ">Fisheye<"))
+    with pytest.raises(SensorModelError, match="Fisheye"):
+        seen(path)
+
+
 @pytest.mark.parametrize("mount", [0, 90])
 def test_an_inpho_project(tmp_path: Path, mount: int) -> None:
     """A camera of 5 um that is mounted straight, or turned so that its x is up in the image."""

@@ -121,6 +121,17 @@ def test_projs_own_grid_as_a_file() -> None:
     np.testing.assert_allclose(found, heights_above_ellipsoid(places, "EPSG:5773"), atol=1e-3)
 
 
+def test_half_a_pixel_beyond_its_last_node_a_grid_has_the_node_s_height(tmp_path: Path) -> None:
+    west = gdal.Translate(str(tmp_path / "w.tif"), egm96_file(tmp_path / "g.tif"), projWin=(-90, 60, -60, 20))
+    left, step, *_ = west.GetGeoTransform()
+    last = left + step * (west.RasterXSize - 0.5)
+    west = None
+    assert west is None
+    places = np.array([[last, 40.0, 0.0], [last + 0.4 * step, 40.0, 0.0]])
+    at, beyond = above_ellipsoid(places, Geoid(RasterRef(str(tmp_path / "w.tif"))))
+    assert beyond == at
+
+
 def test_what_is_no_grid_of_the_geoid_says_so(tmp_path: Path) -> None:
     places = np.array([[7.1, 43.6, 0.0]])
     with pytest.raises(RasterError, match="is not a geoid grid"):

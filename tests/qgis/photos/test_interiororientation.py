@@ -74,6 +74,7 @@ def test_marks_of_a_photo_that_nobody_looked_at(scene: PhotoScene, tmp_path: Pat
         assert y - row["y_mm"] == pytest.approx(row["residual_y"] / 1000, abs=1e-9)
     assert np.allclose(to_mm @ np.array(made["to_pixels"]), np.eye(3), atol=1e-9)
     assert made["pixel_size_um"]["x"] == pytest.approx(1000 / scene.frame.scale, rel=1e-3)
+    assert made["scale_px_per_mm"]["x"] * made["pixel_size_um"]["x"] == pytest.approx(1000)
     assert made["lies"] == {"turned_deg": 0, "mirrored": False, "known_by": "dots"}
     assert (made["redundancy"], made["mirrored"]) == (2, False)
     page = Path(files["REPORT"]).read_text(encoding="utf-8")

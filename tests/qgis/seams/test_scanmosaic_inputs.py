@@ -341,10 +341,11 @@ def test_an_index_of_very_many_opens_what_it_needs_alone(
 def test_more_sources_than_can_be_told_apart_are_named(tmp_path: Path, feathered: Files) -> None:
     """A block takes 255 of them, those that cover most of it."""
     slivers = []
-    for number in range(280):
+    for number in range(256):
         slivers.append(str(tmp_path / f"{number}.vrt"))
         tones = [[0, 255, number % 16, 255 - number // 16]]  # else all were parts of one image
-        gdal.Translate(slivers[-1], feathered.west, srcWin=[0, 0, 16, 16 + number], format="VRT", scaleParams=tones)
+        place = [16 * (number % 16), 16 * (number // 16), 16, 16]  # apart, or each would be held against all others
+        gdal.Translate(slivers[-1], feathered.west, srcWin=place, format="VRT", scaleParams=tones)
     found = scan(feathered, SOURCES=[*slivers, *feathered.sources])
     (said,) = found.log.warnings
     assert_sentence(said, r"More than 255 orthoimages .* \(blocks: 1\)")

@@ -5,7 +5,7 @@ import contextlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from qgis.core import (
     QgsCoordinateReferenceSystem,
@@ -41,8 +41,15 @@ from ...measure.source_images import Source
 from ...measure.window.window_request import InspectionSettings, WindowRequest
 from ...measure.window_records import WindowRecord
 from ...tables import input_layers, window_layer
-from ..windows.windows_mosaic import KnownMosaic
 from .project_inputs import Inputs
+
+
+class KnownMosaic(NamedTuple):
+    """A mosaic that is known again."""
+
+    path: str
+    content: str
+    """``content_of`` its files: a copy elsewhere is the same mosaic, another one at the same path is not."""
 
 
 class BlockCache(QObject):

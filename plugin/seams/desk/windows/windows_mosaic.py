@@ -2,28 +2,20 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
 from ....imagery.documents import json_document
 from ....imagery.rasters import RasterRef
 from .. import messages
+from ..inputs.block_cache import BlockCache, KnownMosaic
 
 if TYPE_CHECKING:
-    from ..inputs.block_cache import BlockCache
     from ..keeping import Keeping
     from .window_watch import WindowWatch
 
 _KEY = "mosaic"  # in the file of results, where windows have their numbers for keys
-
-
-class KnownMosaic(NamedTuple):
-    """A mosaic that is known again."""
-
-    path: str
-    content: str
-    """``content_of`` its files: a copy elsewhere is the same mosaic, another one at the same path is not."""
 
 
 class WindowsMosaic(QObject):

@@ -10,7 +10,14 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.seams.measure.inputs import messages
-from seam_inspector.plugin.seams.measure.inputs.candidate_look import SourceCandidate, look_at_candidates
+from seam_inspector.plugin.seams.measure.inputs.candidate_look import (
+    Origin,
+    PlaceLikeness,
+    Rival,
+    SourceCandidate,
+    look_at_candidates,
+    origin_of,
+)
 from seam_inspector.plugin.seams.measure.inputs.raster_facts import (
     RasterFacts,
     Standing,
@@ -183,3 +190,15 @@ def test_well_registered_sources_stay_and_crops_of_their_mosaic_do_not(tmp_path:
     gdal.Translate(crop, str(block.mosaic), srcWin=[240, 200, 720, 600])
     found = reasons(str(block.mosaic), crop, *map(str, block.sources))
     assert found == {"crop": messages.MOSAIC_PART_AGAIN.template, **{path.stem: "" for path in block.sources}}
+
+
+@pytest.mark.parametrize(("here", "there", "origin"), [
+    (0.9, 0.5, Origin.MOSAIC), (0.7, 0.7, Origin.UNKNOWN), (0.5, 0.9, Origin.UNKNOWN),
+])
+def test_a_copy_turns_with_the_mosaic_from_one_image_to_the_other(here: float, there: float, origin: Origin) -> None:
+    """What is as like both of them says nothing, nor what turns the other way."""
+    places = [
+        PlaceLikeness(0.99, {"first": Rival(0.9, here), "second": Rival(0.5, there)}),
+        PlaceLikeness(0.99, {"first": Rival(0.5, there), "second": Rival(0.9, here)}),
+    ]
+    assert origin_of(places, is_whole=True) is origin

@@ -84,6 +84,14 @@ def test_the_mixture_is_never_surer_than_its_floor() -> None:
     assert np.log(ratio(found)) >= 2 * 1.96 * LEAST_ERROR * 0.999
 
 
+def test_a_strip_without_detail_keeps_nothing_at_all() -> None:
+    detail = blend(0, side=192).detail()
+    sums = EnergySums(1, LEVELS)
+    sums.add(detail.cells, detail.whole, detail.ground, np.zeros(len(detail.whole.keys), int))
+    sums.take_out(sums.own.copy())
+    assert sums.kept()[0].value[0] == 0
+
+
 @pytest.mark.slow
 def test_a_long_seam_is_surer_than_a_short_one() -> None:
     """By the mean over many seams: a jackknife of eight groups is itself uncertain."""

@@ -122,6 +122,9 @@ def test_a_remote_mosaic_and_few_remote_sources_are_asked_for(files: dict[str, s
         assert str(what_changed(second, found(3))) == "the sources or one of their files"
         assert server.sent == 0
         server.forget()
+        found(MOST_ASKED)
+        assert {answer.path for answer in server.answers} > {"/mosaic.tif"}
+        server.forget()
         found(MOST_ASKED + 1)
         assert {answer.path for answer in server.answers} == {"/mosaic.tif"}
 

@@ -26,7 +26,13 @@ from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import (
     UNITS,
     BlockGrid,
 )
-from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS, BlockScan, called_for, scan_block
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import (
+    CELLS,
+    BlockScan,
+    _halves,
+    called_for,
+    scan_block,
+)
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 from seam_inspector.plugin.seams.measure.source_images import Source
 
@@ -361,3 +367,18 @@ def test_the_arrays_of_all_blocks_are_of_one_size(hard: Scene) -> None:
     assert found.mixture.shape == found.clear.shape == (CELLS, CELLS)
     assert found.outside.shape == found.dense.shape == (UNITS, UNITS)
     assert CELLS * CELL_PX == BLOCK_PX
+
+
+@pytest.mark.parametrize("size", [(384, 128), (128, 384), (130, 900), (640, 640), (129, 128)])
+def test_a_part_that_is_too_much_is_halved_across_its_longer_side(size: tuple[int, int]) -> None:
+    """In whole squares, the first half the larger one, and nothing is lost between them."""
+    first, second = _halves(PixelWindow(256, 512, *size))
+    along = 0 if size[0] >= size[1] else 1
+    lengths = [(one.width, one.height)[along] for one in (first, second)]
+    assert sum(lengths) == size[along]
+    assert lengths[0] % SQUARE_PX == 0
+    assert 0 < lengths[1] <= lengths[0] < lengths[1] + 2 * SQUARE_PX
+    assert [(one.width, one.height)[1 - along] for one in (first, second)] == [size[1 - along]] * 2
+    start = (first.column, first.row), (second.column, second.row)
+    assert start[0] == (256, 512)
+    assert start[1] == ((256 + lengths[0], 512) if along == 0 else (256, 512 + lengths[0]))

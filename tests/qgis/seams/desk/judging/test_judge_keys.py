@@ -25,7 +25,7 @@ from qgis.PyQt.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
-from seam_inspector.plugin.seams.desk.keys import DeskKeys
+from seam_inspector.plugin.seams.desk.desk_keys import DeskKeys
 
 from tests.qgis.seams.desk.windows_session import Show
 
