@@ -131,19 +131,14 @@ def _verdict(decision: Decision) -> tuple[str, str, str]:
 
 
 def _key_figures(decision: Decision) -> list[tuple[str, str]]:
-    whole, interval = decision.whole, decision.failed_share
-    failed = tr("of what was measured failed")
-    if interval is not None:
-        ends = {"low": formatted(100 * interval.low, ".2f"), "high": formatted(100 * interval.high, ".2f") + "\u00a0%"}
-        failed = filled(tr("of what was measured failed (95 % interval: {low} to {high})"), **ends)
-    longest = decision.longest_failure_m
+    whole, longest = decision.whole, decision.longest_failure_m
     return [
         (metres(whole.total_m), tr("of seam") if decision.delivery.sampled_numbers is None else (
             tr("of seam in the sample"))),
         (share(whole.measured_share, 1), tr("of it measured") if not whole.no_detail_m else (
             filled(tr("measured, of the {metres} on ground with detail"), metres=metres(whole.judged_m)))),
         (metres(whole.failed_m), tr("of it failed")),
-        (share(whole.failed_share), failed),
+        (share(whole.failed_share), tr("of what was measured failed")),
         *([] if longest is None else [(metres(longest), tr("failed without a break"))]),
     ]
 
@@ -218,7 +213,7 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str,
     yield dict(zip(_RULE_KEYS, (*words, which, False, source)))
     for one in decision.outcomes:
         yield dict(zip(_RULE_KEYS, (
-            check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one.passed),
+            check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one),
             one.passed is not True, 1 + sources.index(one.source),
         )))  # fmt: skip
 
