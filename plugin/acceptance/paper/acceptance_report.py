@@ -1,8 +1,10 @@
 """REPORT: the decision on paper, which an officer signs. One HTML page that prints on A4."""
 from __future__ import annotations
 
+import os
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +45,8 @@ MOST_LAYERS = 40
 """Of seams, listed with where they were read from."""
 MOST_IMAGES = 1000
 """Listed with their dates: some 25 pages."""
+_BESIDE = 12
+"""Rows from which on lists stand in columns."""
 _PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail
 OUTCOME_STATES = {
     AcceptanceOutcome.ACCEPTED: "good", AcceptanceOutcome.REJECTED: "bad", AcceptanceOutcome.UNDECIDED: "open",
@@ -94,14 +98,43 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         plan=None if decision.plan is None else _plan_facts(decision.plan),
         plan_chart=None if decision.plan is None else svg_text(oc_figure(decision.plan)),
         observers=_observer_rows(decision.observers),
-        layers=record.seams[:MOST_LAYERS],
+        layers=_Listing.of((name, path) for name, path in record.seams[:MOST_LAYERS]),
         layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
-        images=[[one.path or one.name, one.date, _bytes(one.size)] for one in record.images[:MOST_IMAGES]],
-        has_image_files=any(one.path for one in record.images),
+        images=_Listing.of(
+            (one.date, _bytes(one.size), one.path or one.name) for one in record.images[:MOST_IMAGES]
+        ),
         images_left_out=max(len(record.images) - MOST_IMAGES, 0),
-        digests=[(one.path, _bytes(one.size), one.sha256) for one in record.digests],
+        digests=_Listing.of((_bytes(one.size), one.sha256, one.path) for one in record.digests),
         standards=[*_standards(decision, record)],
     )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Listing:
+    """Rows of which the last cell names a file, or something else."""
+
+    folder: str
+    """That all files lie in, said once; empty for none."""
+    rows: list[list[str]]
+    """The files as that folder has them."""
+
+    @classmethod
+    def of(cls, rows: Iterable[Sequence[str]]) -> _Listing:
+        listed = [[*row] for row in rows]
+        files = [row[-1] for row in listed if has_folder(row[-1])]
+        shared = os.path.commonprefix(files)
+        folder = shared[: max(map(shared.rfind, "/\\")) + 1] if len(files) > 1 else ""
+        return cls(folder, [[*row, name[len(folder) :] if has_folder(name) else name] for *row, name in listed])
+
+    @property
+    def is_narrow(self) -> bool:
+        """Whether several stand beside each other."""
+        return len(self.rows) > _BESIDE and not any(has_folder(row[-1]) for row in self.rows)
+
+
+def has_folder(name: str) -> bool:
+    """Whether a name is a path."""
+    return file_name(name) != name
 
 
 def _how(record: InspectionRecord) -> HowMeasured:
