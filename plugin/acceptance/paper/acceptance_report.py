@@ -1,7 +1,6 @@
 """REPORT: the decision on paper, which an officer signs. One HTML page that prints on A4."""
 from __future__ import annotations
 
-import os
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -114,27 +113,19 @@ class _Listing:
     """Rows of which the last cell names a file, or something else."""
 
     folder: str
-    """That all files lie in, said once; empty for none."""
+    """That all files lie in, said once; empty where they lie in several."""
     rows: list[list[str]]
-    """The files as that folder has them."""
+    """Files without that folder."""
+    is_narrow: bool
+    """Whether several stand beside each other."""
 
     @classmethod
     def of(cls, rows: Iterable[Sequence[str]]) -> _Listing:
         listed = [[*row] for row in rows]
-        files = [row[-1] for row in listed if has_folder(row[-1])]
-        shared = os.path.commonprefix(files)
-        folder = shared[: max(map(shared.rfind, "/\\")) + 1] if len(files) > 1 else ""
-        return cls(folder, [[*row, name[len(folder) :] if has_folder(name) else name] for *row, name in listed])
-
-    @property
-    def is_narrow(self) -> bool:
-        """Whether several stand beside each other."""
-        return len(self.rows) > _BESIDE and not any(has_folder(row[-1]) for row in self.rows)
-
-
-def has_folder(name: str) -> bool:
-    """Whether a name is a path."""
-    return file_name(name) != name
+        folders = {name[: -len(file_name(name))] for *_, name in listed if file_name(name) != name}
+        folder = folders.pop() if len(folders) == 1 and len(listed) > 1 else ""
+        own = [[*row, name[len(folder) :] if name.startswith(folder) else name] for *row, name in listed]
+        return cls(folder, own, len(own) > _BESIDE and all(file_name(name) == name for *_, name in own))
 
 
 def _how(record: InspectionRecord) -> HowMeasured:
