@@ -44,8 +44,8 @@ MOST_LAYERS = 40
 """Of seams, listed with where they were read from."""
 MOST_IMAGES = 1000
 """Listed with their dates: some 25 pages."""
-_BESIDE = 12
-"""Rows from which on lists stand in columns."""
+_LONG = 12
+"""Rows of a list above which it is folded up."""
 _PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail
 OUTCOME_STATES = {
     AcceptanceOutcome.ACCEPTED: "good", AcceptanceOutcome.REJECTED: "bad", AcceptanceOutcome.UNDECIDED: "open",
@@ -113,19 +113,20 @@ class _Listing:
     """Rows of which the last cell names a file, or something else."""
 
     folder: str
-    """That all files lie in, said once; empty where they lie in several."""
+    """That all files of a long list lie in, said once; empty where they lie in several."""
     rows: list[list[str]]
     """Files without that folder."""
-    is_narrow: bool
-    """Whether several stand beside each other."""
+    columns: int
+    """How many of it stand beside each other."""
 
     @classmethod
     def of(cls, rows: Iterable[Sequence[str]]) -> _Listing:
         listed = [[*row] for row in rows]
         folders = {name[: -len(file_name(name))] for *_, name in listed if file_name(name) != name}
-        folder = folders.pop() if len(folders) == 1 and len(listed) > 1 else ""
+        is_long = len(listed) > _LONG
+        folder = folders.pop() if is_long and len(folders) == 1 else ""
         own = [[*row, name[len(folder) :] if name.startswith(folder) else name] for *row, name in listed]
-        return cls(folder, own, len(own) > _BESIDE and all(file_name(name) == name for *_, name in own))
+        return cls(folder, own, 3 if is_long and all(file_name(name) == name for *_, name in own) else 1)
 
 
 def _how(record: InspectionRecord) -> HowMeasured:
