@@ -97,20 +97,20 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         plan=None if decision.plan is None else _plan_facts(decision.plan),
         plan_chart=None if decision.plan is None else svg_text(oc_figure(decision.plan)),
         observers=_observer_rows(decision.observers),
-        layers=_Listing.of((name, path) for name, path in record.seams[:MOST_LAYERS]),
+        layers=_Listing.of(record.seams[:MOST_LAYERS], 1),
         layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
         images=_Listing.of(
-            (one.date, _bytes(one.size), one.path or one.name) for one in record.images[:MOST_IMAGES]
+            (one.path or one.name, one.date, _bytes(one.size)) for one in record.images[:MOST_IMAGES]
         ),
         images_left_out=max(len(record.images) - MOST_IMAGES, 0),
-        digests=_Listing.of((_bytes(one.size), one.sha256, one.path) for one in record.digests),
+        digests=_Listing.of((one.path, _bytes(one.size), one.sha256) for one in record.digests),
         standards=[*_standards(decision, record)],
     )  # fmt: skip
 
 
 @dataclass(frozen=True)
 class _Listing:
-    """Rows of which the last cell names a file, or something else."""
+    """Rows of which a cell names a file, or something else."""
 
     folder: str
     """That all files of a long list lie in, said once; empty where they lie in several."""
@@ -120,13 +120,16 @@ class _Listing:
     """How many of it stand beside each other."""
 
     @classmethod
-    def of(cls, rows: Iterable[Sequence[str]]) -> _Listing:
+    def of(cls, rows: Iterable[Sequence[str]], at: int = 0) -> _Listing:
+        """``at``: the place of the cell that names a file."""
         listed = [[*row] for row in rows]
-        folders = {name[: -len(file_name(name))] for *_, name in listed if file_name(name) != name}
+        names = [row[at] for row in listed]
+        folders = {name[: -len(file_name(name))] for name in names if file_name(name) != name}
         is_long = len(listed) > _LONG
         folder = folders.pop() if is_long and len(folders) == 1 else ""
-        own = [[*row, name[len(folder) :] if name.startswith(folder) else name] for *row, name in listed]
-        return cls(folder, own, 3 if is_long and all(file_name(name) == name for *_, name in own) else 1)
+        for row, name in zip(listed, names):
+            row[at] = name[len(folder) :] if name.startswith(folder) else name
+        return cls(folder, listed, 3 if is_long and not folders else 1)
 
 
 def _how(record: InspectionRecord) -> HowMeasured:
