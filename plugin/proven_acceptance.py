@@ -64,8 +64,8 @@ class ProvenAcceptMosaic(AcceptMosaic):
 
 
 def proof_of(block: Block, extent: Extent, sides: tuple[str, str], min_kept: float) -> Proof | None:
-    """The part of a place where most was lost, in the mosaic, its orthoimages and their cut; None where no orthoimage
-    explains the place.
+    """The part of a place where most was lost, in the mosaic, its orthoimages and their cut; the middle of a place that
+    can't be measured by itself, as beside pixels without data. None where no orthoimage shows the place.
 
     ``sides``: what the two orthoimages beside the seam are called; those of other names that lie there are left out
     where both are found.
@@ -79,10 +79,12 @@ def proof_of(block: Block, extent: Extent, sides: tuple[str, str], min_kept: flo
     request = replace(request, sources=_beside(request.sources, sides))
     result = inspect_window(request)
     window = request.window
-    if window is None or result.loss is None or result.window is None or not request.sources:
+    if window is None or not request.sources:
         return None
     side = min(PROOF_PX, window.width, window.height)
-    row, column = most_lost(window, PlacedLoss(result.window, result.loss), side)
+    row, column = (window.height - side) // 2, (window.width - side) // 2
+    if result.loss is not None and result.window is not None:
+        row, column = most_lost(window, PlacedLoss(result.window, result.loss), side)
     panels = tuple(_panels(PictureRequest(request), window, (row, column, side)))
     part = replace(window, column=window.column + column, row=window.row + row, width=side, height=side)
     return Proof(panels, part, _profile(result, min_kept)) if len(panels) > 1 else None

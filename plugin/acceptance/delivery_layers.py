@@ -29,7 +29,7 @@ from qgis.core import (
 
 from ..imagery.errors import Message, SettingsError, WindowError
 from ..imagery.reference_systems import utm_wkt
-from ..imagery.seam_totals import TOTALS_DOMAIN
+from ..imagery.seam_totals import TOTALS_DOMAIN, Place
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
@@ -243,6 +243,7 @@ def _pieces(
         drawn = 0.0 if line.isEmpty() else line.length()
         if layer.crs.isValid() and not line.isEmpty():
             drawn = ruler.convertLengthMeasurement(ruler.measureLength(line), _METRES)
+        ends = _ends(line)
         try:
             line.transform(transform)
         except QgsCsException:
@@ -250,9 +251,16 @@ def _pieces(
         sheet = next((name for name in (text(row[field]) for field in sheet_fields) if name), layer.sheet)
         values = {name: row[name] for name in layer.fields}
         known = {name: one if isinstance(one, (int, float)) else text(one) for name, one in values.items()}
-        piece = doubts.piece(sheet, known, _vertices(line), drawn)
+        piece = doubts.piece(sheet, known, _vertices(line), drawn, ends)
         if piece is not None:
             yield row, piece
+
+
+def _ends(line: QgsGeometry) -> Place:
+    if line.isEmpty():
+        return ()
+    first, last = line.vertexAt(0), line.vertexAt(line.constGet().nCoordinates() - 1)
+    return first.x(), first.y(), last.x(), last.y()
 
 
 def _vertices(line: QgsGeometry) -> np.ndarray:

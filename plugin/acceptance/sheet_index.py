@@ -147,7 +147,9 @@ def _sheet_rows(run: Run, parameter: str) -> tuple[list[tuple[str, Attributes]],
     if field is None:
         raise SettingsError(messages.SHEETS_WITHOUT_NAMES(fields=", ".join(_NAME_FIELDS)))
     rows = list(attributes(features(source), names))
-    for row in rows:
+    for number, row in enumerate(rows, 1):
+        if not text(row[field]).strip():
+            raise SettingsError(messages.SHEET_WITHOUT_NAME(number=number, field=field))
         if not has_numbers(row.feature.geometry()):
             raise SettingsError(messages.SHEET_WITHOUT_PLACE(name=text(row[field])))
     return [(Path(text(row[field])).stem, row) for row in rows], {COMPLETE, FINDINGS} <= set(names)

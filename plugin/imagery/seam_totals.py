@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from statistics import NormalDist
@@ -71,6 +71,10 @@ def failing_chance(kept: float | None, low: float | None, high: float | None, le
     return NormalDist().cdf(math.log(least / kept) / error)
 
 
+Place = Sequence[float]
+"""x and y of a line's first vertex and of its last, in the reference system of its layer; empty where it has none."""
+
+
 @dataclass(frozen=True)
 class SeamTotals:
     """Of the rows of a layer of seams."""
@@ -81,14 +85,14 @@ class SeamTotals:
     failed_metres: float
     """Of those that failed by the standard limit."""
     digest: str
-    """SHA-256 of what was measured, whatever the order of the rows."""
+    """SHA-256 of what was measured and where, whatever the order of the rows."""
 
     @classmethod
-    def of_rows(cls, rows: Iterable[Mapping[str, object]]) -> SeamTotals:
-        """``rows``: the fields of features by name, numbers as numbers."""
+    def of_rows(cls, rows: Iterable[tuple[Mapping[str, object], Place]]) -> SeamTotals:
+        """``rows``: the fields of features by name, numbers as numbers, and the ends of their lines."""
         found = RowTotals()
-        for row in rows:
-            found.add(row)
+        for row, ends in rows:
+            found.add(row, ends)
         return found.totals
 
     @classmethod
@@ -118,9 +122,9 @@ class RowTotals:
         self._metres: list[float] = []
         self._failed: list[float] = []
 
-    def add(self, row: Mapping[str, object]) -> None:
-        """One feature's fields by name."""
-        self._lines.append("\t".join(_written(row.get(name)) for name in _SEALED))
+    def add(self, row: Mapping[str, object], ends: Place) -> None:
+        """One feature's fields by name, and the ends of its line."""
+        self._lines.append("\t".join(map(_written, (*map(row.get, _SEALED), *ends))))
         length = row.get("length")
         if row.get("level") != STRETCH and isinstance(length, (int, float)):
             self._metres.append(length)

@@ -89,7 +89,7 @@ def decide(
         outcome, lacking = AcceptanceOutcome.UNDECIDED, [messages.SEAMS_DOUBLED(metres=delivery.doubled_m), *lacking]
     interval = failed_interval(pieces)
     sentences = (
-        _headline(rules, outcomes, outcome, by_observer, lacking),
+        _headline(rules, outcomes, outcome, by_observer, lacking, _changed(delivery)),
         *(_would_decide(whole, pieces, outcomes, delivery) if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *_layers(delivery),
         *_figures(whole, interval, runs, rules),
@@ -215,9 +215,10 @@ def _of_sample(outcome: RuleOutcome) -> RuleOutcome:
 
 def _headline(
     rules: AcceptanceRules, outcomes: Sequence[RuleOutcome], outcome: AcceptanceOutcome, by_observer: bool,
-    lacking: Sequence[Message],
+    lacking: Sequence[Message], changed: Sequence[str],
 ) -> Message:
-    """The reasons are all rules that were kept, those that were broken, or those that can't be told."""
+    """The reasons are all rules that were kept, those that were broken, or those that can't be told; at the end
+    that layers were ``changed``, their names."""
     wanted = {AcceptanceOutcome.ACCEPTED: True, AcceptanceOutcome.REJECTED: False}.get(outcome)
     reasons = [one.sentence for one in outcomes if one.passed is wanted]
     if outcome is not AcceptanceOutcome.REJECTED:
@@ -227,6 +228,8 @@ def _headline(
         AcceptanceOutcome.REJECTED: (messages.REJECTED, messages.REJECTED_BY_EYE),
         AcceptanceOutcome.UNDECIDED: (messages.UNDECIDED, messages.UNDECIDED_BY_EYE),
     }[outcome]
+    if changed:
+        reasons.append(messages.LAYERS_WERE_CHANGED(count=len(changed), names=_first_names(changed)))
     once = [reason for place, reason in enumerate(reasons) if reason not in reasons[:place]]
     why = reduce(lambda first, also: messages.AND(why=first, also=also), once)
     return (by_eye if by_observer else by_tool)(rules=rules.name, why=why)
@@ -257,8 +260,7 @@ def _would_decide(
 def _layers(delivery: Delivery) -> Iterator[Message]:
     """Whether layers are as their scan left them, and whether they were measured alike."""
     layers = delivery.layers
-    changed = [one.name for one in layers if one.is_sealed is False]
-    if changed:
+    if changed := _changed(delivery):
         yield messages.LAYERS_CHANGED(count=len(changed), names=_first_names(changed))
     unknown = [one.name for one in layers if one.is_sealed is None]
     if unknown:
@@ -277,10 +279,15 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
             yield messages.SETTINGS_DIFFER(setting=name, values=_first_names(values))
 
 
+def _changed(delivery: Delivery) -> list[str]:
+    """Names of the layers that are not as their scan left them."""
+    return [one.name for one in delivery.layers if one.is_sealed is False]
+
+
 TOLD_UNEXPLAINED = 0.03
+"""Of a mosaic without an orthoimage behind it: where the scan tells it, too."""
 MOST_DOUBLED = 0.1
 """Of all metres, that may lie on others, as where sheets meet: with more two scans of one mosaic were given."""
-"""Of a mosaic without an orthoimage behind it: where the scan tells it, too."""
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
 """What makes figures of one layer differ from those of another."""
 

@@ -14,7 +14,7 @@ from ...imagery.errors import Message, SeamInspectorWarning, SettingsError
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.lines import points_at, vertex_stations
 from ...imagery.reference_systems import is_geographic, metres_per_unit, transform_points, utm_wkt
-from ...imagery.seam_totals import STRETCH, PieceState, RowTotals, SeamTotals
+from ...imagery.seam_totals import STRETCH, PieceState, Place, RowTotals, SeamTotals
 from . import messages
 from .delivery import DeliveredLayer, DeliveredPiece, Delivery, in_order
 from .failure_networks import TOUCHING
@@ -37,6 +37,8 @@ class LayerDoubts:
     rows: int = 0
     """That were looked at."""
     without_line: int = 0
+    without_line_m: float = 0.0
+    """What the field says of these, metres."""
     kept: list[float] = field(default_factory=list)
     claimed: list[float] = field(default_factory=list)
     """Of pieces with a verdict: where the scan has none, its interval is too wide, any number may stand."""
@@ -65,11 +67,13 @@ class LayerDoubts:
         if line > 0 and not 1 / _OTHER_LENGTH <= length / line <= _OTHER_LENGTH:
             self.lengths.append((length, line))
 
-    def piece(self, sheet: str, row: SeamRow, line: np.ndarray, drawn_m: float) -> DeliveredPiece | None:
+    def piece(
+        self, sheet: str, row: SeamRow, line: np.ndarray, drawn_m: float, ends: Place = ()
+    ) -> DeliveredPiece | None:
         """A row's piece; None where it has no line or no length, or is a stretch of pieces. ``line``: its (n, 2)
-        vertices, ``drawn_m`` long."""
+        vertices, ``drawn_m`` long; ``ends``: of the line as its layer has it."""
         self.rows += 1
-        self.totals.add(row)
+        self.totals.add(row, ends)
         if _text(row.get("level")) == STRETCH:
             return None
         length = _number(row.get("length"))
@@ -77,16 +81,17 @@ class LayerDoubts:
             length = drawn_m
         else:
             self.see_length(length, drawn_m)
-        if not (len(line) > 1 and np.isfinite(line).all() and math.isfinite(length) and length > 0):
+        seam_id, station = _text(row.get("seam_id")), _number(row.get("station"))
+        if seam_id and station is not None:
+            self.along.setdefault(f"{sheet}\t{seam_id}", []).append((station, length))
+        if not (is_line(line) and length > 0):
             self.without_line += 1
+            self.without_line_m += length if math.isfinite(length) else 0.0
             return None
         verdict = _text(row.get("verdict"))
         kept = self.see_kept(_text(row.get("kept_1")), _number(row.get("kept_1")), verdict)
-        station, low, high, width = (_number(row.get(name)) for name in ("station", *_NUMBERS))
+        low, high, width = (_number(row.get(name)) for name in _NUMBERS)
         left, right, left_date, right_date = (_text(row.get(name)) for name in _SIDES)
-        seam_id = _text(row.get("seam_id"))
-        if seam_id and station is not None:
-            self.along.setdefault(f"{sheet}\t{seam_id}", []).append((station, length))
         return DeliveredPiece(
             0, sheet, seam_id, station, length, kept, low, high, width, verdict, _text(row.get("reason")), line, left,
             right, left_date, right_date, has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
@@ -97,12 +102,10 @@ class LayerDoubts:
         """What it is, by what its scan wrote beside its rows."""
         own, scanned = self.totals.totals, SeamTotals.of_metadata(metadata)
         settings = {name: value for name, value in metadata.items() if scanned and name not in scanned.metadata}
-        if scanned is None:
-            return DeliveredLayer(self.sheet, None, sum(self._gaps()), settings, own.digest)
-        lacking = scanned.metres - own.metres
+        lacking = self.without_line_m + (sum(self._gaps()) if scanned is None else scanned.metres - own.metres)
         return DeliveredLayer(
-            self.sheet, own.digest == scanned.digest, lacking if lacking > _LACKING_M else 0.0, settings,
-            own.digest,
+            self.sheet, None if scanned is None else own.digest == scanned.digest,
+            lacking if lacking > _LACKING_M else 0.0, settings, own.digest,
         )  # fmt: skip
 
     def _gaps(self) -> Iterator[float]:
@@ -130,6 +133,11 @@ class LayerDoubts:
             yield messages.PIECES_WITHOUT_LENGTH(name=self.sheet, count=self.without_line)
         if not self.rows:
             yield messages.LAYER_EMPTY(name=self.sheet)
+
+
+def is_line(vertices: np.ndarray) -> bool:
+    """Whether (n, 2) vertices are those of a line that leads anywhere."""
+    return bool(len(vertices) > 1 and np.isfinite(vertices).all() and np.ptp(vertices, axis=0).any())
 
 
 _DIGITS = 3  # of coordinates, to which lines are the same
@@ -263,8 +271,7 @@ def _vertices(row: SeamRow) -> np.ndarray:
             line = None
     points = None if line is None else line.GetPoints(2)
     vertices = np.array(points if points else [], float).reshape(-1, 2)
-    usable = len(vertices) > 1 and np.isfinite(vertices).all() and np.ptp(vertices, axis=0).any()
-    return vertices if usable else np.empty((0, 2))
+    return vertices if is_line(vertices) else np.empty((0, 2))
 
 
 def _number(value: object) -> float | None:

@@ -10,6 +10,7 @@ SHEETS_WITHOUT_NAMES = Message(
 SHEETS_ELSEWHERE = Message(
     "No piece of seam lies in any of the sheets; choose the index of this delivery, and check its reference system."
 )
+SHEET_WITHOUT_NAME = Message("The sheet no. {number} has no name in the field {field}; write it there.")
 SHEET_WITHOUT_PLACE = Message("The outline of the sheet {name} has coordinates that are no numbers; draw it again.")
 PIECES_OFF_SHEETS = Message("{count} pieces of seam lie in none of the sheets and keep their layer's name.", WARNING)
 # a file with rules
@@ -101,6 +102,7 @@ MEASURED_TOO_LITTLE = Message(
 )
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
 MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may", INFO)
+LAYERS_WERE_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
 SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
 PLAN_KEPT = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})", INFO)
 PLAN_EXCEEDED = Message("{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})", INFO)
@@ -122,8 +124,8 @@ PLAN_LACKS_PIECES = Message(
 )
 # what the decision rests on
 SHARE_INTERVAL = Message(
-    "{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}, 95 % interval {low:.2%} to {high:.2%} for "
-    "seams made in the same way.", INFO
+    "{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}. Of many more seams made in the same way "
+    "{low:.2%} to {high:.2%} would fail (95 % interval); this does not decide.", INFO
 )
 NOT_MEASURED = Message(
     "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING
@@ -179,7 +181,8 @@ LAYER_FILTERED = Message(
     "{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them."
 )
 LAYER_LACKS_SEAMS = Message(
-    "{name} lacks {metres:.0f} m of seam: what its scan had, or what lies between the stations of its pieces.", WARNING
+    "{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have "
+    "no line.", WARNING
 )
 DRAWN = Message("The sample of {size} was drawn of {given} measured pieces with the seed {seed}.", INFO)
 WHOLE_LOT = Message("The sample is as large as the lot, so all {lot} pieces are inspected.", INFO)
@@ -306,6 +309,7 @@ DIGESTS_STOPPED = Message("The run was stopped: there is neither report nor XML.
 SHEETS_NOT_WRITTEN = Message(
     "The layer of decided sheets can't be written; choose another folder, and close the file where it is open."
 )
+DATE_IS_NONE = Message("{parameter} is '{value}', which is no date; write it as 2026-11-23 or 23.11.2026.")
 # the files of a delivery; what is found at a sheet goes into tables
 NO_DELIVERY = Message("Neither a folder nor sheets are given; choose where the delivery lies, or its index.")
 NO_SHEETS = Message("{folder} holds no rasters and no sheets are given; choose the folder of the delivery.")

@@ -2,7 +2,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +44,8 @@ MOST_LAYERS = 40
 """Of seams, listed with where they were read from."""
 MOST_IMAGES = 1000
 """Listed with their dates: some 25 pages."""
+_LONG = 12
+"""Rows of a list above which it is folded up."""
 _PROOF_QUALITY = 95  # of a JPEG: what is shown is the finest detail
 OUTCOME_STATES = {
     AcceptanceOutcome.ACCEPTED: "good", AcceptanceOutcome.REJECTED: "bad", AcceptanceOutcome.UNDECIDED: "open",
@@ -94,14 +97,39 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         plan=None if decision.plan is None else _plan_facts(decision.plan),
         plan_chart=None if decision.plan is None else svg_text(oc_figure(decision.plan)),
         observers=_observer_rows(decision.observers),
-        layers=record.seams[:MOST_LAYERS],
+        layers=_Listing.of(record.seams[:MOST_LAYERS], 1),
         layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
-        images=[[one.path or one.name, one.date, _bytes(one.size)] for one in record.images[:MOST_IMAGES]],
-        has_image_files=any(one.path for one in record.images),
+        images=_Listing.of(
+            (one.path or one.name, one.date, _bytes(one.size)) for one in record.images[:MOST_IMAGES]
+        ),
         images_left_out=max(len(record.images) - MOST_IMAGES, 0),
-        digests=[(one.path, _bytes(one.size), one.sha256) for one in record.digests],
+        digests=_Listing.of((one.path, _bytes(one.size), one.sha256) for one in record.digests),
         standards=[*_standards(decision, record)],
     )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Listing:
+    """Rows of which a cell names a file, or something else."""
+
+    folder: str
+    """That all files of a long list lie in, said once; empty where they lie in several."""
+    rows: list[list[str]]
+    """Files without that folder."""
+    columns: int
+    """How many of it stand beside each other."""
+
+    @classmethod
+    def of(cls, rows: Iterable[Sequence[str]], at: int = 0) -> _Listing:
+        """``at``: the place of the cell that names a file."""
+        listed = [[*row] for row in rows]
+        names = [row[at] for row in listed]
+        folders = {name[: -len(file_name(name))] for name in names if file_name(name) != name}
+        is_long = len(listed) > _LONG
+        folder = folders.pop() if is_long and len(folders) == 1 else ""
+        for row, name in zip(listed, names):
+            row[at] = name[len(folder) :] if name.startswith(folder) else name
+        return cls(folder, listed, 3 if is_long and not folders else 1)
 
 
 def _how(record: InspectionRecord) -> HowMeasured:
@@ -131,19 +159,14 @@ def _verdict(decision: Decision) -> tuple[str, str, str]:
 
 
 def _key_figures(decision: Decision) -> list[tuple[str, str]]:
-    whole, interval = decision.whole, decision.failed_share
-    failed = tr("of what was measured failed")
-    if interval is not None:
-        ends = {"low": formatted(100 * interval.low, ".2f"), "high": formatted(100 * interval.high, ".2f") + "\u00a0%"}
-        failed = filled(tr("of what was measured failed (95 % interval: {low} to {high})"), **ends)
-    longest = decision.longest_failure_m
+    whole, longest = decision.whole, decision.longest_failure_m
     return [
         (metres(whole.total_m), tr("of seam") if decision.delivery.sampled_numbers is None else (
             tr("of seam in the sample"))),
         (share(whole.measured_share, 1), tr("of it measured") if not whole.no_detail_m else (
             filled(tr("measured, of the {metres} on ground with detail"), metres=metres(whole.judged_m)))),
         (metres(whole.failed_m), tr("of it failed")),
-        (share(whole.failed_share), failed),
+        (share(whole.failed_share), tr("of what was measured failed")),
         *([] if longest is None else [(metres(longest), tr("failed without a break"))]),
     ]
 
@@ -218,7 +241,7 @@ def _rule_rows(decision: Decision, sources: Sequence[str]) -> Iterator[dict[str,
     yield dict(zip(_RULE_KEYS, (*words, which, False, source)))
     for one in decision.outcomes:
         yield dict(zip(_RULE_KEYS, (
-            check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one.passed),
+            check_word(one.check), outcome_value(one), outcome_limit(one), outcome_word(one),
             one.passed is not True, 1 + sources.index(one.source),
         )))  # fmt: skip
 

@@ -3,16 +3,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from datetime import datetime
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
+from ...imagery.errors import Message, SettingsError
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.remembered import remember, remembered_text
 from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
+from ..measure import messages
 
 TITLE, CONTRACT, PRODUCER, CLIENT = "TITLE", "CONTRACT", "PRODUCER", "CLIENT"
 DELIVERY, DELIVERY_DATE = "DELIVERY", "DELIVERY_DATE"
+_DATES = "%Y-%m-%d", "%d.%m.%Y"
 
 _TEXTS = {
     TITLE: (QT_TR_NOOP("Title"), QT_TR_NOOP("Of the report; empty: Acceptance of an orthophoto mosaic.")),
@@ -21,7 +25,8 @@ _TEXTS = {
     CLIENT: (QT_TR_NOOP("Client"), QT_TR_NOOP("Who ordered the delivery and decides on it.")),
     DELIVERY: (QT_TR_NOOP("Delivery"), QT_TR_NOOP("What the delivery is called.")),
     DELIVERY_DATE: (
-        QT_TR_NOOP("Date of the delivery"), QT_TR_NOOP("As it should appear in the report, such as 2026-11-23.")
+        QT_TR_NOOP("Date of the delivery"),
+        QT_TR_NOOP("As it should appear in the report: 2026-11-23 or 23.11.2026."),
     ),
 }
 """Title and help of each parameter. Forms remember them, scripts and models don't."""
@@ -53,7 +58,29 @@ def add_head(algorithm: SeamInspectorAlgorithm) -> None:
         algorithm.addDescribed(remembered_text(name, tr(title)), tr(help_text))
 
 
+def check_head(run: Run) -> None:
+    """Raise SettingsError for a date that is none."""
+    for fault in _faults(run):
+        raise SettingsError(fault)
+
+
+def _faults(run: Run) -> Iterator[Message]:
+    value = run.text(DELIVERY_DATE).strip()
+    if value and not any(_is_date(value, form) for form in _DATES):
+        yield messages.DATE_IS_NONE(parameter=DELIVERY_DATE, value=value)
+
+
+def _is_date(value: str, form: str) -> bool:
+    try:
+        datetime.strptime(value, form)
+    except ValueError:
+        return False
+    return True
+
+
 def stated_head(run: Run) -> PaperHead:
-    """What the run was given, which the form offers again the next time."""
+    """What the run was given, which the form offers again the next time. A model's steps are not checked before they
+    run: what is wrong is told then, and costs nothing that was measured."""
+    run.tell(*(fault.as_warning() for fault in _faults(run)))
     remember(run, _TEXTS)
     return PaperHead(*(run.text(name).strip() for name in _TEXTS))

@@ -115,6 +115,7 @@ def sheet_word(outcome: AcceptanceOutcome | None, figures: MetreFigures) -> str:
     return "" if outcome is None else outcome_title(outcome)
 
 
-def outcome_word(passed: bool | None) -> str:
+def outcome_word(outcome: RuleOutcome) -> str:
     """What came of a rule."""
-    return {True: tr("passed"), False: tr("failed"), None: tr("can't be told")}[passed]
+    open_ = tr("too little") if outcome.check == rules.MEASURED_SHARE else tr("can't be told")
+    return {True: tr("passed"), False: tr("failed"), None: open_}[outcome.passed]

@@ -148,6 +148,8 @@ def test_layers_that_lack_seams_are_not_accepted() -> None:
     assert "were changed since their scan: 1 (north)" in told(found)
     lost = decide(replace(made, pieces=tuple(seam([0.4] * 40))), rules())
     assert lost.outcome is REJECTED
+    for one in (found, lost, decide(replace(made, layers=(replace(layer, lacking_m=0.0),)), rules())):
+        assert str(one.sentences[0]).endswith("; layers of seams were changed since their scan: 1 (north).")
     whole = decide(replace(made, layers=(replace(layer, is_sealed=True, lacking_m=0.0),)), rules())
     assert whole.outcome is ACCEPTED
     assert "as their scans left them" in told(whole)

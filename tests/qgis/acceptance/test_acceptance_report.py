@@ -11,7 +11,7 @@ from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
-from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord
+from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord, listed_images
 from seam_inspector.plugin.acceptance.paper.rated_images import RatedImage
 from seam_inspector.plugin.toolkit.resources import plugin_commit
 
@@ -168,3 +168,15 @@ def test_nothing_measured_is_no_number(tmp_path: Path) -> None:
     assert rules["share of the seams that failed"][0] == "\u2013"
     assert rules["share of the seams that failed"][2] == "can't be told"
     assert "nan" not in page.words
+
+
+def test_annexes_say_a_folder_once(tmp_path: Path) -> None:
+    paths = [f"/orders/12/images/{number:03}.tif" for number in range(40)]
+    decision = decided(["sheet_1"])
+    page = page_of(tmp_path, record_of(decision, images=listed_images(decision, paths)))
+    assert "Files are in the folder /orders/12/images/" in page.words
+    assert page.words.count("/orders/12/images/") == 1
+    assert {"000.tif", "039.tif"} <= {cell for row in page.rows for cell in row}
+    apart = page_of(tmp_path, record_of(decision, images=listed_images(decision, [*paths, "/other/a.tif"])))
+    assert "Files are in the folder" not in apart.words
+    assert "/orders/12/images/000.tif" in apart.words.replace(" ", "")

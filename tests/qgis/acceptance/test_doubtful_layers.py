@@ -5,9 +5,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import QgsVectorLayer
+from qgis.core import QgsGeometry, QgsVectorLayer
 
-from tests.qgis.acceptance.seam_scenes import UTM33, file, seams, straight
+from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, file, seams, straight
 from tests.qgis.runs import Run, assert_refused, run
 from tests.qgis.scenes import layer
 
@@ -167,3 +167,28 @@ def test_the_order_of_layers_decides_nothing() -> None:
     ]
     drawn = [[(row["sheet"], row["station"]) for row in rows] for rows in planned]
     assert drawn[0] == drawn[1]
+
+
+def test_pieces_that_lie_nowhere_are_missed(tmp_path: Path) -> None:
+    """Their figures are in the layer, and no second person could find them on the ground."""
+    made = seams([P] * 30 + [F] * 2 + [P] * 30)
+    made.dataProvider().changeGeometryValues({
+        row.id(): QgsGeometry.fromWkt("LINESTRING(0 0, 0 0)") for row in made.getFeatures() if row["kept_1"] == F
+    })  # fmt: skip
+    outcome = decide(made)
+    assert outcome.results["DECISION"] == "undecided"
+    assert warned(outcome, "features without a line are left out (2)")
+    assert warned(outcome, "lacks 50 m of seam")
+
+
+@pytest.mark.parametrize(("date", "is_one"), [("2026-02-30", False), ("soon", False), ("2.11.2026", True), ("", True)])
+def test_the_date_of_a_delivery_is_one(date: str, is_one: bool) -> None:
+    said = decide(seams([P] * 4), DELIVERY_DATE=date).complaint
+    assert said is None if is_one else f"DELIVERY_DATE is '{date}', which is no date" in str(said)
+
+
+def test_a_sheet_without_a_name_is_refused() -> None:
+    box = f"POLYGON(({X} {Y - 9}, {X + 99} {Y - 9}, {X + 99} {Y + 9}, {X} {Y + 9}, {X} {Y - 9}))"
+    sheets = layer("Polygon", [QgsGeometry.fromWkt(box)], UTM33, sheet=("string", [None]))
+    refused = decide(seams([P] * 4), SHEETS=sheets)
+    assert str(refused.complaint) == "The sheet no. 1 has no name in the field sheet; write it there."

@@ -126,6 +126,22 @@ def test_the_proof_shows_pixels_of_the_same_place_and_what_the_cut_would_have_ke
     assert fine(cut) == pytest.approx((fine(east) + fine(west)) / 2, rel=0.1)
 
 
+def test_a_failure_beside_missing_pixels_is_shown_too(feathered: Files, tmp_path: Path) -> None:
+    """Nothing can be measured in a window of which a part has no data, and the orthoimages lie there all the same."""
+    holed = str(tmp_path / "holed.tif")
+    gdal.Translate(holed, feathered.mosaic, noData=0)
+    opened = gdal.Open(holed, gdal.GA_Update)
+    opened.WriteArray(np.zeros((3, 90, 90), np.uint8))
+    del opened
+    block = open_block(holed, feathered.sources)
+    proof = proof_of(block, block.mosaic.extent, ("west", "east.tif"), 0.7)
+    assert proof is not None
+    assert proof.profile_svg == ""
+    assert {one.name for one in proof.panels} >= {"", "east.tif", "west.tif"}
+    middle = proof.part.column + proof.part.width / 2, proof.part.row + proof.part.height / 2
+    assert middle == pytest.approx((block.mosaic.columns / 2, block.mosaic.rows / 2), abs=1)
+
+
 def test_without_orthoimages_there_is_the_mosaic_alone(
     tmp_path: Path, feathered: Files, paper: tuple[Run, Path]
 ) -> None:

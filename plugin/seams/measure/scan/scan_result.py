@@ -298,7 +298,8 @@ def seam_rows(result: ScanResult) -> list[Row]:
 
 def seam_notes(result: ScanResult, settings: ScanSettings) -> dict[str, str]:
     """What stands beside the rows of SEAMS: how they were measured, and their totals."""
-    totals = SeamTotals.of_rows(_field_rows(result.features))
+    ends = (one.piece.vertices[[0, -1]].ravel().tolist() for one in result.features)
+    totals = SeamTotals.of_rows(zip(_field_rows(result.features), ends))
     return {"version": plugin_version(), **settings.told, **result.told, **totals.metadata}
 
 
