@@ -179,6 +179,9 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
     ("orthorectify", "micmac", {
         "IMAGE": _file("photo.tif"), "INTERIOR": _file("autocal.xml"), "EXTERIOR": _file("exterior.geojson"),
         "DEM": _file("terrain.tif"), "PIXEL_SIZE": 20.0}),
+    ("orthorectifyphotos", "table", {
+        "EXTERIOR": _file("exterior.csv"), "INTERIOR": _file("camera.yaml"), "EXTERIOR_CRS": "EPSG:32633",
+        "DEM": _file("terrain.tif"), "PIXEL_SIZE": 20.0}),
     ("planpoints", "nominal", {
         "MODEL": "polynomial_3d 1", "COUNTS": "6, 8", "SPREAD": "grid", "SIGMA": 0.5, "SIGMA_PX": 0.5, "LOWEST": 0.0,
         "HIGHEST": 300.0, "ORBIT_HEIGHT": 694.0, "VIEW_ANGLE": 15.0, "PIXEL_SIZE": 0.5, "SIDE": 15.0, "SEED": 1}),

@@ -40,6 +40,7 @@ _OPENSFM = {
     "perspective": "brown", "simple_radial": "brown", "radial": "brown", "brown": "brown", "fisheye": "fisheye",
     "fisheye_opencv": "fisheye",
 }  # fmt: skip
+VERSION = "v2 "  # what OpenSfM has before cameras' names and OpenDroneMap leaves out in cameras.json
 _RECONSTRUCTION = "reconstruction.json"
 PIX4D_LINES = 9  # of a photo: three of the camera's matrix, two of its lens, its position, three of its rotation
 
@@ -56,36 +57,63 @@ class FileCamera:
     """(2, 2) its columns and rows by the axes that its file's rotations turn, x to the right and y upwards."""
 
 
-def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInterior:
-    """The camera of a file, scaled to an image of ``size`` (columns, rows); ``camera`` chooses among several.
+@dataclass(frozen=True)
+class Cameras:
+    """The cameras of a file."""
 
-    Raises SensorModelError for a file that is none, a camera of another shape than the image, a distortion that is
-    not known here.
-    """
-    try:
-        found = chosen_camera(document(path), path, camera)
-        made, own_size = found.interior, found.size
-        lens = map(np.atleast_1d, vars(made.lens).values())
-        pixels = np.concatenate([made.focal, made.principal, made.centre, own_size])
-        sound = (
-            own_size.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
-            and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *own_size) >= 1
-        )
-    except UNREADABLE:
-        sound = False
-    if not sound:
-        raise SensorModelError(messages.NO_INTERIOR(name=path.name))
-    scale = np.array(size) / own_size
-    if abs(scale[0] / scale[1] - 1) > MAX_SHAPE_DIFFERENCE:
-        width, height = (round(float(side)) for side in own_size)
-        raise SensorModelError(
-            messages.INTERIOR_OF_ANOTHER_SHAPE(
-                name=path.name, width=width, height=height, columns=size[0], rows=size[1]
+    name: str
+    """The file's."""
+    cameras: Mapping[str, Callable[[], FileCamera]]
+    """What makes each, by its name."""
+
+    def chosen(self, camera: str) -> FileCamera:
+        """The one of that name, or the only one. Raises SensorModelError where neither is.
+
+        A name after a slash is that of any part of a reconstruction, whose cameras have its number before it.
+        """
+        names = [camera, camera.partition("/")[2], *(self.cameras if len(self.cameras) == 1 else ())]
+        found = next((name for name in names if name in self.cameras), None)
+        if found is None and self.cameras:
+            known = ", ".join(map(str, self.cameras))
+            raise SensorModelError(messages.CAMERA_UNKNOWN(name=self.name, names=known))
+        return self.cameras[str(found)]()
+
+    def of(self, camera: str, size: tuple[int, int]) -> FrameInterior:
+        """One by its name, scaled to an image of ``size`` (columns, rows).
+
+        Raises SensorModelError for a camera of another shape than the image, a distortion that is not known here.
+        """
+        try:
+            found = self.chosen(camera)
+            made, own_size = found.interior, found.size
+            lens = map(np.atleast_1d, vars(made.lens).values())
+            pixels = np.concatenate([made.focal, made.principal, made.centre, own_size])
+            sound = (
+                own_size.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
+                and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *own_size) >= 1
             )
-        )
-    if not 1 / MAX_PIXEL_RATIO <= made.focal[0] / made.focal[1] <= MAX_PIXEL_RATIO:
-        raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=path.name, ratio=float(made.focal[1] / made.focal[0])))
-    return replace(made, focal=made.focal * scale, principal=made.principal * scale, centre=made.centre * scale)
+        except UNREADABLE:
+            sound = False
+        if not sound:
+            raise SensorModelError(messages.NO_INTERIOR(name=self.name))
+        scale = np.array(size) / own_size
+        if abs(scale[0] / scale[1] - 1) > MAX_SHAPE_DIFFERENCE:
+            (width, height), (columns, rows) = (round(float(side)) for side in own_size), size
+            raise SensorModelError(messages.INTERIOR_OF_ANOTHER_SHAPE(
+                name=self.name, width=width, height=height, columns=columns, rows=rows
+            ))
+        if not 1 / MAX_PIXEL_RATIO <= made.focal[0] / made.focal[1] <= MAX_PIXEL_RATIO:
+            ratio = float(made.focal[1] / made.focal[0])
+            raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=self.name, ratio=ratio))
+        return replace(made, focal=made.focal * scale, principal=made.principal * scale, centre=made.centre * scale)
+
+
+def read_cameras(content: Any, path: Path) -> Cameras:
+    """The cameras of a ``document``. Raises SensorModelError for a file that holds none."""
+    try:
+        return Cameras(path.name, _cameras(content, path))
+    except UNREADABLE:
+        raise SensorModelError(messages.NO_INTERIOR(name=path.name)) from None
 
 
 def orientation_file(path: Path) -> Path:
@@ -95,24 +123,17 @@ def orientation_file(path: Path) -> Path:
 
 
 def document(path: Path) -> Any:
-    """What a file says: an Element of XML, objects of JSON, or text. Raises ParseError or ValueError."""
+    """What a file says: an Element of XML, objects of JSON, or text; None for what looks like the first two and is
+    neither."""
     content = file_content(path)
-    if looks_like_xml(content):
-        return xml_root(content)
-    if content.lstrip()[:1] in (b"{", b"["):
-        return json_document(content)
-    return content.decode("utf-8-sig", errors="replace")
-
-
-def chosen_camera(content: Any, path: Path, camera: str) -> FileCamera:
-    """The camera of that name, or the only one. Raises SensorModelError where neither is."""
-    cameras = _cameras(content, path)
-    name = camera if camera in cameras else next(iter(cameras)) if len(cameras) == 1 else None
-    if name is None:
-        if not cameras:
-            raise ValueError
-        raise SensorModelError(messages.CAMERA_UNKNOWN(name=path.name, names=", ".join(map(str, cameras))))
-    return cameras[name]()
+    try:
+        if looks_like_xml(content):
+            return xml_root(content)
+        if content.lstrip()[:1] in (b"{", b"["):
+            return json_document(content)
+        return content.decode("utf-8-sig", errors="replace")
+    except (ParseError, ValueError):
+        return None
 
 
 def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]:
@@ -125,10 +146,16 @@ def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]
             return {sensor.get("id", ""): partial(_metashape_camera, sensor, path) for sensor in content.iter("sensor")}
         return {"": partial(_metashape_camera if content.tag == "calibration" else _micmac_camera, content, path)}
     if isinstance(content, (dict, list)):
-        cameras = content[0]["cameras"] if isinstance(content, list) else content.get("cameras", content)
+        if isinstance(content, list):  # of each part of a reconstruction
+            cameras = {
+                f"{part}/{name.removeprefix(VERSION)}": one
+                for part, own in enumerate(content) for name, one in own["cameras"].items()
+            }  # fmt: skip
+        else:
+            cameras = {name.removeprefix(VERSION): one for name, one in content.get("cameras", content).items()}
         if not all("projection_type" in one for one in cameras.values()):
             raise ValueError
-        return {name.removeprefix("v2 "): partial(_opensfm_camera, one, path) for name, one in cameras.items()}
+        return {name: partial(_opensfm_camera, one, path) for name, one in cameras.items()}
     if "$CAMERA_DEFINITION" in content:
         return {
             inpho_value(block, "ID"): partial(_inpho_camera, block, path)

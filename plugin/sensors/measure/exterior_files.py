@@ -17,21 +17,24 @@ from typing import Any
 from xml.etree.ElementTree import Element
 
 import numpy as np
+from osgeo import osr
 from scipy.spatial.transform import Rotation
 
 from ...imagery.errors import Message, SensorModelError
 from . import messages
 from .camera_files import (
     UNREADABLE,
-    chosen_camera,
+    VERSION,
     document,
     inpho_blocks,
     inpho_value,
     numbers_of,
     pix4d_photos,
+    read_cameras,
 )
 from .frames import EARTH_CURVATURE, camera_axes
 from .limits import ANGLE_UNITS, WGS84_SEMI_MAJOR_M
+from .pushbroom import geocentric
 
 AUTO, DEGREES, GON, RADIANS = ANGLE_UNITS
 _IN_DEGREES = {DEGREES: 1.0, GON: 0.9, RADIANS: math.degrees(1)}
@@ -75,21 +78,50 @@ Named = list[tuple[str, Callable[[], FrameExterior]]]
 """What makes the orientation of each photo, with its name."""
 
 
-def read_exterior(path: Path, image: str, angles: str = AUTO) -> FrameExterior:
-    """The orientation of an image by its file's name, with or without its ending.
+@dataclass(frozen=True)
+class Exteriors:
+    """The orientations of a file."""
 
-    ``angles`` is one of ``limits.ANGLE_UNITS``. Raises SensorModelError for a file that is none and for one that does
-    not name the image.
+    name: str
+    """The file's."""
+    photos: Named
+
+    @property
+    def names(self) -> list[str]:
+        """Of the photos; one that is empty in a file of one photo."""
+        return [name for name, _ in self.photos]
+
+    def of(self, image: str) -> FrameExterior:
+        """That of an image by its file's name, with or without its ending.
+
+        Raises SensorModelError where the file does not name it once, or has no orientation there.
+        """
+        stem = Path(image).stem
+        alike = [one for one in self.photos if one[0] == image or stem in (one[0], Path(one[0]).stem)]
+        found = [one for one in alike if one[0] == image] or alike
+        found = self.photos if self.names == [""] else found
+        if len(found) != 1:
+            names = ", ".join(self.names[:_SHOWN])
+            raise SensorModelError(messages.IMAGE_NOT_ORIENTED(name=self.name, image=image, names=names))
+        try:
+            made = found[0][1]()
+            sound = np.isfinite(made.position).all() and made.position.shape == (3,) and made.axes.shape == (3, 3)
+        except UNREADABLE:
+            sound = False
+        if not sound or not np.allclose(made.axes.T @ made.axes, np.eye(3), atol=_DIGITS):
+            raise SensorModelError(messages.NO_EXTERIOR(name=self.name))
+        return made
+
+
+def read_exteriors(content: Any, path: Path, angles: str = AUTO) -> Exteriors:
+    """The orientations of a ``document``; ``angles`` is one of ``limits.ANGLE_UNITS``.
+
+    Raises SensorModelError for a file that holds none.
     """
     try:
-        photos = _photos(document(path), path, angles)
-        found = photos[_index([name for name, _ in photos], path, image)][1]()
+        return Exteriors(path.name, _photos(content, path, angles))
     except (*UNREADABLE, csv.Error):
         raise SensorModelError(messages.NO_EXTERIOR(name=path.name)) from None
-    sound = found.position.shape == (3,) and found.axes.shape == (3, 3) and np.isfinite(found.position).all()
-    if not sound or not np.allclose(found.axes.T @ found.axes, np.eye(3), atol=_DIGITS):
-        raise SensorModelError(messages.NO_EXTERIOR(name=path.name))
-    return found
 
 
 def _photos(content: Any, path: Path, angles: str) -> Named:
@@ -114,21 +146,6 @@ def _photos(content: Any, path: Path, angles: str) -> Named:
     return _patb_photos(content) or _table_photos(content, path, angles)
 
 
-def _index(names: Sequence[str], path: Path, image: str) -> int:
-    """Which of the names is the image's. Raises SensorModelError where none is, or several are."""
-    if list(names) == [""]:  # a file of one photo
-        return 0
-    stem = Path(image).stem
-    alike = [index for index, name in enumerate(names) if name == image or stem in (name, Path(name).stem)]
-    exact = [index for index in alike if names[index] == image]
-    found = exact or alike
-    if len(found) != 1:
-        raise SensorModelError(
-            messages.IMAGE_NOT_ORIENTED(name=path.name, image=image, names=", ".join(names[:_SHOWN]))
-        )
-    return found[0]
-
-
 # --- documents -------------------------------------------------------------------------------------------------
 
 
@@ -147,30 +164,34 @@ def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:
 
 
 def _opensfm_photos(content: Any, path: Path) -> Named:
-    """A reconstruction, in the plane that touches the Earth at its reference.
+    """The shots of all parts of a reconstruction, each in the plane that touches the Earth at its part's reference.
 
     OpenDroneMap replaces that file by an approximate one in UTM and keeps the exact one beside it; where it does not,
-    its offset stands in another folder.
+    the offset from UTM stands in another folder.
     """
-    exact = path.with_name("reconstruction.topocentric.json")
+    exact, offset = path.with_name("reconstruction.topocentric.json"), None
+    coordinates = path.parent.parent / "odm_georeferencing" / "coords.txt"
+    told = messages.PLANE_TAKEN(name=path.name)
     if exact.is_file() and path.name != exact.name:
-        content = document(exact)
-    parts = content if isinstance(content, list) else [content]
-    offsets = path.parent.parent / "odm_georeferencing" / "coords.txt"
-    system, place = "", np.zeros(3)
-    reference = parts[0]["reference_lla"]
-    origin = [float(reference[name]) for name in ("longitude", "latitude", "altitude")]
-    if offsets.is_file() and not exact.is_file():
-        system, place = _odm_offset(offsets)
+        content, told = document(exact), messages.TOPOCENTRIC_TAKEN(name=path.name, exact=exact.name)
+    elif coordinates.is_file() and path.name != exact.name:
+        system, offset = _odm_offset(coordinates)
+        told = messages.UTM_TAKEN(name=path.name, system=system, offsets=coordinates.name)
 
-    def exterior(shot: dict[str, Any]) -> FrameExterior:
+    def exterior(shot: dict[str, Any], part: int, origin: list[float]) -> FrameExterior:
         axes = Rotation.from_rotvec(np.array(shot["rotation"], float)).as_matrix().T
-        position, camera = -axes @ np.array(shot["translation"], float), str(shot["camera"]).removeprefix("v2 ")
-        if system:
-            return FrameExterior(position + place, axes, camera, system)
-        return replace(_from_plane(origin, position, axes), camera=camera)
+        position = -axes @ np.array(shot["translation"], float)
+        if offset is not None:
+            made = FrameExterior(position + offset, axes, wkt=system)
+        else:
+            made = _from_plane(origin, position, axes)
+        return replace(made, camera=f"{part}/{str(shot['camera']).removeprefix(VERSION)}", notices=(told,))
 
-    return [(name, partial(exterior, shot)) for part in parts for name, shot in part["shots"].items()]
+    photos: Named = []
+    for number, part in enumerate(content if isinstance(content, list) else [content]):
+        origin = [float(part["reference_lla"][name]) for name in ("longitude", "latitude", "altitude")]
+        photos += [(name, partial(exterior, shot, number, origin)) for name, shot in part["shots"].items()]
+    return photos
 
 
 def _odm_offset(path: Path) -> tuple[str, np.ndarray]:
@@ -249,7 +270,7 @@ def _inpho_photos(content: str, path: Path) -> Named:
     def exterior(block: str) -> FrameExterior:
         values = [float(word) for word in inpho_value(block, "EXT_ORI").partition("\n")[2].split()[:13]]
         camera = inpho_value(block, "CAMERA_ID")
-        mount = chosen_camera(content, path, camera).mount
+        mount = read_cameras(content, path).chosen(camera).mount
         own = np.array([[*mount[0], 0.0], [*mount[1], 0.0], [0.0, 0.0, -1.0]])
         told = (messages.ROTATION_TAKEN(name=path.name, way="$EXT_ORI"),)
         return FrameExterior(np.array(values[1:4]), (own @ np.reshape(values[4:], (3, 3))).T, camera, notices=told)
@@ -274,35 +295,21 @@ def _pix4d_exterior(name: str, numbers: Sequence[float], offset: np.ndarray) -> 
 
 def _from_plane(origin: Sequence[float], position: np.ndarray, axes: np.ndarray) -> FrameExterior:
     """Of a camera in the plane (east, north, up) that touches the ellipsoid at a longitude, latitude and height."""
-    longitude, latitude, height = origin
-    up = _local_axes(longitude, latitude)
-    flattening = 1 / 298.257223563
-    squared = flattening * (2 - flattening)
-    sine, cosine = math.sin(math.radians(latitude)), math.cos(math.radians(latitude))
-    normal = WGS84_SEMI_MAJOR_M / math.sqrt(1 - squared * sine**2)
-    centre = np.array([
-        (normal + height) * cosine * math.cos(math.radians(longitude)),
-        (normal + height) * cosine * math.sin(math.radians(longitude)),
-        (normal * (1 - squared) + height) * sine,
-    ])
-    return _from_geocentric(centre + up.T @ position, up.T @ axes)
+    up = _local_axes(*origin[:2])
+    return _from_geocentric(geocentric(np.array([origin]))[0] + up.T @ position, up.T @ axes)
 
 
 def _from_geocentric(position: np.ndarray, axes: np.ndarray) -> FrameExterior:
     """Of a camera in geocentric coordinates (WGS 84): in the plane below itself, from which the Earth curves away."""
-    squared = (2 - 1 / 298.257223563) / 298.257223563
-    x, y, z = position.tolist()
-    longitude, distance = math.atan2(y, x), math.hypot(x, y)
-    latitude, height = math.atan2(z, distance * (1 - squared)), 0.0
-    for _ in range(8):  # Heiskanen and Moritz 1967, section 5-3: a factor of 150 each time
-        normal = WGS84_SEMI_MAJOR_M / math.sqrt(1 - squared * math.sin(latitude) ** 2)
-        height = distance * math.cos(latitude) + z * math.sin(latitude) - WGS84_SEMI_MAJOR_M**2 / normal
-        latitude = math.atan2(z, distance * (1 - squared * normal / (normal + height)))
-    degrees = math.degrees(longitude), math.degrees(latitude)
-    system = f"+proj=tmerc +lon_0={degrees[0]:.12f} +lat_0={degrees[1]:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
-    return FrameExterior(
-        np.array([0.0, 0.0, height]), _local_axes(*degrees) @ axes, wkt=system, curvature=EARTH_CURVATURE
-    )
+    systems = []
+    for code in (4978, 4979):
+        systems.append(osr.SpatialReference())
+        systems[-1].ImportFromEPSG(code)
+        systems[-1].SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    longitude, latitude, height = osr.CoordinateTransformation(*systems).TransformPoint(*position.tolist())
+    system = f"+proj=tmerc +lon_0={longitude:.12f} +lat_0={latitude:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
+    own = _local_axes(longitude, latitude) @ axes
+    return FrameExterior(np.array([0.0, 0.0, height]), own, wkt=system, curvature=EARTH_CURVATURE)
 
 
 def _local_axes(longitude: float, latitude: float) -> np.ndarray:
