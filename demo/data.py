@@ -2,10 +2,11 @@
 
     python -m demo.data FOLDER [--small]
 
-The folder gets `block` (a mosaic, its five orthoimages, their index and the seamlines), `delivery` (twelve sheets, four
-of them spoilt), `noise` (the same ground by a clean sensor and on film), `bars` (a bar target, the lines across its
-groups, passes at three heights), `photo` (a scanned photograph with fiducial marks), `satellite` (an image with its
-RPC, terrain and points), `flight` (two photos of a drone as OpenDroneMap orients them) and `judged` (windows that an operator judged). What is there already stays as it is.
+The folder gets `block` (a mosaic, its five orthoimages, their index and the seamlines), `delivery` (twelve sheets,
+four of them spoilt), `noise` (the same ground by a clean sensor and on film), `bars` (a bar target, the lines across
+its groups, passes at three heights), `photo` (a scanned photograph with fiducial marks), `satellite` (an image with
+its RPC, terrain and points), `flight` (two photos of a drone as OpenDroneMap orients them) and `judged` (windows that
+an operator judged). What is there already stays as it is.
 """
 from __future__ import annotations
 

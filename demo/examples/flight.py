@@ -6,13 +6,14 @@ import math
 from pathlib import Path
 
 import numpy as np
+from osgeo import osr
 from scipy import ndimage
 
-from .files import texture, write_raster
+from .files import system, texture, write_raster
 
 COLUMNS, ROWS, FOCAL = 600, 400, 0.8  # px, focal length in widths of the photo
 UTM, CORNER, PIXEL, SIDE = 32634, (419_600.0, 5_545_400.0), 0.5, 1600  # of the ground: upper left, m, px
-REFERENCE = {"longitude": 19.90194, "latitude": 50.05224, "altitude": 0.0}  # of the reconstruction, near its middle
+MIDDLE = (CORNER[0] + SIDE * PIXEL / 2, CORNER[1] - SIDE * PIXEL / 2)  # the reconstruction's reference
 GROUND, HEIGHT = 300.0, 240.0  # m above the ellipsoid, of the flight above it
 PLACES = ((-40.0, 0.0, 5.0), (40.0, 10.0, -5.0))  # m east and north of the reference, kappa in degrees
 
@@ -38,7 +39,9 @@ def make_flight(folder: Path) -> None:
             "translation": (-turn @ [east, north, GROUND + HEIGHT]).tolist(), "camera": "v2 drone",
         }  # fmt: skip
     camera = {"projection_type": "perspective", "width": COLUMNS, "height": ROWS, "focal": FOCAL, "k1": 0.0, "k2": 0.0}
-    document = [{"cameras": {"v2 drone": camera}, "shots": shots, "reference_lla": REFERENCE}]
+    longitude, latitude, _ = osr.CoordinateTransformation(system(UTM), system(4326)).TransformPoint(*MIDDLE)
+    reference = {"longitude": longitude, "latitude": latitude, "altitude": 0.0}
+    document = [{"cameras": {"v2 drone": camera}, "shots": shots, "reference_lla": reference}]
     (folder / "opensfm" / "reconstruction.json").write_text(json.dumps(document, indent=1), encoding="utf-8")
     flat = np.full((1, SIDE // 4, SIDE // 4), GROUND, np.float32)
     write_raster(folder / "odm_dem" / "dsm.tif", flat, UTM, (*CORNER, 4 * PIXEL))

@@ -209,8 +209,8 @@ class Orthorectify(OrthoAlgorithm):
         return {**results, **view_numbers(run, view)}
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
-        """The model in the image's own pixels, the system it is in, where it is used, and what the terrain model's
-        heights are to be taken as."""
+        """The model in the image's own pixels, its system, where it is used, and what the terrain's heights are taken
+        as."""
         from .measure.fit_files import load_model
         from .measure.orthorectification import rpc_domain
         from .measure.sensor_model import WGS84

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -79,9 +80,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 run.tell_once(frame.notices)
                 request = self._request(run, image.ref, frame.sight, photo.ortho)
                 request = replace(request, target_wkt=request.target_wkt or wkt, pixel_size=request.pixel_size or size)
-                made = orthorectify(
-                    request, lambda share, done=number: run.progress((done + share) / len(photos)), run.is_cancelled
-                )
+                made = orthorectify(request, partial(_tell_share, run, number, len(photos)), run.is_cancelled)
             except CancelledError as stopped:
                 run.tell(stopped.message)
                 break
@@ -95,3 +94,7 @@ class OrthorectifyPhotos(OrthoAlgorithm):
         if left_out and not count:
             raise SensorModelError(left_out[0])
         return {OUTPUT: str(output), PHOTO_COUNT: count, LEFT_OUT_COUNT: len(left_out)}
+
+
+def _tell_share(run: Run, number: int, count: int, share: float) -> None:
+    run.progress((number + share) / count)

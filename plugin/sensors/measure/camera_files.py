@@ -1,8 +1,4 @@
-"""The cameras of aerial photos from files.
-
-Read are orthority's YAML, OpenSfM's JSON (OpenDroneMap), Metashape's XML, MicMac's AutoCal XML, Pix4D's calibrated
-camera parameters, Inpho's project and ContextCapture's BlocksExchange.
-"""
+"""The cameras of aerial photos from the files of other programs."""
 from __future__ import annotations
 
 import re
@@ -20,7 +16,7 @@ from ...imagery.errors import SensorModelError
 from . import messages
 from .frames import FrameInterior
 from .lenses import BrownLens, FisheyeLens, Lens
-from .sensor_model import file_content
+from .sensor_model import file_content, yaml_document
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 MAX_PIXELS = 1e9  # of an image's side, a focal length, or from the image to the principal point
@@ -67,10 +63,8 @@ class Cameras:
     """What makes each, by its name."""
 
     def chosen(self, camera: str) -> FileCamera:
-        """The one of that name, or the only one. Raises SensorModelError where neither is.
-
-        A name after a slash is that of any part of a reconstruction, whose cameras have its number before it.
-        """
+        """The one of that name, of any part of a reconstruction what follows the slash, or the only one. Raises
+        SensorModelError."""
         names = [camera, camera.partition("/")[2], *(self.cameras if len(self.cameras) == 1 else ())]
         found = next((name for name in names if name in self.cameras), None)
         if found is None and self.cameras:
@@ -79,10 +73,8 @@ class Cameras:
         return self.cameras[str(found)]()
 
     def of(self, camera: str, size: tuple[int, int]) -> FrameInterior:
-        """One by its name, scaled to an image of ``size`` (columns, rows).
-
-        Raises SensorModelError for a camera of another shape than the image, a distortion that is not known here.
-        """
+        """One by its name, scaled to an image of ``size`` (columns, rows). Raises SensorModelError for what can't be
+        its camera."""
         try:
             found = self.chosen(camera)
             made, own_size = found.interior, found.size
@@ -123,8 +115,7 @@ def orientation_file(path: Path) -> Path:
 
 
 def document(path: Path) -> Any:
-    """What a file says: an Element of XML, objects of JSON, or text; None for what looks like the first two and is
-    neither."""
+    """An Element of XML, objects of JSON, or text; None for what looks like the first two and is neither."""
     content = file_content(path)
     try:
         if looks_like_xml(content):
@@ -193,16 +184,7 @@ def _camera(
 
 
 def _yaml_cameras(content: str, path: Path) -> dict[str, Mapping[str, Any]]:
-    try:
-        import yaml
-    except ImportError:
-        raise SensorModelError(messages.YAML_MISSING(name=path.name)) from None
-    try:
-        cameras = yaml.safe_load(content)
-    except (yaml.YAMLError, RecursionError):
-        raise ValueError from None
-    if not isinstance(cameras, dict) or not cameras:
-        raise ValueError
+    cameras = yaml_document(content, path.name)
     if "im_size" in cameras:
         cameras = {"": cameras}
     if not all(isinstance(one, dict) and "im_size" in one for one in cameras.values()):
@@ -282,12 +264,12 @@ def _micmac_camera(root: Element, path: Path) -> FileCamera:
     inner = root if root.tag == "CalibrationInternConique" else root.find(".//CalibrationInternConique")
     if inner is None:
         raise ValueError
-    focal, size = _numbers(inner, "F"), _numbers(inner, "SzIm")
-    principal, centre = _numbers(inner, "PP"), None
+    focal, size = numbers_of(inner, "F"), numbers_of(inner, "SzIm")
+    principal, centre = numbers_of(inner, "PP"), None
     radial: tuple[float, ...] = ()
     for kind in (part for distortion in inner.iterfind("CalibDistortion") for part in distortion):
         if kind.tag == "ModRad" and centre is None:
-            centre = _numbers(kind, "CDist")
+            centre = numbers_of(kind, "CDist")
             coefficients = [float(one.text or "") for one in kind.iterfind("CoeffDist")]
             radial = tuple(one * focal[0] ** (2 * power) for power, one in enumerate(coefficients, 1))
         elif kind.tag not in ("ModNoDist", "NoDist"):
@@ -300,20 +282,14 @@ def _micmac_camera(root: Element, path: Path) -> FileCamera:
     return _camera(size, focal[:1], principal, BrownLens(radial) if any(radial) else Lens(), centre)
 
 
-def _numbers(element: Element, name: str) -> list[float]:
-    return [float(word) for word in (element.findtext(name) or "").split()]
-
-
 def numbers_of(element: Element, *names: str) -> list[float]:
-    """The numbers of elements inside another one. Raises ValueError where one is missing."""
-    return [float(element.findtext(name) or "") for name in names]
+    """The numbers, one or several, of elements inside another one. Raises ValueError where one is missing."""
+    return [float(word) for name in names for word in (element.findtext(name) or "missing").split()]
 
 
 def pix4d_photos(content: str) -> dict[str, list[float]]:
-    """The 26 numbers of each photo of Pix4D's ``..._calibrated_camera_parameters.txt`` by its name; {} for others.
-
-    They are columns and rows, the camera's matrix, three radial and two tangential terms, position and rotation.
-    """
+    """Of each photo of Pix4D's ``..._calibrated_camera_parameters.txt`` by its name: columns and rows, the camera's
+    matrix, three radial and two tangential terms, position, rotation; {} for another file."""
     lines = content.splitlines()
     if not lines or not lines[0].startswith("fileName imageWidth imageHeight"):
         return {}

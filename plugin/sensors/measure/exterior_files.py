@@ -1,9 +1,4 @@
-"""Where the cameras of aerial photos were and how they looked, from files.
-
-Read are tables with a header (Metashape's and Pix4D's omega, phi, kappa, Applanix, and any other with such columns),
-PATB, orthority's GeoJSON, OpenSfM's reconstruction (OpenDroneMap), Metashape's XML, MicMac's Orientation XML, Pix4D's
-calibrated camera parameters, Inpho's project and ContextCapture's BlocksExchange.
-"""
+"""Where the cameras of aerial photos were and how they looked, from the files of other programs."""
 from __future__ import annotations
 
 import csv
@@ -42,9 +37,10 @@ _UNIT_WORDS = ((GON, r"gons?|grads?|grades?"), (DEGREES, r"deg|degrees?|°"), (R
 _FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
 _ALIASES = {
     "filename": "filename file image imagename imageid imagefile photo photoid photoname label id name frame",
-    "x": "x easting east e x0 xc xl xeasting xlongitude projectedx", "y": "y northing north n y0 yc yl ynorthing "
-    "ylatitude projectedy", "z": "z altitude alt height h z0 zc zl elevation zaltitude ellipsoidheight "
-    "orthometricheight", "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka", "camera": "camera cameraid sensor",
+    "x": "x easting east e x0 xc xl xeasting xlongitude projectedx rechtswert", "y": "y northing north n y0 yc yl "
+    "ynorthing ylatitude projectedy hochwert", "z": "z altitude alt height h z0 zc zl elevation zaltitude hoehe hhe "
+    "ellipsoidheight orthometricheight", "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka",
+    "camera": "camera cameraid sensor",
 }  # fmt: skip
 _NAMES = {alias: name for name, aliases in _ALIASES.items() for alias in aliases.split()}
 """What columns are called, in small letters and digits and without units, and what they hold."""
@@ -92,10 +88,8 @@ class Exteriors:
         return [name for name, _ in self.photos]
 
     def of(self, image: str) -> FrameExterior:
-        """That of an image by its file's name, with or without its ending.
-
-        Raises SensorModelError where the file does not name it once, or has no orientation there.
-        """
+        """That of an image by its file's name, with or without its ending. Raises SensorModelError where there is not
+        just one."""
         stem = Path(image).stem
         alike = [one for one in self.photos if one[0] == image or stem in (one[0], Path(one[0]).stem)]
         found = [one for one in alike if one[0] == image] or alike
@@ -114,10 +108,8 @@ class Exteriors:
 
 
 def read_exteriors(content: Any, path: Path, angles: str = AUTO) -> Exteriors:
-    """The orientations of a ``document``; ``angles`` is one of ``limits.ANGLE_UNITS``.
-
-    Raises SensorModelError for a file that holds none.
-    """
+    """The orientations of a ``document``; ``angles`` is one of ``limits.ANGLE_UNITS``. Raises SensorModelError without
+    any."""
     try:
         return Exteriors(path.name, _photos(content, path, angles))
     except (*UNREADABLE, csv.Error):
@@ -165,10 +157,8 @@ def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:
 
 def _opensfm_photos(content: Any, path: Path) -> Named:
     """The shots of all parts of a reconstruction, each in the plane that touches the Earth at its part's reference.
-
-    OpenDroneMap replaces that file by an approximate one in UTM and keeps the exact one beside it; where it does not,
-    the offset from UTM stands in another folder.
-    """
+    OpenDroneMap replaces it by one in UTM and keeps the exact one beside it; else the offset stands in another
+    folder."""
     exact, offset = path.with_name("reconstruction.topocentric.json"), None
     coordinates = path.parent.parent / "odm_georeferencing" / "coords.txt"
     told = messages.PLANE_TAKEN(name=path.name)
@@ -321,10 +311,8 @@ def _local_axes(longitude: float, latitude: float) -> np.ndarray:
 
 
 def _patb_photos(content: str) -> Named:
-    """A number, perhaps a focal length, and a position, then nine elements of a rotation from the camera to the ground.
-
-    No photos where it is another table.
-    """
+    """A number, perhaps a focal length, a position, nine elements of the rotation from camera to ground; else no
+    photos."""
     records = [line.split() for line in content.splitlines() if line.strip() and line.strip() != "-99"]
     photos: Named = []
     while len(records) > 2:
@@ -354,8 +342,8 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
     lines = [line for line in content.splitlines() if line.strip()]
     headers = ((number, _header(line)) for number, line in enumerate(lines))
     start, fields = next(((number + 1, found) for number, found in headers if found), (0, dict(zip(_FIELDS, range(7)))))
-    if "filename" not in fields:
-        raise ValueError
+    if "filename" not in fields or (start == 0 and any(re.search("(?i)omega.*kappa", line) for line in lines)):
+        raise ValueError  # nor are columns guessed where a header names others
     rows = _rows([line for line in lines[start:] if not line.lstrip().startswith("#")], fields)
     turned = np.array([row[1] for row in rows])[:, 3:]
     unit = angles if angles != AUTO else _angle_unit(lines[:start] + lines[start : start + 1])
@@ -421,7 +409,9 @@ def _rows(lines: Sequence[str], fields: dict[str, int]) -> list[tuple[list[str],
 
 
 def _row(line: str, parted: str, places: Sequence[int]) -> tuple[list[str], list[float]] | None:
-    cells = line.split() if parted == " " else [cell.strip() for cell in next(csv.reader([line], delimiter=parted))]
+    quote = "'" if line.lstrip().startswith("'") else '"'
+    cells = [cell.strip() for cell in next(csv.reader([line.strip()], delimiter=parted, quotechar=quote))]
+    cells = [cell for cell in cells if cell] if parted == " " else cells
     numbers = [_number(cells[place]) for place in places] if len(cells) > max(places) else [None]
     values = [one for one in numbers if one is not None and math.isfinite(one)]
     return (cells, values) if len(values) == len(places) else None

@@ -210,7 +210,7 @@ PLANE_TAKEN = Message(
 TOPOCENTRIC_TAKEN = Message("Photos are placed by {exact}, the exact reconstruction beside {name}.", INFO)
 UTM_TAKEN = Message(
     "{name} is taken as in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: "
-    "up to a decimetre off in a block of a kilometre.", INFO
+    "up to some decimetres off in a block of a kilometre.", INFO
 )
 CAMERA_UNKNOWN = Message(
     "{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file."

@@ -72,10 +72,8 @@ class FrameBlock:
     """As in ``OrientedFrame``."""
 
     def frame(self, image: OpenRaster, name: str = "") -> OrientedFrame:
-        """The camera of an image, by its file's name or another one.
-
-        Raises SensorModelError for orientations that can't be used and for cameras that don't see the ground.
-        """
+        """The camera of an image, by its file's name or another. Raises SensorModelError where it does not see the
+        ground."""
         exterior = self.exteriors.of(name or image.ref.name)
         interior = self.cameras.of(exterior.camera, (image.columns, image.rows))
         wkt, notices = _system(image, self.files, exterior.wkt)
@@ -101,10 +99,7 @@ class FrameBlock:
 
 
 def read_block(files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, height: float) -> FrameBlock:
-    """The orientations of files; the ground's heights from ``dem``, else one ``height`` everywhere.
-
-    Raises SensorModelError for files that can't be used.
-    """
+    """The orientations of files; the ground's heights from ``dem``, else one ``height``. Raises SensorModelError."""
     path = orientation_file(files.exterior)
     content = document(path)
     exteriors = read_exteriors(content, path, files.angles)

@@ -43,10 +43,8 @@ class BlockPhoto:
 
 
 def block_photos(exteriors: Exteriors, folder: Path, output: Path) -> tuple[list[BlockPhoto], list[Message]]:
-    """The photos that are oriented and in a folder, and what to say of the others.
-
-    Raises SensorModelError where none is there, SettingsError for an orthoimage in the place of a photo.
-    """
+    """The photos that are oriented and in a folder, and what to say of others. Raises SeamInspectorError where none can
+    be made."""
     try:
         there = [one for one in sorted(folder.iterdir()) if one.suffix.lower() in PHOTO_ENDINGS]
     except OSError:

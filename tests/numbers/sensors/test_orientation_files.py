@@ -120,6 +120,8 @@ TABLES = {
     "gon and decimal commas": "Photo;Easting;Northing;Altitude;Omega [gon];Phi [gon];Kappa [gon]\n" + COMMAS,
     "commas and blanks": "Image E N H Omega(deg) Phi(deg) Kappa(deg)\n"
     + rows("{n} {x} {y} {z} {o} {p} {k}").replace(".", ",").replace(",jpg", ".jpg"),
+    "orthority": "'filename' 'easting' 'northing' 'altitude' 'omega' 'phi' 'kappa' 'camera'\n"
+    + rows("'{n}' {x} {y} {z} {o} {p} {k} 'a camera'"),
     "no header": rows("{n}, {x}, {y}, {z}, {o}, {p}, {k}"),
     "patb": "".join(f"{name} 153000.0 {PLACE[0]} {PLACE[1]} {PLACE[2]}\n{MATRIX_OF_PATB}\n" for name in
                     ("IMG_2", "IMG_1")) + "-99\n",
@@ -133,6 +135,13 @@ def test_tables_of_orientations_are_read_with_their_units(tmp_path: Path, name: 
     np.testing.assert_allclose(
         seen(tmp_path / "places.txt", tmp_path / "camera.yaml"), opencv(GROUND, CAMERA, PLACE), atol=1e-6
     )
+
+
+def test_columns_are_not_guessed_where_a_header_names_others(tmp_path: Path) -> None:
+    path = tmp_path / "places.txt"
+    path.write_text("#name latitude longitude altitude omega phi kappa\nIMG_2 50.1 15.2 1500 1 2 3\n")
+    with pytest.raises(SensorModelError, match="choose a table with the columns"):
+        exterior_of(path)
 
 
 @pytest.mark.parametrize("angles", ["auto", "gon"])
