@@ -70,7 +70,6 @@ class OrthorectifyPhotos(OrthoAlgorithm):
         folder = Path(run.path(PHOTOS)) if run.path(PHOTOS) else project_photos(exterior)
         photos, left_out = block_photos(block.exteriors, folder, output)
         run.tell(*left_out)
-        output.mkdir(parents=True, exist_ok=True)
         wkt, size, count = "", None, 0
         for number, photo in enumerate(photos):
             run.doing(photo.name)
@@ -80,7 +79,8 @@ class OrthorectifyPhotos(OrthoAlgorithm):
                 run.tell_once(frame.notices)
                 request = self._request(run, image.ref, frame.sight, photo.ortho)
                 request = replace(request, target_wkt=request.target_wkt or wkt, pixel_size=request.pixel_size or size)
-                made = orthorectify(request, partial(_tell_share, run, number, len(photos)), run.is_cancelled)
+                tell = partial(lambda done, share: run.progress((done + share) / len(photos)), number)
+                made = orthorectify(request, tell, run.is_cancelled)
             except CancelledError as stopped:
                 run.tell(stopped.message)
                 break
@@ -92,9 +92,5 @@ class OrthorectifyPhotos(OrthoAlgorithm):
             run.tell_once(made.notices)
             run.inform(f"{photo.name}: {told(made)}")
         if left_out and not count:
-            raise SensorModelError(left_out[0])
+            raise SensorModelError(left_out[-1])
         return {OUTPUT: str(output), PHOTO_COUNT: count, LEFT_OUT_COUNT: len(left_out)}
-
-
-def _tell_share(run: Run, number: int, count: int, share: float) -> None:
-    run.progress((number + share) / count)

@@ -110,8 +110,7 @@ def read_block(files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, heigh
 
 def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tuple[Message, ...]]:
     """The horizontal system of the exterior orientation, and what to say of it."""
-    own = image.raster.own_wkt
-    wkt = files.wkt or named or own
+    wkt = files.wkt or named or image.raster.own_wkt
     if not wkt:
         raise SensorModelError(messages.EXTERIOR_WITHOUT_SYSTEM(name=files.exterior.name))
     if is_geographic(wkt) or metres_per_unit(wkt, 0.0) != (1.0, 1.0):

@@ -4,15 +4,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from ...imagery import messages as imagery_messages
 from ...imagery.errors import Message, SensorModelError, SettingsError
+from ...imagery.messages import system_reason
 from ...imagery.rasters import RasterRef
 from . import messages
 from .camera_files import orientation_file
 from .exterior_files import Exteriors
 
 PHOTO_ENDINGS = (".tif", ".tiff", ".jpg", ".jpeg", ".png", ".jp2")
-_TERRAINS = ("odm_dem/dtm.tif", "odm_dem/dsm.tif")
-"""Of a project: the ground, else the surface."""
+_TERRAINS = ("odm_dem/dtm.tif", "odm_dem/dsm.tif")  # of a project: the ground, else the surface
 
 
 def project_photos(exterior: Path) -> Path:
@@ -23,8 +24,11 @@ def project_photos(exterior: Path) -> Path:
 
 
 def project_terrain(exterior: Path) -> RasterRef:
-    """The terrain model of a project. Raises SettingsError where there is none."""
-    project = orientation_file(exterior).parent.parent
+    """The terrain model of a project. Raises SettingsError where there is none, or no file of that name at all."""
+    path = orientation_file(exterior)
+    if not path.is_file():
+        raise SettingsError(imagery_messages.NOT_FOUND(path=path))
+    project = path.parent.parent
     found = next((project / name for name in _TERRAINS if (project / name).is_file()), None)
     if found is None:
         raise SettingsError(messages.NO_DEM())
@@ -43,8 +47,8 @@ class BlockPhoto:
 
 
 def block_photos(exteriors: Exteriors, folder: Path, output: Path) -> tuple[list[BlockPhoto], list[Message]]:
-    """The photos that are oriented and in a folder, and what to say of others. Raises SeamInspectorError where none can
-    be made."""
+    """The photos that are oriented and in a folder, and what to say of others; ``output`` is there then. Raises
+    SeamInspectorError where none can be made."""
     try:
         there = [one for one in sorted(folder.iterdir()) if one.suffix.lower() in PHOTO_ENDINGS]
     except OSError:
@@ -67,4 +71,8 @@ def block_photos(exteriors: Exteriors, folder: Path, output: Path) -> tuple[list
     met = next((one.ortho for one in photos.values() if one.ortho.resolve() in inputs), None)
     if met is not None:
         raise SettingsError(messages.ORTHO_IS_PHOTO(path=met))
+    try:
+        output.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=output, error=system_reason(error))) from None
     return list(photos.values()), missing

@@ -29,10 +29,10 @@ def yaml_document(text: str, name: str) -> Any:
     """What a YAML text says; None for one that is none. Raises SensorModelError without PyYAML."""
     try:
         import yaml
+
+        return yaml.safe_load(text)
     except ImportError:
         raise SensorModelError(messages.YAML_MISSING(name=name)) from None
-    try:
-        return yaml.safe_load(text)
     except (yaml.YAMLError, RecursionError, ValueError):
         return None
 

@@ -69,9 +69,14 @@ def test_what_can_t_be_done_is_said(project_folder: Path, tmp_path: Path) -> Non
     given = {"EXTERIOR": str(project_folder), "OUTPUT": str(tmp_path / "orthos")}
     for changed, words in (
         ({"OUTPUT": str(project_folder / "images")}, "would be written over the photo"),
+        ({"OUTPUT": str(project_folder / "opensfm" / "reconstruction.json")}, "can't be written"),
+        ({"EXTERIOR": str(tmp_path / "nothing")}, "nothing"),
+        ({"HEIGHT": 5000}, "img_3.TIF is left out: The camera of"),
         ({"PHOTOS": str(project_folder / "opensfm")}, "None of the photos that reconstruction.json names"),
         ({"HEIGHT": 400, "DEM": str(project_folder / "odm_dem" / "dsm.tif")}, "choose one of them"),
     ):
         assert_sentence(run("orthorectifyphotos", **{**given, **changed}).complaint, words)
     (project_folder / "odm_dem" / "dsm.tif").unlink()
     assert_sentence(run("orthorectifyphotos", **given).complaint, "No terrain model is given")
+    (project_folder / "opensfm" / "reconstruction.json").unlink()
+    assert_sentence(run("orthorectifyphotos", **given).complaint, "block")
