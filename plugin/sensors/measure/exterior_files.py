@@ -34,6 +34,7 @@ from .pushbroom import geocentric
 AUTO, DEGREES, GON, RADIANS = ANGLE_UNITS
 _IN_DEGREES = {DEGREES: 1.0, GON: 0.9, RADIANS: math.degrees(1)}
 _UNIT_WORDS = ((GON, r"gons?|grads?|grades?"), (DEGREES, r"deg|degrees?|°"), (RADIANS, r"rad|radians?"))
+_ANGLE_WORDS = "|".join(rf"[_ (\[](?:{words})\b[)\]]?" for _, words in _UNIT_WORDS)
 _FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
 _ALIASES = {
     "filename": "filename file image imagename imageid imagefile photo photoid photoname label id name frame",
@@ -48,7 +49,6 @@ _PAIRS = r"(?i)(ellipsoid|orthometric|photo|image|file|camera)[ _](height|id|nam
 _DIGITS = 1e-4  # how far from orthonormal axes in a text may be
 _SHOWN = 5
 _LEAST_RADIANS = 1.4  # a photo flown to the north or back has 1.57 or 3.14; in degrees nobody flies just so
-_HALF_TURN = 180.0
 _DOWN = np.diag([1.0, -1.0, -1.0])  # from x right, y up, z back to columns, rows and the view
 
 
@@ -187,11 +187,9 @@ def _opensfm_photos(content: Any, path: Path) -> Named:
 def _odm_offset(path: Path) -> tuple[str, np.ndarray]:
     """Reference system and offset (3,) of OpenDroneMap's ``coords.txt``: ``WGS84 UTM 32N``, then two numbers."""
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    zone = re.search(r"UTM (\d+)([NS])", lines[0])
-    if zone is None:
-        raise ValueError
+    ((zone, side),) = re.findall(r"UTM (\d+)([NS])", lines[0])
     east, north = (float(word) for word in lines[1].split()[:2])
-    return f"EPSG:{(32600 if zone[2] == 'N' else 32700) + int(zone[1])}", np.array([east, north, 0.0])
+    return f"EPSG:{(32600 if side == 'N' else 32700) + int(zone)}", np.array([east, north, 0.0])
 
 
 def _metashape_photos(root: Element) -> Named:
@@ -351,7 +349,7 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
     largest = float(np.abs(turned).max())
     if not unit and _LEAST_RADIANS < largest <= math.pi:
         notices = (messages.ANGLES_PERHAPS_RADIANS(name=path.name),)
-    elif not unit and largest > _HALF_TURN:
+    elif not unit and largest > 180:
         notices = (messages.ANGLES_PERHAPS_GON(name=path.name, angle=largest),)
     degrees = turned * _IN_DEGREES[unit or DEGREES]
     system = _named_system(lines[:start])
@@ -372,16 +370,12 @@ def _header(line: str) -> dict[str, int]:
     """Where each column stands; {} for a line that names too few."""
     line = re.sub(_PAIRS, r"\1\2", re.sub(r"(?i)#\s*event", "event", line)).strip().lstrip("#")
     for parted in (";", "\t", ",", None):
-        names = [re.sub(r"\(.*?\)|\[.*?\]|[^a-z0-9]", "", re.sub(_angle_words(), "", word.lower()))
+        names = [re.sub(r"\(.*?\)|\[.*?\]|[^a-z0-9]", "", re.sub(_ANGLE_WORDS, "", word.lower()))
                  for word in line.split(parted)]  # fmt: skip
         found = {_NAMES[name]: place for place, name in reversed(list(enumerate(names))) if name in _NAMES}
         if set(_FIELDS[1:]) <= set(found):
             return found
     return {}
-
-
-def _angle_words() -> str:
-    return "|".join(rf"[_ (\[](?:{words})\b[)\]]?" for _, words in _UNIT_WORDS)
 
 
 def _angle_unit(lines: Iterable[str]) -> str:

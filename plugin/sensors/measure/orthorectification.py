@@ -160,8 +160,8 @@ def orthorectify(
     progress: Callable[[float], None] = lambda share: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Ortho:
-    """Write the orthoimage, whole or not at all. Raises SeamInspectorError for what the user can mend,
-    CancelledError."""
+    """Write the orthoimage, whole or not at all. Raises RasterError, SensorModelError or SettingsError for what the
+    user can mend, CancelledError when cancelled."""
     if (request.dem is None) == (request.height is None):
         raise SettingsError(messages.NO_DEM() if request.dem is None else messages.DEM_AND_HEIGHT())
     if request.height is not None and not LOWEST_M <= request.height <= HIGHEST_M:
