@@ -2,10 +2,11 @@
 
     python -m demo.data FOLDER [--small]
 
-The folder gets `block` (a mosaic, its five orthoimages, their index and the seamlines), `delivery` (twelve sheets, four
-of them spoilt), `noise` (the same ground by a clean sensor and on film), `bars` (a bar target, the lines across its
-groups, passes at three heights), `photo` (a scanned photograph with fiducial marks), `satellite` (an image with its
-RPC, terrain and points) and `judged` (windows that an operator judged). What is there already stays as it is.
+The folder gets `block` (a mosaic, its five orthoimages, their index and the seamlines), `delivery` (twelve sheets,
+four of them spoilt), `noise` (the same ground by a clean sensor and on film), `bars` (a bar target, the lines across
+its groups, passes at three heights), `photo` (a scanned photograph with fiducial marks), `satellite` (an image with
+its RPC, terrain and points), `flight` (two photos of a drone as OpenDroneMap orients them) and `judged` (windows that
+an operator judged). What is there already stays as it is.
 """
 from __future__ import annotations
 
@@ -19,6 +20,7 @@ from .block import EPSG
 from .delivery import make_delivery
 from .examples.bar_target import make_bar_target
 from .examples.files import box, write_layer
+from .examples.flight import make_flight
 from .examples.judged_windows import make_judged_windows
 from .examples.noise_pair import make_noise_pair
 from .examples.satellite_scene import make_satellite_scene
@@ -38,6 +40,7 @@ def make_data(folder: Path, small: bool = False, progress: Callable[[str], None]
         "bars": make_bar_target,
         "photo": make_scanned_photo,
         "satellite": make_satellite_scene,
+        "flight": make_flight,
         "judged": make_judged_windows,
     }
     for name, make in makers.items():

@@ -39,7 +39,7 @@ def _file(name: str) -> Path:
     return Path(name)
 
 
-FOLDERS = {"first": {".xml"}, "second": {".csv"}, "delivery": {".tif"}}
+FOLDERS = {"first": {".xml"}, "second": {".csv"}, "delivery": {".tif"}, "photos": {".tif"}}
 """The endings of what folders of the samples hold."""
 MODELS = {"inspect_mosaic", "accept_delivery"}
 """Their rasters are loaded by QGIS itself before a step of ours begins, and their steps refuse what they are given."""
@@ -179,6 +179,10 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
     ("orthorectify", "micmac", {
         "IMAGE": _file("photo.tif"), "INTERIOR": _file("autocal.xml"), "EXTERIOR": _file("exterior.geojson"),
         "DEM": _file("terrain.tif"), "PIXEL_SIZE": 20.0}),
+    ("orthorectifyphotos", "table", {
+        "EXTERIOR": _file("exterior.csv"), "INTERIOR": _file("camera.yaml"), "EXTERIOR_CRS": "EPSG:32633",
+        "PHOTOS": _file("photos"), "DEM": _file("terrain.tif"), "DEM_HEIGHTS": "geoid", "GEOID": _file("sea.tif"),
+        "PIXEL_SIZE": 20.0}),
     ("planpoints", "nominal", {
         "MODEL": "polynomial_3d 1", "COUNTS": "6, 8", "SPREAD": "grid", "SIGMA": 0.5, "SIGMA_PX": 0.5, "LOWEST": 0.0,
         "HIGHEST": 300.0, "ORBIT_HEIGHT": 694.0, "VIEW_ANGLE": 15.0, "PIXEL_SIZE": 0.5, "SIDE": 15.0, "SEED": 1}),

@@ -154,7 +154,12 @@ def _sensors(folder: Path) -> None:
                  system=4326)
     write_raster(folder / "geoid.tif", np.full((20, 20), 50, np.float32), geotransform=(5, 0.2, 0, 46, 0, -0.2),
                  system=4326, options=())
-    write_plain(folder / "photo.tif", random.integers(1, 255, (60, 80)).astype(np.uint8))
+    write_raster(folder / "sea.tif", np.full((20, 20), 50, np.float32), geotransform=(13, 0.2, 0, 38, 0, -0.2),
+                 system=4326, options=())
+    photo = random.integers(1, 255, (60, 80)).astype(np.uint8)
+    (folder / "photos").mkdir()
+    for path in (folder / "photo.tif", folder / "photos" / "photo.tif"):
+        write_plain(path, photo)
     terrain = (100 + 30 * random.random((80, 80))).astype(np.float32)
     write_raster(folder / "terrain.tif", terrain, geotransform=(498_000, 50, 0, 4_002_000, 0, -50))
     (folder / "camera.yaml").write_text(YAML)

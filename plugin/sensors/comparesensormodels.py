@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from qgis.core import QgsProcessing, QgsProcessingOutputString, QgsProcessingParameterFeatureSink
 from qgis.PyQt.QtCore import QT_TR_NOOP
@@ -11,9 +11,6 @@ from ..toolkit.algorithms import parameters as common
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import sentence, tr
 from .sensor_parameters import IMAGE_RPC, ROBUST, SensorAlgorithm, image_box
-
-if TYPE_CHECKING:
-    pass
 
 OUTPUT = "OUTPUT"
 RECOMMENDED, RECOMMENDATION, MODEL_COUNT = "RECOMMENDED", "RECOMMENDATION", "MODEL_COUNT"
@@ -58,12 +55,8 @@ class CompareSensorModels(SensorAlgorithm):
         notices = coverage_warnings(control_coverage(points.image[~points.check], image_box(image, points)))
         run.tell(*notices)
         result = adjustment.compare(
-            points,
-            adjustment.all_requests(rpc, self._orbit_height_m(run, image), size),
-            run.flag(ROBUST),
-            is_flat(points),
-            run.progress,
-            run.is_cancelled,
+            points, adjustment.all_requests(rpc, self._orbit_height_m(run, image), size), run.flag(ROBUST),
+            is_flat(points), run.progress, run.is_cancelled,
         )
         sink, output = run.sink(OUTPUT, point_tables.comparison_fields())
         run.write(sink, point_tables.comparison_features(result))

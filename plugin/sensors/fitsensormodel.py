@@ -200,9 +200,7 @@ class FitSensorModel(SensorAlgorithm):
         if kind.corrects_rpc and rpc is None:
             raise SensorModelError(messages.NO_RPC())
         return kind.request(
-            str(run.whole(ORDER)),
-            run.text(BIAS),
-            "xy" if run.flag(DLT_XY) else "",
+            str(run.whole(ORDER)), run.text(BIAS), "xy" if run.flag(DLT_XY) else "",
             orbit_height_m=self._orbit_height_m(run, image),
             size=(float(image.columns), float(image.rows)) if image is not None else None,
             rpc=rpc if kind.corrects_rpc else None,

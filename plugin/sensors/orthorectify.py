@@ -1,6 +1,7 @@
 """``seaminspector:orthorectify``: an image over a terrain model."""
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -8,7 +9,6 @@ from qgis.core import (
     QgsProcessingParameterCrs,
     QgsProcessingParameterExtent,
     QgsProcessingParameterFile,
-    QgsProcessingParameterNumber,
     QgsProcessingParameterRasterDestination,
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
@@ -22,7 +22,10 @@ from .sensor_parameters import DEM, DEM_HEIGHTS, IMAGE, TERRAIN_ERROR, SensorAlg
 
 if TYPE_CHECKING:
     from ..imagery.open_raster import OpenRaster
+    from ..imagery.rasters import RasterRef
     from .measure.heights import Datum
+    from .measure.oriented_frames import FrameBlock
+    from .measure.orthorectification import Ortho, OrthoRequest
     from .measure.rpc import Domain
     from .measure.sensor_model import SensorModel
 
@@ -33,11 +36,104 @@ EXTERIOR_ANGLES = "EXTERIOR_ANGLES"
 ERROR_RMS, ERROR_MAX, UNCOVERED = "ERROR_RMS", "ERROR_MAX", "UNCOVERED"
 
 
-class Orthorectify(SensorAlgorithm):
+class OrthoAlgorithm(SensorAlgorithm):
+    """What makes orthoimages: the parameters of photos' orientations, of terrain and of what is made."""
+
+    RASTER_LISTS = (DEM,)
+
+    def addOrientations(self, optional: bool) -> None:
+        """Of aerial photos."""
+        every = tr("All files (*)")  # *.*, QGIS's own, leaves out folders
+        self.addDescribed(
+            QgsProcessingParameterFile(EXTERIOR, tr("Exterior orientation"), optional=optional, fileFilter=every),
+            tr(
+                "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, "
+                "phi and kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, "
+                "Applanix, Inpho, PATB, ContextCapture, orthority or MicMac."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterFile(INTERIOR, tr("Interior orientation"), optional=True),
+            tr(
+                "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or "
+                "MicMac write it. Empty: in the file of the exterior orientation."
+            ),
+        )
+        self.addDescribed(
+            QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), optional=True),
+            tr("Projected, in metres. Empty: what its file says, else the image's own."),
+            advanced=True,
+        )
+        self.addDescribed(
+            common.choice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS),
+            tr("as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."),
+            advanced=True,
+        )
+        self.addDescribed(
+            common.choice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS),
+            tr("Of a table. auto: what its header says, else degrees."),
+            advanced=True,
+        )
+
+    def addGround(self, terrain: str) -> None:
+        """A terrain model or a height."""
+        self.addTerrain(terrain, (DEM_HEIGHTS, tr("Heights of the terrain model")))
+        self.addDescribed(
+            common.real(HEIGHT, tr("Constant height (metres)"), None, optional=True),
+            tr("Above the ellipsoid, instead of a terrain model: only where the terrain is flat."),
+        )
+
+    def addGrid(self, system: str) -> None:
+        """How what is made looks; ``system``: what its reference system is by default."""
+        self.addDescribed(QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), system)
+        self.addDescribed(
+            common.real(PIXEL_SIZE, tr("Pixel size"), None, 0.0, optional=True, decimals=6),
+            tr("In units of the reference system. Empty: that of the image on the ground."),
+        )
+        self.addDescribed(
+            common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic"), tr("How pixels are interpolated.")
+        )
+        self.addDescribed(
+            common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS),
+            tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."),
+        )
+
+    def _block(self, run: Run) -> FrameBlock:
+        """The orientations and the ground. Raises SettingsError without an exterior one."""
+        from ..toolkit.layers import system_wkt
+        from .measure.oriented_frames import FrameFiles, read_block
+
+        interior, exterior = run.path(INTERIOR), run.path(EXTERIOR)
+        if not exterior:
+            raise SettingsError(messages.ORIENTATION_INCOMPLETE())
+        dem_datum, datum = height_datums(run, DEM_HEIGHTS, EXTERIOR_HEIGHTS)
+        files = FrameFiles(
+            Path(interior) if interior else None, Path(exterior), system_wkt(run.crs(EXTERIOR_CRS)), datum,
+            run.text(EXTERIOR_ANGLES),
+        )  # fmt: skip
+        return read_block(files, self._dem, dem_datum, run.real(HEIGHT))
+
+    def _request(
+        self, run: Run, image: RasterRef, sight: tuple[SensorModel, str, Domain, Datum], output: Path
+    ) -> OrthoRequest:
+        """Of one image and what ``_model`` says of it, in its whole extent."""
+        from ..toolkit.layers import system_wkt
+        from .measure.orthorectification import OrthoRequest
+
+        model, wkt, domain, datum = sight
+        height, size = (
+            run.real(name) if run.parameters.get(name) not in (None, "") else None for name in (HEIGHT, PIXEL_SIZE)
+        )
+        return OrthoRequest(
+            image, model, wkt, domain, self._dem, datum, height, output, system_wkt(run.crs(CRS)), size,
+            resampling=run.text(RESAMPLING), format=run.text(FORMAT),
+        )  # fmt: skip
+
+
+class Orthorectify(OrthoAlgorithm):
     """An orthoimage from an image, its model and terrain heights."""
 
     ID = "orthorectify"
-    RASTER_LISTS = (DEM,)
     NAME = QT_TR_NOOP("Orthorectify")
     HELP = QT_TR_NOOP(
         "Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC "
@@ -58,71 +154,15 @@ class Orthorectify(SensorAlgorithm):
                     "without a model file: the image's own RPC."
                 ),
             ),
-            (
-                INTERIOR,
-                tr("Interior orientation"),
-                tr(
-                    "The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or "
-                    "MicMac write it. Empty: in the file of the exterior orientation."
-                ),
-            ),
-            (
-                EXTERIOR,
-                tr("Exterior orientation"),
-                tr(
-                    "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, "
-                    "phi and kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, "
-                    "Applanix, Inpho, PATB, ContextCapture, orthority or MicMac."
-                ),
-            ),
         ):
             self.addDescribed(QgsProcessingParameterFile(name, label, optional=True), purpose)
-        self.addDescribed(
-            QgsProcessingParameterCrs(EXTERIOR_CRS, tr("Reference system of the exterior orientation"), optional=True),
-            tr("Projected, in metres. Empty: what its file says, else the image's own."),
-            advanced=True,
-        )
-        self.addDescribed(
-            common.choice(EXTERIOR_HEIGHTS, tr("Heights of the exterior orientation"), limits.EXTERIOR_DATUMS),
-            tr("as_terrain: they refer to what the terrain model's heights refer to, and nothing is converted."),
-            advanced=True,
-        )
-        self.addDescribed(
-            common.choice(EXTERIOR_ANGLES, tr("Angles of the exterior orientation"), limits.ANGLE_UNITS),
-            tr("Of a table. auto: what its header says, else degrees."),
-            advanced=True,
-        )
-        self.addTerrain(
-            tr("Terrain heights under the whole image, in any reference system."),
-            (DEM_HEIGHTS, tr("Heights of the terrain model")),
-        )
+        self.addOrientations(optional=True)
+        self.addGround(tr("Terrain heights under the whole image, in any reference system."))
         self.addTerrainError()
-        self.addDescribed(
-            QgsProcessingParameterNumber(
-                HEIGHT, tr("Constant height (metres)"), QgsProcessingParameterNumber.Type.Double, None, optional=True
-            ),
-            tr("Above the ellipsoid, instead of a terrain model: only where the terrain is flat."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True),
-            tr("Of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre."),
-        )
-        self.addDescribed(
-            QgsProcessingParameterNumber(
-                PIXEL_SIZE, tr("Pixel size"), QgsProcessingParameterNumber.Type.Double, None, True, 0
-            ),
-            tr("In units of the reference system. Empty: that of the image on the ground."),
-        )
+        self.addGrid(tr("Of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre."))
         self.addDescribed(
             QgsProcessingParameterExtent(EXTENT, tr("Extent"), optional=True),
             tr("Empty: the whole image. It is widened to whole pixels."),
-        )
-        self.addDescribed(
-            common.choice(RESAMPLING, tr("Resampling"), limits.RESAMPLINGS, "cubic"), tr("How pixels are interpolated.")
-        )
-        self.addDescribed(
-            common.choice(FORMAT, tr("Format"), limits.ORTHO_FORMATS),
-            tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."),
         )
         self.addDescribed(
             QgsProcessingParameterRasterDestination(OUTPUT, tr("Orthoimage")),
@@ -146,88 +186,57 @@ class Orthorectify(SensorAlgorithm):
     def execute(self, run: Run) -> dict[str, Any]:
         from ..toolkit.layers import box_extent, system_wkt
         from .measure.fit_files import view_direction
-        from .measure.orthorectification import OrthoRequest, orthorectify
+        from .measure.orthorectification import orthorectify
 
         self.check(run)
-        assert self._image_ref is not None
         image = self._image()
         assert image is not None
-        model, wkt, domain, dem_datum = self._model(run, image)
-        target = run.crs(CRS)
-        extent = None
+        sight = self._model(run, image)
+        request = self._request(run, image.ref, sight, Path(run.layer_path(OUTPUT)))
         if run.parameters.get(EXTENT):
-            if not target.isValid():
-                target = run.extent_crs(EXTENT)
+            target = run.crs(CRS) if request.target_wkt else run.extent_crs(EXTENT)
             if not target.isValid():
                 raise SettingsError(messages.EXTENT_WITHOUT_SYSTEM())
             extent = box_extent(run.extent(EXTENT, target))
-        size = run.parameters.get(PIXEL_SIZE)
-        height = run.parameters.get(HEIGHT)
-        output = Path(run.layer_path(OUTPUT))
-        request = OrthoRequest(
-            self._image_ref,
-            model,
-            wkt,
-            domain,
-            self._dem,
-            dem_datum,
-            None if height in (None, "") else run.real(HEIGHT),
-            output,
-            system_wkt(target),
-            None if size in (None, "") else run.real(PIXEL_SIZE),
-            extent,
-            run.text(RESAMPLING),
-            run.text(FORMAT),
-        )
+            request = replace(request, target_wkt=system_wkt(target), extent=extent)
         made = orthorectify(request, run.progress, run.is_cancelled)
         run.tell(*made.notices)
-        run.inform(
-            filled(tr(
-                "{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px."
-            ), columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px)
-        )
+        run.inform(told(made))
         results = {OUTPUT: str(made.path), ERROR_RMS: made.rms_px, ERROR_MAX: made.max_px, UNCOVERED: made.uncovered}
-        view = view_direction(model, wkt, domain)
+        view = view_direction(*sight[:3])
         if view is not None:
             run.tell(view.told(run.real(TERRAIN_ERROR)))
         return {**results, **view_numbers(run, view)}
 
     def _model(self, run: Run, image: OpenRaster) -> tuple[SensorModel, str, Domain, Datum]:
-        """The model in the image's own pixels, the system it is in, where it is used, and what the terrain model's
-        heights are to be taken as."""
+        """The model in the image's own pixels, its system, where it is used, and what the terrain's heights are taken
+        as."""
         from .measure.fit_files import load_model
         from .measure.orthorectification import rpc_domain
         from .measure.sensor_model import WGS84
 
-        path = run.path(MODEL_FILE)
-        datums = height_datums(run, DEM_HEIGHTS, EXTERIOR_HEIGHTS)
-        dem_datum, exterior_datum = datums
+        path, is_photo = run.path(MODEL_FILE), run.path(INTERIOR) or run.path(EXTERIOR)
         if path and run.path(RPC):
             raise SettingsError(messages.MODEL_AND_RPC())
-        if run.path(INTERIOR) or run.path(EXTERIOR):
-            if path or run.path(RPC):
-                raise SettingsError(messages.ORIENTATION_AND_MODEL())
-            return self._frame(run, image, dem_datum, exterior_datum)
+        if is_photo and (path or run.path(RPC)):
+            raise SettingsError(messages.ORIENTATION_AND_MODEL())
+        if is_photo:
+            frame = self._block(run).frame(image)
+            run.tell(*frame.notices)
+            return frame.sight
+        datum = height_datums(run, DEM_HEIGHTS, EXTERIOR_HEIGHTS)[0]
         if path:
             file = load_model(Path(path))
-            return file.model, file.wkt, file.domain, dem_datum
+            return file.model, file.wkt, file.domain, datum
         rpc = self._rpc(run, RPC, image)
         if rpc is None:
             raise SensorModelError(messages.NO_RPC())
-        return rpc, WGS84, rpc_domain(rpc, image.raster), dem_datum
+        return rpc, WGS84, rpc_domain(rpc, image.raster), datum
 
-    def _frame(
-        self, run: Run, image: OpenRaster, dem_datum: Datum, datum: Datum
-    ) -> tuple[SensorModel, str, Domain, Datum]:
-        from ..toolkit.layers import system_wkt
-        from .measure.oriented_frames import FrameFiles, oriented_frame
 
-        interior, exterior = run.path(INTERIOR), run.path(EXTERIOR)
-        if not exterior:
-            raise SettingsError(messages.ORIENTATION_INCOMPLETE())
-        wkt = system_wkt(run.crs(EXTERIOR_CRS))
-        angles = run.text(EXTERIOR_ANGLES)
-        files = FrameFiles(Path(interior) if interior else None, Path(exterior), wkt, datum, angles)
-        made = oriented_frame(image, files, self._dem, dem_datum, run.real(HEIGHT))
-        run.tell(*made.notices)
-        return made.camera, made.wkt, made.domain, made.terrain_datum
+def told(made: Ortho) -> str:
+    """What an orthoimage is like."""
+    words = tr("{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.")
+    return filled(
+        words, columns=made.columns, rows=made.rows, size=made.pixel_size, rms=made.rms_px, most=made.max_px
+    )

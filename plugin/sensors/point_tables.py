@@ -34,10 +34,8 @@ from .measure.rpc import PIXEL_CENTRE
 
 
 def heights_wkt(layer: QgsVectorLayer) -> str:
-    """The compound or three-dimensional system of a layer; empty where it says nothing of heights.
-
-    QGIS keeps a system's code and forgets its vertical part, so the code is looked up anew, and the file is asked.
-    """
+    """The system that says what a layer's heights are, or empty: QGIS forgets it, so the code and the file are
+    asked."""
     system = osr.SpatialReference()
     with gdal_silenced(), suppress(RuntimeError):
         system.SetFromUserInput(layer.crs().authid())
@@ -65,12 +63,8 @@ _SHOWN = 5
 def layer_points(
     source: QgsProcessingFeatureSource, image_name: str = "", heights: str = ""
 ) -> tuple[Points, bool, list[Message]]:
-    """The points of a layer, whether they have roles, and what was left out.
-
-    A layer with the fields ``ji`` and ``filename`` is one of orthority: of it the points of the image are taken.
-    ``heights`` is the system that says what heights refer to, where the layer's own does not. Raises SensorModelError
-    for a layer without columns and rows, without a reference system or without points.
-    """
+    """The points of a layer, whether they have roles, and what was left out; of orthority's (``ji``, ``filename``)
+    those of the image. ``heights``: the system that says what heights refer to. Raises SensorModelError."""
     names = [name.lower() for name in source.fields().names()]
     of_orthority = "ji" in names and not {"column", "row"} <= set(names)
     missing = [] if of_orthority else [name for name in ("column", "row") if name not in names]

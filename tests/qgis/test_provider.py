@@ -47,7 +47,9 @@ GROUPS = {
     "Image quality": ("checknoise", "checkradiometry"),
     "Ground resolution": ("measureresolution", "minimumheight", "simulatebayer"),
     "Interior orientation of photos": ("interiororientation", "comparemarks", "enhancephoto"),
-    "Satellite images": ("fitsensormodel", "comparesensormodels", "orthorectify", "planpoints"),
+    "Satellite images": (
+        "fitsensormodel", "comparesensormodels", "orthorectify", "orthorectifyphotos", "planpoints",
+    ),
 }
 NAMES = [name for names in GROUPS.values() for name in names]
 IDS = {f"seaminspector:{name}" for name in NAMES}

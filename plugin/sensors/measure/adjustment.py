@@ -29,10 +29,8 @@ CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
 
 def fit_model(request: ModelRequest, points: Points, weights: np.ndarray) -> FittedModel:
-    """Fit a model to points with weights (n,), 1 / standard deviation in px; points of weight 0 do not count.
-
-    Raises SensorModelError where they are too few or do not determine it, SettingsError where an RPC is missing.
-    """
+    """Fit a model to points with weights (n,), 1 / standard deviation in px, 0 for none. Raises SensorModelError,
+    SettingsError."""
     used = weights > 0
     points, weights = points.only(used), weights[used]
     fewest = request.variant.fewest
@@ -125,11 +123,8 @@ def accuracy(residuals_px: np.ndarray, residuals_m: np.ndarray) -> Accuracy:
 
 
 def adjust(request: ModelRequest, points: Points, robust: bool = False) -> Adjustment:
-    """Fit a model to the control points and judge it on all.
-
-    ``robust`` looks for blunders: least absolute residuals first, then Tukey's biweight, then a test of each point;
-    the model is fitted to those that pass. Raises SensorModelError where points are too few or determine nothing.
-    """
+    """Fit a model to the control points and judge it on all. ``robust`` looks for blunders: least absolute residuals,
+    Tukey's biweight, a test of each point. Raises SensorModelError where points are too few or determine nothing."""
     control = points.only(~points.check)
     needed = points.ground if request.needs_heights else points.ground[:, :2]
     if not np.isfinite(needed).all():
@@ -157,10 +152,7 @@ def _seen(model: SensorModel, wkt: str, ground: np.ndarray) -> np.ndarray:
 
 
 def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
-    """(n, 2) m along x and y: where the model puts the measured image point, at the point's height, minus given.
-
-    Where a model is too bent to be inverted, what its slope at the point makes of the residual in the image.
-    """
+    """(n, 2) m along x and y, model minus given at the point's height; by its slope where a model can't be inverted."""
     metres = metres_per_unit(points.wkt, float(np.mean(points.ground[:, 1])))
     heights = np.nan_to_num(points.ground[:, 2])
     given, seen = points.ground[:, :2], partial(_seen, fitted.model, points.wkt)
@@ -222,10 +214,8 @@ def _without_blunders(request: ModelRequest, control: Points) -> np.ndarray:
 
 
 def _blunder_limit(redundancy: float) -> float:
-    """The longest residual of a good point, in standard deviations of a coordinate from so many redundant ones.
-
-    Half its square is F-distributed with 2 and ``redundancy`` degrees of freedom.
-    """
+    """The longest residual of a good point, in standard deviations of a coordinate: half its square is
+    F-distributed."""
     return float(np.sqrt(redundancy * (BLUNDER_PROBABILITY ** (-2 / redundancy) - 1)))
 
 
@@ -293,17 +283,11 @@ def all_requests(rpc: Rational | None, orbit_height_m: float, size: tuple[float,
 
 
 def compare(
-    points: Points,
-    requests: Sequence[ModelRequest],
-    robust: bool,
-    flat: bool,
-    progress: Callable[[float], None] = lambda share: None,
-    cancelled: Callable[[], bool] = lambda: False,
+    points: Points, requests: Sequence[ModelRequest], robust: bool, flat: bool,
+    progress: Callable[[float], None] = lambda share: None, cancelled: Callable[[], bool] = lambda: False,
 ) -> Comparison:
-    """Fit every model, judge it on check points, or by leave-one-out where they are fewer than five.
-
-    ``flat`` says whether the terrain moves the image by less than the errors asked for, so that a plane model may do.
-    """
+    """Fit every model and judge it on check points, by leave-one-out where they are fewer than five. ``flat``: whether
+    the terrain lets a plane model do."""
     one_by_one = np.count_nonzero(points.check) < MIN_CHECK_POINTS
     rows: list[JudgedModel] = []
     for number, request in enumerate(requests):
@@ -354,11 +338,8 @@ def _left_out(
 
 
 def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | None, Message]:
-    """The model to take, and why: the one of fewest unknowns whose errors are not worse than the best's by more than
-    chance, as far as the points that both have not seen tell; of as many the one that the paper prefers.
-
-    Plane models only where the ground is ``flat`` (conclusion 3).
-    """
+    """The model to take, and why: of those whose errors on the same points are not worse than the best's by more than
+    chance the one of fewest unknowns, then the one that the paper prefers; plane ones on ``flat`` ground only."""
     judged = [(row.errors.rmse, row) for row in rows if row.errors is not None and row.reason is None]
     known = [(error, row) for error, row in judged if error is not None and np.isfinite(error)]
     sound = [(error, row) for error, row in known if flat or row.request.needs_heights] or known

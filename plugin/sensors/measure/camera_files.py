@@ -1,8 +1,4 @@
-"""The cameras of aerial photos from files.
-
-Read are orthority's YAML, OpenSfM's JSON (OpenDroneMap), Metashape's XML, MicMac's AutoCal XML, Pix4D's calibrated
-camera parameters, Inpho's project and ContextCapture's BlocksExchange.
-"""
+"""The cameras of aerial photos from the files of other programs."""
 from __future__ import annotations
 
 import re
@@ -20,7 +16,7 @@ from ...imagery.errors import SensorModelError
 from . import messages
 from .frames import FrameInterior
 from .lenses import BrownLens, FisheyeLens, Lens
-from .sensor_model import file_content
+from .sensor_model import file_content, yaml_document
 
 MAX_SHAPE_DIFFERENCE = 0.01  # of an image's sides against its camera's: a reduced image is a pixel off at most
 MAX_PIXELS = 1e9  # of an image's side, a focal length, or from the image to the principal point
@@ -40,6 +36,7 @@ _OPENSFM = {
     "perspective": "brown", "simple_radial": "brown", "radial": "brown", "brown": "brown", "fisheye": "fisheye",
     "fisheye_opencv": "fisheye",
 }  # fmt: skip
+VERSION = "v2 "  # what OpenSfM has before cameras' names and OpenDroneMap leaves out in cameras.json
 _RECONSTRUCTION = "reconstruction.json"
 PIX4D_LINES = 9  # of a photo: three of the camera's matrix, two of its lens, its position, three of its rotation
 
@@ -56,36 +53,59 @@ class FileCamera:
     """(2, 2) its columns and rows by the axes that its file's rotations turn, x to the right and y upwards."""
 
 
-def read_interior(path: Path, camera: str, size: tuple[int, int]) -> FrameInterior:
-    """The camera of a file, scaled to an image of ``size`` (columns, rows); ``camera`` chooses among several.
+@dataclass(frozen=True)
+class Cameras:
+    """The cameras of a file."""
 
-    Raises SensorModelError for a file that is none, a camera of another shape than the image, a distortion that is
-    not known here.
-    """
-    try:
-        found = chosen_camera(document(path), path, camera)
-        made, own_size = found.interior, found.size
-        lens = map(np.atleast_1d, vars(made.lens).values())
-        pixels = np.concatenate([made.focal, made.principal, made.centre, own_size])
-        sound = (
-            own_size.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
-            and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *own_size) >= 1
-        )
-    except UNREADABLE:
-        sound = False
-    if not sound:
-        raise SensorModelError(messages.NO_INTERIOR(name=path.name))
-    scale = np.array(size) / own_size
-    if abs(scale[0] / scale[1] - 1) > MAX_SHAPE_DIFFERENCE:
-        width, height = (round(float(side)) for side in own_size)
-        raise SensorModelError(
-            messages.INTERIOR_OF_ANOTHER_SHAPE(
-                name=path.name, width=width, height=height, columns=size[0], rows=size[1]
+    name: str
+    """The file's."""
+    cameras: Mapping[str, Callable[[], FileCamera]]
+    """What makes each, by its name."""
+
+    def chosen(self, camera: str) -> FileCamera:
+        """The one of that name, of any part of a reconstruction what follows the slash, or the only one. Raises
+        SensorModelError."""
+        names = [camera, camera.partition("/")[2], *(self.cameras if len(self.cameras) == 1 else ())]
+        found = next((name for name in names if name in self.cameras), None)
+        if found is None and self.cameras:
+            known = ", ".join(map(str, self.cameras))
+            raise SensorModelError(messages.CAMERA_UNKNOWN(name=self.name, names=known))
+        return self.cameras[str(found)]()
+
+    def of(self, camera: str, size: tuple[int, int]) -> FrameInterior:
+        """One by its name, scaled to an image of ``size`` (columns, rows). Raises SensorModelError for what can't be
+        its camera."""
+        try:
+            found = self.chosen(camera)
+            made, own_size = found.interior, found.size
+            lens = map(np.atleast_1d, vars(made.lens).values())
+            pixels = np.concatenate([made.focal, made.principal, made.centre, own_size])
+            sound = (
+                own_size.shape == (2,) and np.isfinite(np.concatenate([pixels, *lens])).all()
+                and np.abs(pixels).max() <= MAX_PIXELS and min(*made.focal, *own_size) >= 1
             )
-        )
-    if not 1 / MAX_PIXEL_RATIO <= made.focal[0] / made.focal[1] <= MAX_PIXEL_RATIO:
-        raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=path.name, ratio=float(made.focal[1] / made.focal[0])))
-    return replace(made, focal=made.focal * scale, principal=made.principal * scale, centre=made.centre * scale)
+        except UNREADABLE:
+            sound = False
+        if not sound:
+            raise SensorModelError(messages.NO_INTERIOR(name=self.name))
+        scale = np.array(size) / own_size
+        if abs(scale[0] / scale[1] - 1) > MAX_SHAPE_DIFFERENCE:
+            (width, height), (columns, rows) = (round(float(side)) for side in own_size), size
+            raise SensorModelError(messages.INTERIOR_OF_ANOTHER_SHAPE(
+                name=self.name, width=width, height=height, columns=columns, rows=rows
+            ))
+        if not 1 / MAX_PIXEL_RATIO <= made.focal[0] / made.focal[1] <= MAX_PIXEL_RATIO:
+            ratio = float(made.focal[1] / made.focal[0])
+            raise SensorModelError(messages.PIXELS_NOT_SQUARE(name=self.name, ratio=ratio))
+        return replace(made, focal=made.focal * scale, principal=made.principal * scale, centre=made.centre * scale)
+
+
+def read_cameras(content: Any, path: Path) -> Cameras:
+    """The cameras of a ``document``. Raises SensorModelError for a file that holds none."""
+    try:
+        return Cameras(path.name, _cameras(content, path))
+    except UNREADABLE:
+        raise SensorModelError(messages.NO_INTERIOR(name=path.name)) from None
 
 
 def orientation_file(path: Path) -> Path:
@@ -95,24 +115,16 @@ def orientation_file(path: Path) -> Path:
 
 
 def document(path: Path) -> Any:
-    """What a file says: an Element of XML, objects of JSON, or text. Raises ParseError or ValueError."""
+    """An Element of XML, objects of JSON, or text; None for what looks like the first two and is neither."""
     content = file_content(path)
-    if looks_like_xml(content):
-        return xml_root(content)
-    if content.lstrip()[:1] in (b"{", b"["):
-        return json_document(content)
-    return content.decode("utf-8-sig", errors="replace")
-
-
-def chosen_camera(content: Any, path: Path, camera: str) -> FileCamera:
-    """The camera of that name, or the only one. Raises SensorModelError where neither is."""
-    cameras = _cameras(content, path)
-    name = camera if camera in cameras else next(iter(cameras)) if len(cameras) == 1 else None
-    if name is None:
-        if not cameras:
-            raise ValueError
-        raise SensorModelError(messages.CAMERA_UNKNOWN(name=path.name, names=", ".join(map(str, cameras))))
-    return cameras[name]()
+    try:
+        if looks_like_xml(content):
+            return xml_root(content)
+        if content.lstrip()[:1] in (b"{", b"["):
+            return json_document(content)
+        return content.decode("utf-8-sig", errors="replace")
+    except (ParseError, ValueError):
+        return None
 
 
 def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]:
@@ -125,10 +137,16 @@ def _cameras(content: Any, path: Path) -> Mapping[str, Callable[[], FileCamera]]
             return {sensor.get("id", ""): partial(_metashape_camera, sensor, path) for sensor in content.iter("sensor")}
         return {"": partial(_metashape_camera if content.tag == "calibration" else _micmac_camera, content, path)}
     if isinstance(content, (dict, list)):
-        cameras = content[0]["cameras"] if isinstance(content, list) else content.get("cameras", content)
+        if isinstance(content, list):  # of each part of a reconstruction
+            cameras = {
+                f"{part}/{name.removeprefix(VERSION)}": one
+                for part, own in enumerate(content) for name, one in own["cameras"].items()
+            }  # fmt: skip
+        else:
+            cameras = {name.removeprefix(VERSION): one for name, one in content.get("cameras", content).items()}
         if not all("projection_type" in one for one in cameras.values()):
             raise ValueError
-        return {name.removeprefix("v2 "): partial(_opensfm_camera, one, path) for name, one in cameras.items()}
+        return {name: partial(_opensfm_camera, one, path) for name, one in cameras.items()}
     if "$CAMERA_DEFINITION" in content:
         return {
             inpho_value(block, "ID"): partial(_inpho_camera, block, path)
@@ -166,16 +184,7 @@ def _camera(
 
 
 def _yaml_cameras(content: str, path: Path) -> dict[str, Mapping[str, Any]]:
-    try:
-        import yaml
-    except ImportError:
-        raise SensorModelError(messages.YAML_MISSING(name=path.name)) from None
-    try:
-        cameras = yaml.safe_load(content)
-    except (yaml.YAMLError, RecursionError):
-        raise ValueError from None
-    if not isinstance(cameras, dict) or not cameras:
-        raise ValueError
+    cameras = yaml_document(content, path.name)
     if "im_size" in cameras:
         cameras = {"": cameras}
     if not all(isinstance(one, dict) and "im_size" in one for one in cameras.values()):
@@ -255,12 +264,12 @@ def _micmac_camera(root: Element, path: Path) -> FileCamera:
     inner = root if root.tag == "CalibrationInternConique" else root.find(".//CalibrationInternConique")
     if inner is None:
         raise ValueError
-    focal, size = _numbers(inner, "F"), _numbers(inner, "SzIm")
-    principal, centre = _numbers(inner, "PP"), None
+    focal, size = numbers_of(inner, "F"), numbers_of(inner, "SzIm")
+    principal, centre = numbers_of(inner, "PP"), None
     radial: tuple[float, ...] = ()
     for kind in (part for distortion in inner.iterfind("CalibDistortion") for part in distortion):
         if kind.tag == "ModRad" and centre is None:
-            centre = _numbers(kind, "CDist")
+            centre = numbers_of(kind, "CDist")
             coefficients = [float(one.text or "") for one in kind.iterfind("CoeffDist")]
             radial = tuple(one * focal[0] ** (2 * power) for power, one in enumerate(coefficients, 1))
         elif kind.tag not in ("ModNoDist", "NoDist"):
@@ -273,20 +282,14 @@ def _micmac_camera(root: Element, path: Path) -> FileCamera:
     return _camera(size, focal[:1], principal, BrownLens(radial) if any(radial) else Lens(), centre)
 
 
-def _numbers(element: Element, name: str) -> list[float]:
-    return [float(word) for word in (element.findtext(name) or "").split()]
-
-
 def numbers_of(element: Element, *names: str) -> list[float]:
-    """The numbers of elements inside another one. Raises ValueError where one is missing."""
-    return [float(element.findtext(name) or "") for name in names]
+    """The numbers, one or several, of elements inside another one. Raises ValueError where one is missing."""
+    return [float(word) for name in names for word in (element.findtext(name) or "missing").split()]
 
 
 def pix4d_photos(content: str) -> dict[str, list[float]]:
-    """The 26 numbers of each photo of Pix4D's ``..._calibrated_camera_parameters.txt`` by its name; {} for others.
-
-    They are columns and rows, the camera's matrix, three radial and two tangential terms, position and rotation.
-    """
+    """Of each photo of Pix4D's ``..._calibrated_camera_parameters.txt`` by its name: columns and rows, the camera's
+    matrix, three radial and two tangential terms, position, rotation; {} for another file."""
     lines = content.splitlines()
     if not lines or not lines[0].startswith("fileName imageWidth imageHeight"):
         return {}

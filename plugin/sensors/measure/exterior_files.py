@@ -1,9 +1,4 @@
-"""Where the cameras of aerial photos were and how they looked, from files.
-
-Read are tables with a header (Metashape's and Pix4D's omega, phi, kappa, Applanix, and any other with such columns),
-PATB, orthority's GeoJSON, OpenSfM's reconstruction (OpenDroneMap), Metashape's XML, MicMac's Orientation XML, Pix4D's
-calibrated camera parameters, Inpho's project and ContextCapture's BlocksExchange.
-"""
+"""Where the cameras of aerial photos were and how they looked, from the files of other programs."""
 from __future__ import annotations
 
 import csv
@@ -17,31 +12,36 @@ from typing import Any
 from xml.etree.ElementTree import Element
 
 import numpy as np
+from osgeo import osr
 from scipy.spatial.transform import Rotation
 
 from ...imagery.errors import Message, SensorModelError
 from . import messages
 from .camera_files import (
     UNREADABLE,
-    chosen_camera,
+    VERSION,
     document,
     inpho_blocks,
     inpho_value,
     numbers_of,
     pix4d_photos,
+    read_cameras,
 )
 from .frames import EARTH_CURVATURE, camera_axes
 from .limits import ANGLE_UNITS, WGS84_SEMI_MAJOR_M
+from .pushbroom import geocentric
 
 AUTO, DEGREES, GON, RADIANS = ANGLE_UNITS
 _IN_DEGREES = {DEGREES: 1.0, GON: 0.9, RADIANS: math.degrees(1)}
 _UNIT_WORDS = ((GON, r"gons?|grads?|grades?"), (DEGREES, r"deg|degrees?|°"), (RADIANS, r"rad|radians?"))
+_ANGLE_WORDS = "|".join(rf"[_ (\[](?:{words})\b[)\]]?" for _, words in _UNIT_WORDS)
 _FIELDS = ("filename", "x", "y", "z", "omega", "phi", "kappa")
 _ALIASES = {
     "filename": "filename file image imagename imageid imagefile photo photoid photoname label id name frame",
-    "x": "x easting east e x0 xc xl xeasting xlongitude projectedx", "y": "y northing north n y0 yc yl ynorthing "
-    "ylatitude projectedy", "z": "z altitude alt height h z0 zc zl elevation zaltitude ellipsoidheight "
-    "orthometricheight", "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka", "camera": "camera cameraid sensor",
+    "x": "x easting east e x0 xc xl xeasting xlongitude projectedx rechtswert", "y": "y northing north n y0 yc yl "
+    "ynorthing ylatitude projectedy hochwert", "z": "z altitude alt height h z0 zc zl elevation zaltitude hoehe hhe "
+    "ellipsoidheight orthometricheight", "omega": "omega om", "phi": "phi ph", "kappa": "kappa ka",
+    "camera": "camera cameraid sensor",
 }  # fmt: skip
 _NAMES = {alias: name for name, aliases in _ALIASES.items() for alias in aliases.split()}
 """What columns are called, in small letters and digits and without units, and what they hold."""
@@ -49,7 +49,6 @@ _PAIRS = r"(?i)(ellipsoid|orthometric|photo|image|file|camera)[ _](height|id|nam
 _DIGITS = 1e-4  # how far from orthonormal axes in a text may be
 _SHOWN = 5
 _LEAST_RADIANS = 1.4  # a photo flown to the north or back has 1.57 or 3.14; in degrees nobody flies just so
-_HALF_TURN = 180.0
 _DOWN = np.diag([1.0, -1.0, -1.0])  # from x right, y up, z back to columns, rows and the view
 
 
@@ -75,21 +74,46 @@ Named = list[tuple[str, Callable[[], FrameExterior]]]
 """What makes the orientation of each photo, with its name."""
 
 
-def read_exterior(path: Path, image: str, angles: str = AUTO) -> FrameExterior:
-    """The orientation of an image by its file's name, with or without its ending.
+@dataclass(frozen=True)
+class Exteriors:
+    """The orientations of a file."""
 
-    ``angles`` is one of ``limits.ANGLE_UNITS``. Raises SensorModelError for a file that is none and for one that does
-    not name the image.
-    """
+    name: str
+    """The file's."""
+    photos: Named
+
+    @property
+    def names(self) -> list[str]:
+        """Of the photos; one that is empty in a file of one photo."""
+        return [name for name, _ in self.photos]
+
+    def of(self, image: str) -> FrameExterior:
+        """That of an image by its file's name, with or without its ending. Raises SensorModelError where there is not
+        just one."""
+        stem = Path(image).stem
+        alike = [one for one in self.photos if one[0] == image or stem in (one[0], Path(one[0]).stem)]
+        found = [one for one in alike if one[0] == image] or alike
+        found = self.photos if self.names == [""] else found
+        if len(found) != 1:
+            names = ", ".join(self.names[:_SHOWN])
+            raise SensorModelError(messages.IMAGE_NOT_ORIENTED(name=self.name, image=image, names=names))
+        try:
+            made = found[0][1]()
+            sound = np.isfinite(made.position).all() and made.position.shape == (3,) and made.axes.shape == (3, 3)
+        except UNREADABLE:
+            sound = False
+        if not sound or not np.allclose(made.axes.T @ made.axes, np.eye(3), atol=_DIGITS):
+            raise SensorModelError(messages.NO_EXTERIOR(name=self.name))
+        return made
+
+
+def read_exteriors(content: Any, path: Path, angles: str = AUTO) -> Exteriors:
+    """The orientations of a ``document``; ``angles`` is one of ``limits.ANGLE_UNITS``. Raises SensorModelError without
+    any."""
     try:
-        photos = _photos(document(path), path, angles)
-        found = photos[_index([name for name, _ in photos], path, image)][1]()
+        return Exteriors(path.name, _photos(content, path, angles))
     except (*UNREADABLE, csv.Error):
         raise SensorModelError(messages.NO_EXTERIOR(name=path.name)) from None
-    sound = found.position.shape == (3,) and found.axes.shape == (3, 3) and np.isfinite(found.position).all()
-    if not sound or not np.allclose(found.axes.T @ found.axes, np.eye(3), atol=_DIGITS):
-        raise SensorModelError(messages.NO_EXTERIOR(name=path.name))
-    return found
 
 
 def _photos(content: Any, path: Path, angles: str) -> Named:
@@ -114,21 +138,6 @@ def _photos(content: Any, path: Path, angles: str) -> Named:
     return _patb_photos(content) or _table_photos(content, path, angles)
 
 
-def _index(names: Sequence[str], path: Path, image: str) -> int:
-    """Which of the names is the image's. Raises SensorModelError where none is, or several are."""
-    if list(names) == [""]:  # a file of one photo
-        return 0
-    stem = Path(image).stem
-    alike = [index for index, name in enumerate(names) if name == image or stem in (name, Path(name).stem)]
-    exact = [index for index in alike if names[index] == image]
-    found = exact or alike
-    if len(found) != 1:
-        raise SensorModelError(
-            messages.IMAGE_NOT_ORIENTED(name=path.name, image=image, names=", ".join(names[:_SHOWN]))
-        )
-    return found[0]
-
-
 # --- documents -------------------------------------------------------------------------------------------------
 
 
@@ -147,40 +156,40 @@ def _orthority_exterior(row: dict[str, Any], system: str) -> FrameExterior:
 
 
 def _opensfm_photos(content: Any, path: Path) -> Named:
-    """A reconstruction, in the plane that touches the Earth at its reference.
-
-    OpenDroneMap replaces that file by an approximate one in UTM and keeps the exact one beside it; where it does not,
-    its offset stands in another folder.
-    """
-    exact = path.with_name("reconstruction.topocentric.json")
+    """The shots of all parts of a reconstruction, each in the plane that touches the Earth at its part's reference.
+    OpenDroneMap replaces it by one in UTM and keeps the exact one beside it; else the offset stands in another
+    folder."""
+    exact, offset = path.with_name("reconstruction.topocentric.json"), None
+    coordinates = path.parent.parent / "odm_georeferencing" / "coords.txt"
+    told = messages.PLANE_TAKEN(name=path.name)
     if exact.is_file() and path.name != exact.name:
-        content = document(exact)
-    parts = content if isinstance(content, list) else [content]
-    offsets = path.parent.parent / "odm_georeferencing" / "coords.txt"
-    system, place = "", np.zeros(3)
-    reference = parts[0]["reference_lla"]
-    origin = [float(reference[name]) for name in ("longitude", "latitude", "altitude")]
-    if offsets.is_file() and not exact.is_file():
-        system, place = _odm_offset(offsets)
+        content, told = document(exact), messages.TOPOCENTRIC_TAKEN(name=path.name, exact=exact.name)
+    elif coordinates.is_file() and path.name != exact.name:
+        system, offset = _odm_offset(coordinates)
+        told = messages.UTM_TAKEN(name=path.name, system=system, offsets=coordinates.name)
 
-    def exterior(shot: dict[str, Any]) -> FrameExterior:
+    def exterior(shot: dict[str, Any], part: int, origin: list[float]) -> FrameExterior:
         axes = Rotation.from_rotvec(np.array(shot["rotation"], float)).as_matrix().T
-        position, camera = -axes @ np.array(shot["translation"], float), str(shot["camera"]).removeprefix("v2 ")
-        if system:
-            return FrameExterior(position + place, axes, camera, system)
-        return replace(_from_plane(origin, position, axes), camera=camera)
+        position = -axes @ np.array(shot["translation"], float)
+        if offset is not None:
+            made = FrameExterior(position + offset, axes, wkt=system)
+        else:
+            made = _from_plane(origin, position, axes)
+        return replace(made, camera=f"{part}/{str(shot['camera']).removeprefix(VERSION)}", notices=(told,))
 
-    return [(name, partial(exterior, shot)) for part in parts for name, shot in part["shots"].items()]
+    photos: Named = []
+    for number, part in enumerate(content if isinstance(content, list) else [content]):
+        origin = [float(part["reference_lla"][name]) for name in ("longitude", "latitude", "altitude")]
+        photos += [(name, partial(exterior, shot, number, origin)) for name, shot in part["shots"].items()]
+    return photos
 
 
 def _odm_offset(path: Path) -> tuple[str, np.ndarray]:
     """Reference system and offset (3,) of OpenDroneMap's ``coords.txt``: ``WGS84 UTM 32N``, then two numbers."""
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
-    zone = re.search(r"UTM (\d+)([NS])", lines[0])
-    if zone is None:
-        raise ValueError
+    ((zone, side),) = re.findall(r"UTM (\d+)([NS])", lines[0])
     east, north = (float(word) for word in lines[1].split()[:2])
-    return f"EPSG:{(32600 if zone[2] == 'N' else 32700) + int(zone[1])}", np.array([east, north, 0.0])
+    return f"EPSG:{(32600 if side == 'N' else 32700) + int(zone)}", np.array([east, north, 0.0])
 
 
 def _metashape_photos(root: Element) -> Named:
@@ -249,7 +258,7 @@ def _inpho_photos(content: str, path: Path) -> Named:
     def exterior(block: str) -> FrameExterior:
         values = [float(word) for word in inpho_value(block, "EXT_ORI").partition("\n")[2].split()[:13]]
         camera = inpho_value(block, "CAMERA_ID")
-        mount = chosen_camera(content, path, camera).mount
+        mount = read_cameras(content, path).chosen(camera).mount
         own = np.array([[*mount[0], 0.0], [*mount[1], 0.0], [0.0, 0.0, -1.0]])
         told = (messages.ROTATION_TAKEN(name=path.name, way="$EXT_ORI"),)
         return FrameExterior(np.array(values[1:4]), (own @ np.reshape(values[4:], (3, 3))).T, camera, notices=told)
@@ -274,35 +283,21 @@ def _pix4d_exterior(name: str, numbers: Sequence[float], offset: np.ndarray) -> 
 
 def _from_plane(origin: Sequence[float], position: np.ndarray, axes: np.ndarray) -> FrameExterior:
     """Of a camera in the plane (east, north, up) that touches the ellipsoid at a longitude, latitude and height."""
-    longitude, latitude, height = origin
-    up = _local_axes(longitude, latitude)
-    flattening = 1 / 298.257223563
-    squared = flattening * (2 - flattening)
-    sine, cosine = math.sin(math.radians(latitude)), math.cos(math.radians(latitude))
-    normal = WGS84_SEMI_MAJOR_M / math.sqrt(1 - squared * sine**2)
-    centre = np.array([
-        (normal + height) * cosine * math.cos(math.radians(longitude)),
-        (normal + height) * cosine * math.sin(math.radians(longitude)),
-        (normal * (1 - squared) + height) * sine,
-    ])
-    return _from_geocentric(centre + up.T @ position, up.T @ axes)
+    up = _local_axes(*origin[:2])
+    return _from_geocentric(geocentric(np.array([origin]))[0] + up.T @ position, up.T @ axes)
 
 
 def _from_geocentric(position: np.ndarray, axes: np.ndarray) -> FrameExterior:
     """Of a camera in geocentric coordinates (WGS 84): in the plane below itself, from which the Earth curves away."""
-    squared = (2 - 1 / 298.257223563) / 298.257223563
-    x, y, z = position.tolist()
-    longitude, distance = math.atan2(y, x), math.hypot(x, y)
-    latitude, height = math.atan2(z, distance * (1 - squared)), 0.0
-    for _ in range(8):  # Heiskanen and Moritz 1967, section 5-3: a factor of 150 each time
-        normal = WGS84_SEMI_MAJOR_M / math.sqrt(1 - squared * math.sin(latitude) ** 2)
-        height = distance * math.cos(latitude) + z * math.sin(latitude) - WGS84_SEMI_MAJOR_M**2 / normal
-        latitude = math.atan2(z, distance * (1 - squared * normal / (normal + height)))
-    degrees = math.degrees(longitude), math.degrees(latitude)
-    system = f"+proj=tmerc +lon_0={degrees[0]:.12f} +lat_0={degrees[1]:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
-    return FrameExterior(
-        np.array([0.0, 0.0, height]), _local_axes(*degrees) @ axes, wkt=system, curvature=EARTH_CURVATURE
-    )
+    systems = []
+    for code in (4978, 4979):
+        systems.append(osr.SpatialReference())
+        systems[-1].ImportFromEPSG(code)
+        systems[-1].SetAxisMappingStrategy(osr.OAMS_TRADITIONAL_GIS_ORDER)
+    longitude, latitude, height = osr.CoordinateTransformation(*systems).TransformPoint(*position.tolist())
+    system = f"+proj=tmerc +lon_0={longitude:.12f} +lat_0={latitude:.12f} +k_0=1 +ellps=WGS84 +units=m +type=crs"
+    own = _local_axes(longitude, latitude) @ axes
+    return FrameExterior(np.array([0.0, 0.0, height]), own, wkt=system, curvature=EARTH_CURVATURE)
 
 
 def _local_axes(longitude: float, latitude: float) -> np.ndarray:
@@ -314,10 +309,8 @@ def _local_axes(longitude: float, latitude: float) -> np.ndarray:
 
 
 def _patb_photos(content: str) -> Named:
-    """A number, perhaps a focal length, and a position, then nine elements of a rotation from the camera to the ground.
-
-    No photos where it is another table.
-    """
+    """A number, perhaps a focal length, a position, nine elements of the rotation from camera to ground; else no
+    photos."""
     records = [line.split() for line in content.splitlines() if line.strip() and line.strip() != "-99"]
     photos: Named = []
     while len(records) > 2:
@@ -347,8 +340,8 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
     lines = [line for line in content.splitlines() if line.strip()]
     headers = ((number, _header(line)) for number, line in enumerate(lines))
     start, fields = next(((number + 1, found) for number, found in headers if found), (0, dict(zip(_FIELDS, range(7)))))
-    if "filename" not in fields:
-        raise ValueError
+    if "filename" not in fields or (start == 0 and any(re.search("(?i)omega.*kappa", line) for line in lines)):
+        raise ValueError  # nor are columns guessed where a header names others
     rows = _rows([line for line in lines[start:] if not line.lstrip().startswith("#")], fields)
     turned = np.array([row[1] for row in rows])[:, 3:]
     unit = angles if angles != AUTO else _angle_unit(lines[:start] + lines[start : start + 1])
@@ -356,7 +349,7 @@ def _table_photos(content: str, path: Path, angles: str) -> Named:
     largest = float(np.abs(turned).max())
     if not unit and _LEAST_RADIANS < largest <= math.pi:
         notices = (messages.ANGLES_PERHAPS_RADIANS(name=path.name),)
-    elif not unit and largest > _HALF_TURN:
+    elif not unit and largest > 180:
         notices = (messages.ANGLES_PERHAPS_GON(name=path.name, angle=largest),)
     degrees = turned * _IN_DEGREES[unit or DEGREES]
     system = _named_system(lines[:start])
@@ -377,16 +370,12 @@ def _header(line: str) -> dict[str, int]:
     """Where each column stands; {} for a line that names too few."""
     line = re.sub(_PAIRS, r"\1\2", re.sub(r"(?i)#\s*event", "event", line)).strip().lstrip("#")
     for parted in (";", "\t", ",", None):
-        names = [re.sub(r"\(.*?\)|\[.*?\]|[^a-z0-9]", "", re.sub(_angle_words(), "", word.lower()))
+        names = [re.sub(r"\(.*?\)|\[.*?\]|[^a-z0-9]", "", re.sub(_ANGLE_WORDS, "", word.lower()))
                  for word in line.split(parted)]  # fmt: skip
         found = {_NAMES[name]: place for place, name in reversed(list(enumerate(names))) if name in _NAMES}
         if set(_FIELDS[1:]) <= set(found):
             return found
     return {}
-
-
-def _angle_words() -> str:
-    return "|".join(rf"[_ (\[](?:{words})\b[)\]]?" for _, words in _UNIT_WORDS)
 
 
 def _angle_unit(lines: Iterable[str]) -> str:
@@ -414,7 +403,9 @@ def _rows(lines: Sequence[str], fields: dict[str, int]) -> list[tuple[list[str],
 
 
 def _row(line: str, parted: str, places: Sequence[int]) -> tuple[list[str], list[float]] | None:
-    cells = line.split() if parted == " " else [cell.strip() for cell in next(csv.reader([line], delimiter=parted))]
+    quote = "'" if line.lstrip().startswith("'") else '"'
+    cells = [cell.strip() for cell in next(csv.reader([line.strip()], delimiter=parted, quotechar=quote))]
+    cells = [cell for cell in cells if cell] if parted == " " else cells
     numbers = [_number(cells[place]) for place in places] if len(cells) > max(places) else [None]
     values = [one for one in numbers if one is not None and math.isfinite(one)]
     return (cells, values) if len(values) == len(places) else None

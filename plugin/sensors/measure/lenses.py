@@ -16,10 +16,8 @@ class Lens:
 
     @cached_property
     def reach(self) -> float:
-        """Distance from the centre, in focal lengths, up to which what lies further out is shown further out.
-
-        Beyond, the formula folds back into the photo what the lens never showed.
-        """
+        """Distance from the centre, in focal lengths, up to which what lies further out is shown further out; beyond,
+        the formula folds back into the photo what the lens never showed."""
         distance = np.linspace(0.0, _STEEPEST, _STEPS)
         folded = np.flatnonzero(np.diff(distance * self.scale(distance**2)) <= 0)
         return float(distance[folded[0]]) if folded.size else np.inf

@@ -203,6 +203,15 @@ ANGLES_PERHAPS_GON = Message(
 ROTATION_TAKEN = Message(
     "The rotation of {name} is taken as {way} commonly has it, which no file says; check how the orthoimage lies.", INFO
 )
+PLANE_TAKEN = Message(
+    "{name} is taken as in the plane that touches the Earth at its reference, as OpenSfM writes it. One that "
+    "OpenDroneMap has put into UTM is read right only inside its project's folder.", INFO
+)
+TOPOCENTRIC_TAKEN = Message("Photos are placed by {exact}, the exact reconstruction beside {name}.", INFO)
+UTM_TAKEN = Message(
+    "{name} is taken as in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: "
+    "up to some decimetres off in a block of a kilometre.", INFO
+)
 CAMERA_UNKNOWN = Message(
     "{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file."
 )
@@ -217,9 +226,13 @@ NO_EXTERIOR = Message(
 IMAGE_NOT_ORIENTED = Message(
     "{name} does not name the image {image} just once; it names {names}. Choose the file of this image."
 )
-ORIENTATION_INCOMPLETE = Message(
-    "An interior orientation needs an exterior one; give it, too."
-)
+ORIENTATION_INCOMPLETE = Message("An interior orientation needs an exterior one; give it, too.")
+# blocks of photos
+PHOTO_MISSING = Message("{name} is oriented and is not in {folder}; it is left out.", WARNING)
+PHOTO_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
+NO_PHOTOS = Message("None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).")
+ORTHO_IS_PHOTO = Message("The orthoimage would be written over the photo {path}; choose another folder.")
+PROJECT_TERRAIN = Message("The terrain is that of the project: {name}.", INFO)
 ORIENTATION_AND_MODEL = Message("Orientations of a frame camera and a model or RPC file are given; choose one of them.")
 EXTERIOR_WITHOUT_SYSTEM = Message(
     "{name} names no coordinate reference system and the image has none; set that of the exterior orientation."

@@ -1,4 +1,4 @@
-"""A photo's camera on the ground, by the files of its orientations and its terrain."""
+"""Photos' cameras on the ground, by the files of their orientations and their terrain."""
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
@@ -12,8 +12,8 @@ from ...imagery.open_raster import OpenRaster
 from ...imagery.rasters import RasterRef
 from ...imagery.reference_systems import horizontal_wkt, is_geographic, metres_per_unit
 from . import messages
-from .camera_files import orientation_file, read_interior
-from .exterior_files import AUTO, read_exterior
+from .camera_files import Cameras, document, orientation_file, read_cameras
+from .exterior_files import AUTO, Exteriors, read_exteriors
 from .frames import FrameCamera
 from .heights import ELLIPSOID, HIGHEST_M, LOWEST_M, VERTICAL, Datum, Geoid, above_ellipsoid, first_band
 from .limits import EXTERIOR_DATUMS
@@ -53,42 +53,64 @@ class OrientedFrame:
     """What the terrain model's heights are to be taken as: the camera's are of the same kind then."""
     notices: tuple[Message, ...]
 
+    @property
+    def sight(self) -> tuple[FrameCamera, str, Domain, Datum]:
+        """All but the notices."""
+        return self.camera, self.wkt, self.domain, self.terrain_datum
 
-def oriented_frame(
-    image: OpenRaster, files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, height: float
-) -> OrientedFrame:
-    """The camera of an image; the ground's heights from ``dem``, else one ``height`` everywhere.
 
-    Raises SensorModelError for files that can't be used and for cameras that don't see the ground.
-    """
+@dataclass(frozen=True)
+class FrameBlock:
+    """Orientation files that are read, and the ground below their photos."""
+
+    files: FrameFiles
+    exteriors: Exteriors
+    cameras: Cameras
+    heights: tuple[float, float]
+    """Lowest and highest terrain, m."""
+    terrain_datum: Datum
+    """As in ``OrientedFrame``."""
+
+    def frame(self, image: OpenRaster, name: str = "") -> OrientedFrame:
+        """The camera of an image, by its file's name or another. Raises SensorModelError where it does not see the
+        ground."""
+        exterior = self.exteriors.of(name or image.ref.name)
+        interior = self.cameras.of(exterior.camera, (image.columns, image.rows))
+        wkt, notices = _system(image, self.files, exterior.wkt)
+        camera = FrameCamera(interior, exterior.position, exterior.axes, exterior.curvature)
+        datum = self.files.datum
+        vertical = datum if isinstance(datum, Geoid) else VERTICAL.get(datum)
+        if vertical is not None:
+            place = reprojected(camera.position[None], wkt, WGS84)
+            camera = replace(camera, position=np.append(camera.position[:2], above_ellipsoid(place, vertical)))
+        low, high = self.heights
+        if camera.position[2] <= high:
+            height = float(camera.position[2])
+            raise SensorModelError(
+                messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=height, low=low, high=high)
+            )
+        corners = np.array([[0, 0], [image.columns, 0], [0, image.rows], [image.columns, image.rows]], float)
+        views = camera.views(np.vstack([corners, corners.mean(axis=0)]))
+        if views[:, 2].max() > -MIN_DIP:
+            raise SensorModelError(messages.CAMERA_LOOKS_UP(name=image.ref.name))
+        (middle,) = camera.places_at(views[-1:], np.array([(low + high) / 2]))
+        domain = Domain((0.0, image.columns), (0.0, image.rows), self.heights, (float(middle[0]), float(middle[1])))
+        return OrientedFrame(camera, wkt, domain, self.terrain_datum, (*notices, *exterior.notices))
+
+
+def read_block(files: FrameFiles, dem: RasterRef | None, dem_datum: Datum, height: float) -> FrameBlock:
+    """The orientations of files; the ground's heights from ``dem``, else one ``height``. Raises SensorModelError."""
     path = orientation_file(files.exterior)
-    exterior = read_exterior(path, image.ref.name, files.angles)
-    interior = read_interior(files.interior or path, exterior.camera, (image.columns, image.rows))
-    wkt, notices = _system(image, files, exterior.wkt)
-    notices = (*notices, *exterior.notices)
-    camera = FrameCamera(interior, exterior.position, exterior.axes, exterior.curvature)
-    vertical = files.datum if isinstance(files.datum, Geoid) else VERTICAL.get(files.datum)
-    if vertical is not None:
-        place = reprojected(camera.position[None], wkt, WGS84)
-        camera = replace(camera, position=np.append(camera.position[:2], above_ellipsoid(place, vertical)))
-    low, high = (height, height) if dem is None else _range_of_heights(dem)
-    if camera.position[2] <= high:
-        raise SensorModelError(
-            messages.CAMERA_BELOW_TERRAIN(name=image.ref.name, height=float(camera.position[2]), low=low, high=high)
-        )
-    corners = np.array([[0, 0], [image.columns, 0], [0, image.rows], [image.columns, image.rows]], float)
-    views = camera.views(np.vstack([corners, corners.mean(axis=0)]))
-    if views[:, 2].max() > -MIN_DIP:
-        raise SensorModelError(messages.CAMERA_LOOKS_UP(name=image.ref.name))
-    (middle,) = camera.places_at(views[-1:], np.array([(low + high) / 2]))
-    domain = Domain((0.0, image.columns), (0.0, image.rows), (low, high), (float(middle[0]), float(middle[1])))
-    return OrientedFrame(camera, wkt, domain, ELLIPSOID if files.datum == AS_TERRAIN else dem_datum, notices)
+    content = document(path)
+    exteriors = read_exteriors(content, path, files.angles)
+    cameras = read_cameras(document(files.interior), files.interior) if files.interior else read_cameras(content, path)
+    heights = (height, height) if dem is None else _range_of_heights(dem)
+    return FrameBlock(files, exteriors, cameras, heights, ELLIPSOID if files.datum == AS_TERRAIN else dem_datum)
 
 
 def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tuple[Message, ...]]:
     """The horizontal system of the exterior orientation, and what to say of it."""
-    own = image.raster.own_wkt
-    wkt = files.wkt or named or own
+    wkt = files.wkt or named or image.raster.own_wkt
     if not wkt:
         raise SensorModelError(messages.EXTERIOR_WITHOUT_SYSTEM(name=files.exterior.name))
     if is_geographic(wkt) or metres_per_unit(wkt, 0.0) != (1.0, 1.0):

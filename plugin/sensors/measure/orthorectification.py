@@ -1,7 +1,5 @@
-"""Orthorectification: an image, a model in space and terrain heights.
-
-Photos are seen by their own camera, pixel by pixel; all other models go through GDAL's warper with an RPC.
-"""
+"""Orthorectification: an image, a model in space and terrain heights. Photos are seen by their own camera, pixel by
+pixel; all other models go through GDAL's warper with an RPC."""
 from __future__ import annotations
 
 import os
@@ -44,10 +42,8 @@ FINEST_MESH_M, COARSEST_MESH_M = 9.0, 32.0  # 10 to 30 m (Kurczynski and Wolniew
 
 
 def uncovered_share(image: OpenRaster, project: Map, terrain: Terrain, footprint: np.ndarray) -> float:
-    """Share of the image's own pixels, those that hold something, that have no terrain heights.
-
-    ``project`` takes (n, 3) longitude, latitude, height to (n, 2) column, row; ``footprint`` (n, 3) of the former.
-    """
+    """Share of the image's valid pixels without terrain heights. ``project`` takes (n, 3) longitude, latitude, height
+    to (n, 2) column, row; ``footprint`` (n, 3) of the former."""
     sides = (np.linspace(footprint[:, axis].min(), footprint[:, axis].max(), COVER_GRID) for axis in (0, 1))
     places = np.stack(np.meshgrid(*sides), axis=-1).reshape(-1, 2)
     heights = terrain.at(places)
@@ -164,11 +160,8 @@ def orthorectify(
     progress: Callable[[float], None] = lambda share: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> Ortho:
-    """Write the orthoimage.
-
-    Raises RasterError, SensorModelError or SettingsError for what the user can mend, CancelledError when cancelled;
-    no half-written file is left then.
-    """
+    """Write the orthoimage, whole or not at all. Raises RasterError, SensorModelError or SettingsError for what the
+    user can mend, CancelledError when cancelled."""
     if (request.dem is None) == (request.height is None):
         raise SettingsError(messages.NO_DEM() if request.dem is None else messages.DEM_AND_HEIGHT())
     if request.height is not None and not LOWEST_M <= request.height <= HIGHEST_M:
@@ -352,11 +345,7 @@ def _error(
 
 
 def _warp(
-    request: OrthoRequest,
-    source: gdal.Dataset,
-    options: list[str],
-    grid: MapGrid,
-    progress: Callable[[float], None],
+    request: OrthoRequest, source: gdal.Dataset, options: list[str], grid: MapGrid, progress: Callable[[float], None],
     cancelled: Callable[[], bool],
 ) -> None:
     nodata = source.GetRasterBand(1).GetNoDataValue()
@@ -370,43 +359,27 @@ def _warp(
         gdal.ErrorReset()
         try:
             made = gdal.Warp(
-                unfinished,
-                source,
-                format=request.format,
-                dstSRS=grid.wkt,
-                outputBounds=grid.extent,
-                width=grid.columns,
-                height=grid.rows,
-                resampleAlg=request.resampling,
-                rpc=True,
-                transformerOptions=options,
-                errorThreshold=0,
-                multithread=not is_virtual,
+                unfinished, source, format=request.format, dstSRS=grid.wkt, outputBounds=grid.extent,
+                width=grid.columns, height=grid.rows, resampleAlg=request.resampling, rpc=True,
+                transformerOptions=options, errorThreshold=0, multithread=not is_virtual,
                 warpOptions=["NUM_THREADS=ALL_CPUS", "UNIFIED_SRC_NODATA=YES"],
-                dstNodata=0 if nodata is None else nodata,
-                creationOptions=_CREATION[request.format],
-                callback=report,
+                dstNodata=0 if nodata is None else nodata, creationOptions=_CREATION[request.format], callback=report,
             )
             error = gdal.GetLastErrorMsg() if made is None else ""
         except RuntimeError as raised:
             made, error = None, str(raised)
-        if made is None:
-            unread = imagery_messages.NOT_READABLE(name=request.image.name)
-            failure = messages.WARP_FAILED(error=error) if error else unread
         if cancelled():
             made = None
             raise CancelledError(imagery_messages.CANCELLED())
         if made is None:
-            raise RasterError(failure)
+            unread = imagery_messages.NOT_READABLE(name=request.image.name)
+            raise RasterError(messages.WARP_FAILED(error=error) if error else unread)
         with gdal_writing(imagery_messages.RASTER_NOT_WRITTEN(path=request.output)):
             made = None  # closing writes the file
 
 
 def _warp_photo(
-    request: OrthoRequest,
-    heights: str,
-    grid: MapGrid,
-    progress: Callable[[float], None],
+    request: OrthoRequest, heights: str, grid: MapGrid, progress: Callable[[float], None],
     cancelled: Callable[[], bool],
 ) -> None:
     image = open_image(request.image)

@@ -62,11 +62,8 @@ class PhotoWarp:
     def strips(
         self, resampling: str, nodata: float, cancelled: Callable[[], bool]
     ) -> Iterator[tuple[int, np.ndarray]]:
-        """First row and (bands, rows, columns) of strip after strip, in the photo's own data type.
-
-        Pixels that the photo doesn't show are ``nodata``. Ends early when cancelled. Raises RasterError where the photo
-        can't be read.
-        """
+        """First row and (bands, rows, columns) of strip after strip, in the photo's data type, ``nodata`` beyond it.
+        Ends early when cancelled. Raises RasterError where the photo can't be read."""
         grid, reading = self.grid, Lock()  # GDAL's datasets belong to one thread at a time
         step, heights = self._step_px(), self._heights()
         resampler = Resampler.of(resampling, step)
@@ -155,10 +152,8 @@ class PhotoWarp:
         )  # fmt: skip
 
     def _seen(self, part: PixelWindow, height: np.ndarray, count: int = 0) -> tuple[np.ndarray, np.ndarray]:
-        """Columns and rows of the photo that show a part's places at their ``height``; NaN for those it doesn't.
-
-        All arrays are (rows, columns) of the part, or ``count`` places a side.
-        """
+        """(rows, columns) each, or ``count`` places a side: where the photo shows a part's places at their ``height``,
+        or NaN."""
         columns, rows = (
             np.linspace(first, first + size, count) if count else first + np.arange(size) + 0.5
             for first, size in ((part.column, part.width), (part.row, part.height))
@@ -166,13 +161,13 @@ class PhotoWarp:
         if same_system(self.grid.wkt, self.wkt):
             grid = self.grid
             x, y = grid.left + columns * grid.pixel_width, grid.top - rows[:, None] * grid.pixel_height
-            return self.camera.seen(x, y, height)
+            return self.camera.seen(x, y, height, np.float32)
         knots = [np.append(np.arange(side[0], side[-1], _KNOT_PX), side[-1]) for side in (columns, rows)]
         at = self.grid.places(*(side.ravel() for side in np.meshgrid(*knots)))
         coarse = transform_points(at, self.grid.wkt, self.wkt).T.reshape(2, len(knots[1]), len(knots[0]))
         across, down = (_interpolation(knot, side) for knot, side in zip(knots, (columns, rows)))
         x, y = down @ coarse @ across.T
-        return self.camera.seen(x, y, height)
+        return self.camera.seen(x, y, height, np.float32)
 
     def _step_px(self) -> tuple[float, float]:
         """How far apart the photo shows neighbouring pixels of the orthoimage, along its columns and rows, px."""

@@ -49,10 +49,7 @@ def check_plausible(points: Points) -> None:
 
 def check_inside(points: Points, size: tuple[int, int], rpc: Rational | None) -> list[Message]:
     """What to say of points outside an image of ``size`` (columns, rows) that its RPC sees there, too: it is a part.
-
-    Raises SensorModelError for others, and says what may be wrong: rows counted upwards as QGIS's georeferencer shows
-    them, columns and rows interchanged.
-    """
+    Raises SensorModelError for others: rows counted upwards, columns and rows interchanged, or out of the image."""
     inside = _inside(points.image, size)
     if inside.all():
         return []
@@ -84,12 +81,8 @@ def _inside(image: np.ndarray, size: tuple[int, int]) -> np.ndarray:
 
 
 def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
-    """What to say of points whose heights (above the ellipsoid) the image's own RPC is not made for.
-
-    Raises SensorModelError for places it sees far outside the image (x and y interchanged, another reference system,
-    another image's RPC), for columns and rows of a mirrored or turned image, which an affine correction of the RPC
-    would follow, and for heights in feet.
-    """
+    """What to say of points whose heights (above the ellipsoid) the image's own RPC is not made for. Raises
+    SensorModelError for places it sees far off, for a mirrored or turned image, and for heights in feet."""
     points = points.only(np.isfinite(points.ground).all(axis=1))
     if not len(points):
         return []

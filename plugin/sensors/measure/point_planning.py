@@ -90,8 +90,7 @@ def scene_of_rpc(rpc: Rational, size: tuple[float, float] | None, heights: tuple
 def nominal_scene(
     orbit_height_m: float, view_angle: float, pixel_m: float, side_m: float, heights: tuple[float, float]
 ) -> PlannedScene:
-    """A square image of a line scanner, tilted across its orbit by ``view_angle`` degrees from the vertical at the
-    ground; ``pixel_m`` is what a pixel covers there."""
+    """A square image of a line scanner, tilted across its orbit; ``pixel_m`` is what a pixel covers on the ground."""
     count = side_m / pixel_m
     metres = metres_per_unit(WGS84, _NOMINAL_PLACE[1])
     x, y, up = np.meshgrid(*[np.linspace(-side_m / 2, side_m / 2, 3)] * 2, np.linspace(0, side_m / 10, 2))
@@ -117,19 +116,11 @@ def _pitching(still: Pushbroom, ground: np.ndarray, image: np.ndarray) -> Pushbr
 
 
 def expected_accuracies(
-    request: ModelRequest,
-    scene: PlannedScene,
-    plan: PointPlan,
-    counts: tuple[int, ...],
-    seed: int,
-    draws: int = DRAWS,
-    progress: Callable[[float], None] = lambda share: None,
-    cancelled: Callable[[], bool] = lambda: False,
+    request: ModelRequest, scene: PlannedScene, plan: PointPlan, counts: tuple[int, ...], seed: int, draws: int = DRAWS,
+    progress: Callable[[float], None] = lambda share: None, cancelled: Callable[[], bool] = lambda: False,
 ) -> Iterator[ExpectedAccuracy]:
-    """For each number of points. The same seed gives the same figures, whatever other numbers are asked for.
-
-    Raises SettingsError where there are fewer points than the model needs.
-    """
+    """For each number of points, the same for a seed whatever others are asked for. Raises SettingsError for too
+    few."""
     fewest = request.variant.fewest
     few = [count for count in counts if count < fewest]
     if few:
@@ -168,12 +159,8 @@ def _errors(
     exact = slice(count, None)
     total = count + 2 * checks
     points = Points(
-        tuple(map(str, range(total))),
-        np.concatenate([measured, image[exact]]),
-        np.concatenate([surveyed, ground[exact]]),
-        WGS84,
-        np.full(total, np.nan),
-        np.arange(total) >= count,
+        tuple(map(str, range(total))), np.concatenate([measured, image[exact]]),
+        np.concatenate([surveyed, ground[exact]]), WGS84, np.full(total, np.nan), np.arange(total) >= count,
     )
     done = adjust(request, points)
     groups = slice(count + checks, None), slice(count, count + checks)

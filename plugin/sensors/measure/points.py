@@ -74,10 +74,8 @@ def control_points(ids: Sequence[str], image: np.ndarray, ground: np.ndarray, wk
 
 
 def choose_check_points(points: Points, share: float) -> Points:
-    """The points with a share of them made check points, evenly spread over the image and away from its outline.
-
-    The same points give the same choice.
-    """
+    """The points with a share of them made check points, evenly spread, away from the outline, the same for the same
+    points."""
     wanted = round(share * len(points))
     check = np.zeros(len(points), bool)
     extent = np.ptp(points.image, axis=0)
@@ -94,10 +92,7 @@ def choose_check_points(points: Points, share: float) -> Points:
 
 
 def image_points(image: OpenRaster) -> Points:
-    """The points of an image, all for control. Raises SensorModelError where it has none, or they have no system.
-
-    GDAL writes 0 where a height is not known, so heights that are all 0 are none.
-    """
+    """The points of an image, all for control; heights that are all 0 are none. Raises SensorModelError without any."""
     found = image.dataset.GetGCPs() or ()
     if not found:
         raise SensorModelError(messages.NO_POINTS_IN_IMAGE(name=image.ref.name))
@@ -114,13 +109,9 @@ def image_points(image: OpenRaster) -> Points:
 
 
 def file_points(path: Path, wkt: str, geotransform: Sequence[float] | None) -> tuple[Points, list[Message]]:
-    """The enabled points of a georeferencer's file, all for control and without heights, and what was left out.
-
-    Its header is ``mapX,mapY,pixelX,pixelY,enable`` (before QGIS 3.26) or ``mapX,mapY,sourceX,sourceY,enable``, after a
-    line with the reference system; ``wkt`` is that of files that name none, ``geotransform`` the image's own. A point
-    is called by its number in the file, the first 1. Raises SensorModelError for a file that is none, with the line
-    that can't be read, without points, and without a reference system.
-    """
+    """The enabled points of a georeferencer's file, all for control and without heights, and what was left out. ``wkt``
+    is the system of files from before QGIS 3.26, which name none; ``geotransform`` the image's own. A point is called
+    by its number. Raises SensorModelError."""
     lines = file_content(path).decode("utf-8-sig", errors="replace").splitlines()
     named = next((line[len("#CRS:") :].strip() for line in lines if line.startswith("#CRS:")), "")
     rows = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
@@ -154,10 +145,8 @@ def file_points(path: Path, wkt: str, geotransform: Sequence[float] | None) -> t
 def write_point_file(
     path: Path, points: Points, used: np.ndarray, residuals_px: np.ndarray, geotransform: Sequence[float] | None
 ) -> None:
-    """Write a file that QGIS's georeferencer loads, the residuals (n, 2) in px as it writes them itself.
-
-    Points that are not ``used`` (n,) are switched off. Raises SettingsError where no file can be.
-    """
+    """Write a file that QGIS's georeferencer loads, with residuals (n, 2) px; points not ``used`` (n,) are switched
+    off. Raises SettingsError where no file can be."""
     lines = [f"#CRS: {' '.join(points.wkt.split())}", "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual"]
     source = _transformed(points.image, _source_transform(geotransform))
     length = np.linalg.norm(residuals_px, axis=1)

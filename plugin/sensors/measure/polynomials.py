@@ -1,7 +1,5 @@
-"""Polynomials and their quotients: of the plane, of space, as in an RPC, and the direct linear transformation.
-
-Terms stand in the order of RPC00B. Quotients can be fitted with all terms or with those only that the points speak for.
-"""
+"""Polynomials and their quotients, of the plane and of space, and the direct linear transformation. Terms stand in the
+order of RPC00B."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -104,20 +102,15 @@ class Dlt(SensorModel):
 
 
 def fit_rational(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
-    """Fit quotients by iterated least squares: each step is linear, divided by the last step's denominator.
-
-    ``ground`` (n, 3), ``image`` (n, 2) px, ``weights`` (n,) 1 / standard deviation. Source: C. V. Tao and Y. Hu,
-    A comprehensive study of the rational function model for photogrammetric processing, 2001 (without their ridge).
-    """
+    """Fit quotients by iterated least squares, each step divided by the last one's denominator; ``weights`` (n,) 1 /
+    standard deviation. Source: Tao and Hu, A comprehensive study of the rational function model, 2001 (without their
+    ridge)."""
     return _fit_quotients(ground, image, weights, order)
 
 
 def fit_chosen_terms(ground: np.ndarray, image: np.ndarray, weights: np.ndarray) -> FittedModel:
-    """Fit quotients of order 2 with the terms that are significant, separately for column and row.
-
-    It begins with the numerator's linear terms. Of all others, of numerator and denominator, the one comes in that
-    takes most off the residuals, as long as an F-test over all that are offered says that it is no chance.
-    """
+    """Fit quotients of order 2: linear numerators, and of all other terms those that an F-test finds significant, one
+    by one."""
     return _fit_quotients(ground, image, weights, CHOSEN_ORDER, _significant_terms)
 
 
@@ -153,11 +146,8 @@ def _fit_quotients(
 
 
 def _significant_terms(design: np.ndarray, wanted: np.ndarray) -> list[int]:
-    """Which columns of a design matrix (n, k) are taken, the linear ones first, by orthogonal forward selection.
-
-    It goes on as far as the points allow, and back to the last term that was significant: the first of several may
-    look like chance while the others are missing.
-    """
+    """Which columns of a design matrix (n, k) are taken, the linear ones first, by orthogonal forward selection: as far
+    as the points allow, and back to the last significant one, since the first of several may look like chance."""
     chosen, kept = list(range(LINEAR)), LINEAR
     basis = np.linalg.qr(design[:, chosen])[0]
     rest, left = design - basis @ (basis.T @ design), wanted - basis @ (basis.T @ wanted)
@@ -284,12 +274,8 @@ def fit_polynomial_3d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray
 
 
 def fit_polynomial_2d(ground: np.ndarray, image: np.ndarray, weights: np.ndarray, order: int) -> FittedModel:
-    """Fit a plane polynomial; the same arguments.
-
-    The paper writes it from the ground to the image, a georeferencer fits it from the image to the ground. Beyond
-    order 1 neither family holds the other. Both are fitted, and the one that leaves the smaller residuals in the
-    image is kept; the paper's where they leave the same.
-    """
+    """Fit a plane polynomial from the ground to the image, as the paper, and the other way round, as a georeferencer;
+    the one that leaves the smaller residuals in the image is kept."""
     scale_g, scale_i = Scaling.of(ground[:, :2]), Scaling.of(image)
     scaled_g, scaled_i = scale_g.to(ground[:, :2]), scale_i.to(image)
     fits = []

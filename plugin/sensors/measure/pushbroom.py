@@ -1,7 +1,5 @@
-"""The parametric model: one perspective per image line, from a position and an attitude that change with time.
-
-It is fitted in two steps: a nominal orbit from the points' affine camera, then an adjustment with priors.
-"""
+"""The parametric model, one perspective per line: a nominal orbit from the affine camera, then an adjustment with
+priors."""
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
@@ -88,24 +86,19 @@ class Orbit:
 
 @dataclass(frozen=True)
 class Pushbroom(SensorModel):
-    """Collinearity in every line; position linear and attitude cubic in time, on top of a nominal orbit.
-
-    Source: Kurczynski and Wolniewicz, "model parametryczny"; collinearity of one line at a time.
-    """
+    """Collinearity in every line, position linear and attitude cubic in time (Kurczynski and Wolniewicz, model
+    parametryczny)."""
 
     GEOGRAPHIC: ClassVar[bool] = True
 
     orbit: Orbit
     unknowns: np.ndarray
-    """(20,) in units of their priors: position along, across, away; motion in these directions over half the lines;
-    rotation about the camera's three axes, then about the rotated ones linear, quadratic and cubic in time; scale;
-    principal column."""
+    """(20,) in units of their priors: position along, across, away; motion likewise; rotation about the camera's axes,
+    then linear, quadratic and cubic in time; scale; principal column."""
 
     def project(self, ground: np.ndarray) -> np.ndarray:
-        """(n, 3) longitude, latitude, ellipsoidal height -> (n, 2) column, row.
-
-        Raises SensorModelError where a point is seen in no line.
-        """
+        """(n, 3) longitude, latitude, ellipsoidal height -> (n, 2) column, row. Raises SensorModelError for what no
+        line sees."""
         places = geocentric(ground)
         rows = np.full(len(places), self.orbit.centre[1])
         columns, slip = self.in_line(places, rows)
@@ -137,22 +130,12 @@ class Pushbroom(SensorModel):
 
 @np.errstate(all="ignore")  # points that mean nothing are told by the fit that does not converge
 def fit_pushbroom(
-    ground: np.ndarray,
-    image: np.ndarray,
-    weights: np.ndarray,
-    orbit_height_m: float,
-    size: tuple[float, float] | None = None,
-    estimate_sigma: bool = True,
+    ground: np.ndarray, image: np.ndarray, weights: np.ndarray, orbit_height_m: float,
+    size: tuple[float, float] | None = None, estimate_sigma: bool = True,
 ) -> FittedModel:
-    """Adjust the parametric model to points and to its priors.
-
-    ``ground`` (n, 3) longitude, latitude in degrees and ellipsoidal height in m; ``image`` (n, 2) column, row;
-    ``weights`` (n,) 1 / standard deviation in px; ``size`` the image's columns and rows, whose middle is the nominal
-    principal column and where time starts (None: the middle of the points). With ``estimate_sigma`` the weights are
-    relative: their common factor is estimated from the residuals (variance components), so that exact points are
-    followed exactly and noisy ones are not. Raises SensorModelError when the adjustment breaks down or the points lie
-    on a plane.
-    """
+    """Adjust the parametric model to points and to its priors; ``size`` the image's columns and rows, whose middle is
+    the nominal principal column. With ``estimate_sigma`` the weights (n,) are relative, and their common factor follows
+    from the residuals. Raises SensorModelError for points on a plane and where it diverges."""
     places = geocentric(ground)
     model = Pushbroom(nominal_orbit(places, image, orbit_height_m, size), np.zeros(len(SIGMAS)))
     sigma_px = 1 / np.maximum(weights, np.finfo(float).tiny)
@@ -203,11 +186,8 @@ def _adjusted(model: Pushbroom, places: np.ndarray, image: np.ndarray, sigma_px:
 def nominal_orbit(
     places: np.ndarray, image: np.ndarray, orbit_height_m: float, size: tuple[float, float] | None
 ) -> Orbit:
-    """The orbit that the affine camera through the points implies.
-
-    Its two gradients have the viewing direction as their common null direction; the projection centre lies on it at
-    the orbit's height. Raises SensorModelError where the points do not fix an affine camera.
-    """
+    """The orbit that the affine camera through the points implies: the common null direction of its gradients is the
+    view. Raises SensorModelError where the points do not fix one."""
     middle = places.mean(axis=0)
     affine = least_squares(np.column_stack([np.ones(len(places)), places - middle]), image)
     if affine.rank < 4 or affine.condition > limits.MAX_LINEAR_CONDITION:
@@ -230,23 +210,16 @@ def nominal_orbit(
     outward = unit(position)
     across = unit(np.cross(outward, motion))
     return Orbit(
-        position,
-        motion,
-        np.stack([detectors, np.cross(view, detectors), view]),
-        np.stack([np.cross(across, outward), across, -view]),
-        float(distance),
-        float(distance / np.linalg.norm(per_px[:, 0])),
-        centre,
-        float(max((high[1] - low[1]) / 2, 1.0)),
+        position, motion, np.stack([detectors, np.cross(view, detectors), view]),
+        np.stack([np.cross(across, outward), across, -view]), float(distance),
+        float(distance / np.linalg.norm(per_px[:, 0])), centre, float(max((high[1] - low[1]) / 2, 1.0)),
         PRINCIPAL_SHARE * (high[0] - low[0]) if size is None else PRINCIPAL_SIGMA_PX,
     )
 
 
 def _linearised(model: Pushbroom, places: np.ndarray, image: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Residuals (2n,), model minus measured in px, column and row in turn, and their derivatives (2n, 20).
-
-    Both by one Newton step from the measured line, so that they are exact where the residuals vanish.
-    """
+    """Residuals (2n,) px, column and row in turn, and their derivatives (2n, 20), by one Newton step from the measured
+    line."""
     columns, slip = model.in_line(places, image[:, 1])
     next_columns, next_slip = model.in_line(places, image[:, 1] + 1)
     slope, drift = next_slip - slip, next_columns - columns

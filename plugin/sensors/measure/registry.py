@@ -1,7 +1,4 @@
-"""The sensor models, one entry each: what it is called, what it needs, how it is fitted and how it ranks.
-
-Read when QGIS starts, so nothing heavy is imported before a model is fitted.
-"""
+"""The sensor models, one entry each. Read when QGIS starts, so nothing heavy is imported before a model is fitted."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -67,11 +64,8 @@ class ModelKind:
         return fitted
 
     def request(
-        self,
-        *words: str,
-        orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000,
-        size: tuple[float, float] | None = None,
-        rpc: Rational | None = None,
+        self, *words: str, orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000,
+        size: tuple[float, float] | None = None, rpc: Rational | None = None,
     ) -> ModelRequest:
         """The variant that one of the words names, the first one where none does."""
         variant = next((one for one in self.variants if one.name in words), self.variants[0])
@@ -106,16 +100,12 @@ _TERMS_2D = {order: comb(order + 2, 2) for order in (1, 2, 3)}
 _TERMS_3D = {order: comb(order + 3, 3) for order in (1, 2, 3)}
 
 POLYNOMIAL_2D = ModelKind(
-    "polynomial_2d",
-    tuple(Variant(str(order), 2 * terms, terms, 9 + order) for order, terms in _TERMS_2D.items()),
-    (".polynomials", "Polynomial2D", "fit_polynomial_2d"),
-    messages.RECOMMEND_POLYNOMIAL_2D,
+    "polynomial_2d", tuple(Variant(str(order), 2 * terms, terms, 9 + order) for order, terms in _TERMS_2D.items()),
+    (".polynomials", "Polynomial2D", "fit_polynomial_2d"), messages.RECOMMEND_POLYNOMIAL_2D,
 )
 POLYNOMIAL_3D = ModelKind(
-    "polynomial_3d",
-    tuple(Variant(str(order), 2 * terms, terms, 5 + order) for order, terms in _TERMS_3D.items()),
-    (".polynomials", "Polynomial3D", "fit_polynomial_3d"),
-    messages.RECOMMEND_POLYNOMIAL_3D,
+    "polynomial_3d", tuple(Variant(str(order), 2 * terms, terms, 5 + order) for order, terms in _TERMS_3D.items()),
+    (".polynomials", "Polynomial3D", "fit_polynomial_3d"), messages.RECOMMEND_POLYNOMIAL_3D,
 )
 RATIONAL_TERMS = ModelKind(
     "rational_terms",
@@ -131,26 +121,18 @@ RATIONAL = ModelKind(
     messages.RECOMMEND_RATIONAL,
 )
 DLT = ModelKind(
-    "dlt",
-    (Variant("", 11, 6, 2), Variant("xy", 12, 6, 2)),
-    (".polynomials", "Dlt", "fit_dlt"),
-    messages.RECOMMEND_DLT,
+    "dlt", (Variant("", 11, 6, 2), Variant("xy", 12, 6, 2)), (".polynomials", "Dlt", "fit_dlt"), messages.RECOMMEND_DLT,
     lambda request, points: (request.variant.name == "xy",),
 )
 PUSHBROOM = ModelKind(
-    "pushbroom",
-    (Variant("", 8, 4, 0, with_priors=20),),
-    (".pushbroom", "Pushbroom", "fit_pushbroom"),
+    "pushbroom", (Variant("", 8, 4, 0, with_priors=20),), (".pushbroom", "Pushbroom", "fit_pushbroom"),
     messages.RECOMMEND_PUSHBROOM,
     lambda request, points: (request.orbit_height_m, request.size, not points.sigma_known),
 )
 RPC_BIAS = ModelKind(
-    "rpc_bias",
-    (Variant("shift", 2, 1, 1), Variant("shift_drift", 3, 2, 1), Variant("affine", 6, 3, 1)),
-    (".rpc", "BiasedRpc", "fit_bias"),
-    messages.RECOMMEND_RPC_BIAS,
-    lambda request, points: (request.variant.name, request.rpc),
-    corrects_rpc=True,
+    "rpc_bias", (Variant("shift", 2, 1, 1), Variant("shift_drift", 3, 2, 1), Variant("affine", 6, 3, 1)),
+    (".rpc", "BiasedRpc", "fit_bias"), messages.RECOMMEND_RPC_BIAS,
+    lambda request, points: (request.variant.name, request.rpc), corrects_rpc=True,
 )
 
 KINDS = {kind.name: kind for kind in (POLYNOMIAL_2D, POLYNOMIAL_3D, RATIONAL, RATIONAL_TERMS, DLT, PUSHBROOM, RPC_BIAS)}
@@ -158,17 +140,11 @@ KINDS = {kind.name: kind for kind in (POLYNOMIAL_2D, POLYNOMIAL_3D, RATIONAL, RA
 
 
 def sensor_model(
-    name: str,
-    variant: str = "",
-    orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000,
-    size: tuple[float, float] | None = None,
-    rpc: Rational | None = None,
+    name: str, variant: str = "", orbit_height_m: float = limits.DEFAULT_ORBIT_HEIGHT_KM * 1000,
+    size: tuple[float, float] | None = None, rpc: Rational | None = None,
 ) -> ModelRequest:
-    """What ``adjust`` takes for a sensor model.
-
-    ``name``: ``polynomial_2d``, ``polynomial_3d``, ``rational``, ``rational_terms``, ``dlt``, ``pushbroom`` or
-    ``rpc_bias``. ``variant``: an order such as ``2``, or a correction such as ``shift``; the first one where empty. A
-    pushbroom takes the nominal ``orbit_height_m`` and the image's ``size`` (columns, rows), ``rpc_bias`` the image's
-    own ``rpc``. Raises KeyError for another name.
-    """
+    """What ``adjust`` takes for a sensor model. ``name``: ``polynomial_2d``, ``polynomial_3d``, ``rational``,
+    ``rational_terms``, ``dlt``, ``pushbroom`` or ``rpc_bias``. ``variant``: an order such as ``2``, or a correction
+    such as ``shift``; the first one where empty. A pushbroom takes the nominal ``orbit_height_m`` and the image's
+    ``size`` (columns, rows), ``rpc_bias`` the image's own ``rpc``. Raises KeyError for another name."""
     return KINDS[name].request(variant, orbit_height_m=orbit_height_m, size=size, rpc=rpc)

@@ -9,6 +9,7 @@ import numpy as np
 
 _PHASES = 4096  # places between two pixels that weights are tabled for: at most 0.0001 px off
 _SMALLEST_WEIGHT = 1e-6
+_AT_ONCE = 16384  # places whose sums stay in a processor's own memory
 
 
 @dataclass(frozen=True)
@@ -71,14 +72,12 @@ class Resampler:
     def at(
         self, bands: np.ndarray, valid: np.ndarray | None, columns: np.ndarray, rows: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
-        """(bands, n) values at places (n,), 0.5 the middle of the first pixel, and (n,) bool where there are any.
-
-        ``bands`` (bands, rows, columns) reach ``margin_px`` beyond the places; ``valid`` (rows, columns) bool where not
-        all are. A place has a value where the pixel that it lies in has one; the others around it play no part then.
-        """
+        """(bands, n) values at places (n,), 0.5 the middle of the first pixel, and (n,) bool where there are any: where
+        the pixel that a place lies in is ``valid`` (rows, columns). ``bands`` reach ``margin_px`` beyond the places."""
         width = bands.shape[2]
         column, row = columns.astype(np.int64), rows.astype(np.int64)
         own = row * width + column
+        valid = None if valid is not None and valid.all() else valid
         sound = np.ones(len(columns), bool) if valid is None else valid.ravel().take(own)
         if self.nearest:
             return bands.reshape(len(bands), -1).take(own, axis=1), sound
@@ -87,21 +86,28 @@ class Resampler:
                   for place, first in ((columns, left), (rows, top))]
         before = [side - 1 for side in self.margin_px]
         first = (top.astype(np.int64) - before[1]) * width + left.astype(np.int64) - before[0]
-        across, down = ([line.take(phase) for line in table] for table, phase in zip(self.tables, phases))
-        if valid is None or valid.all():
-            return np.stack([_convolved(band, first, across, down) for band in bands]), sound
-        held = valid.astype(np.float32)
-        weight = _convolved(held, first, across, down)
-        sound &= weight > _SMALLEST_WEIGHT
-        weight[~sound] = 1.0
-        return np.stack([_convolved(np.where(valid, band, 0), first, across, down) / weight for band in bands]), sound
+        planes = [np.where(valid, band, 0) for band in bands] if valid is not None else list(bands)
+        if valid is not None:
+            planes.append(valid)
+        pixels = [np.ascontiguousarray(plane, np.result_type(bands, np.float32)).ravel() for plane in planes]
+        found = np.zeros((len(planes), len(columns)), pixels[0].dtype)
+        for start in range(0, len(columns), _AT_ONCE):
+            some = slice(start, start + _AT_ONCE)
+            weights = [[line.take(phase[some]) for line in table] for table, phase in zip(self.tables, phases)]
+            for plane, sums in zip(pixels, found):
+                _add_convolved(sums[some], plane, width, first[some], *weights)
+        if valid is None:
+            return found, sound
+        sound &= found[-1] > _SMALLEST_WEIGHT
+        return found[:-1] / np.where(sound, found[-1], 1), sound
 
 
-def _convolved(band: np.ndarray, first: np.ndarray, across: list[np.ndarray], down: list[np.ndarray]) -> np.ndarray:
-    """(n,) sums of a band's pixels from ``first`` on (the flat index of the upper left one), weighted."""
-    pixels, width = np.ascontiguousarray(band, np.result_type(band, np.float32)).ravel(), band.shape[1]
-    found = np.zeros(len(first), pixels.dtype)
-    taken, line = np.empty_like(found), np.empty_like(found)
+def _add_convolved(
+    sums: np.ndarray, pixels: np.ndarray, width: int, first: np.ndarray, across: list[np.ndarray],
+    down: list[np.ndarray],
+) -> None:  # fmt: skip
+    """Add pixels from ``first`` on (n,), the flat index of the upper left one, weighted."""
+    taken, line = np.empty_like(sums), np.empty_like(sums)
     for below, weight_down in enumerate(down):
         line.fill(0)
         for beside, weight in enumerate(across):
@@ -109,5 +115,4 @@ def _convolved(band: np.ndarray, first: np.ndarray, across: list[np.ndarray], do
             taken *= weight
             line += taken
         line *= weight_down
-        found += line
-    return found
+        sums += line

@@ -22,7 +22,7 @@ from ...imagery.rasters import Raster, RasterRef
 from ...imagery.reference_systems import metres_per_unit, same_system, transform_points
 from . import messages
 from .polynomials import EXPONENTS_3D, Rational, fit_rational
-from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares, locate, reprojected
+from .sensor_model import WGS84, FittedModel, Scaling, SensorModel, file_content, least_squares, locate, yaml_document
 
 RPC_GRID = (21, 21, 7)  # columns, rows, heights of the terrain-independent fit: 39 unknowns an axis
 MIN_RPC_HEIGHTS_M = 50.0  # half the range of heights at least, so that the quotient is sound around flat terrain
@@ -97,10 +97,8 @@ class RpcOfModel:
 
 
 def rpc_of(model: SensorModel, wkt: str, domain: Domain) -> RpcOfModel:
-    """A model in space as RPC: as it is where it has that form, else by a terrain-independent fit over the domain.
-
-    ``wkt`` is the system of the points that the model was fitted to. Raises SensorModelError for a plane model.
-    """
+    """A model in space as RPC: itself where it has that form, else by a terrain-independent fit. Raises
+    SensorModelError."""
     if not model.SPATIAL:
         raise SensorModelError(messages.PLANE_MODEL_HAS_NO_RPC())
     exact = model.as_rational() if same_system(model.ground_system(wkt), WGS84) else None
@@ -134,23 +132,16 @@ def rpc_heights(domain: Domain) -> tuple[float, float]:
 
 
 def located(model: SensorModel, wkt: str, grid: np.ndarray, domain: Domain) -> np.ndarray:
-    """(n, 3) longitude, latitude, height of grid places (n, 3) column, row, height.
-
-    Raises SensorModelError where the model can't be inverted.
-    """
+    """(n, 3) longitude, latitude, height of (n, 3) column, row, height. Raises SensorModelError if not invertible."""
     system = model.ground_system(wkt)
     middle = transform_points(np.array([domain.middle]), wkt, system)
     found = locate(model.project, grid[:, :2], grid[:, 2], middle, metres_per_unit(system, float(middle[0, 1])))
-    return reprojected(np.column_stack([found, grid[:, 2]]), system, WGS84)
+    return np.column_stack([transform_points(found, system, WGS84), grid[:, 2]])
 
 
 @dataclass(frozen=True)
 class BiasedRpc(SensorModel):
-    """An RPC plus a correction in the image, linear in its column and row.
-
-    Source: J. Grodecki and G. Dial, Block adjustment of high-resolution satellite images described by rational
-    polynomials, 2003.
-    """
+    """An RPC plus a correction in the image, linear in its column and row (Grodecki and Dial 2003)."""
 
     GEOGRAPHIC: ClassVar[bool] = True
 
@@ -176,11 +167,8 @@ class BiasedRpc(SensorModel):
 def fit_bias(
     ground: np.ndarray, image: np.ndarray, weights: np.ndarray, form: str, rpc: Rational | None
 ) -> FittedModel:
-    """Fit the correction: ``ground`` (n, 3) longitude, latitude, ellipsoidal height; ``image`` (n, 2) px.
-
-    ``shift_drift`` adds to the shift what grows with the line, as a drift of the attitude does: of the column or of
-    the row, whichever leaves the smaller residuals. Raises SettingsError without an RPC.
-    """
+    """Fit the correction; ``shift_drift`` lets the column or the row grow with the line. Raises SettingsError without
+    an RPC."""
     if rpc is None:
         raise SettingsError(messages.NO_RPC())
     seen = rpc.project(ground)
@@ -255,11 +243,7 @@ def write_rpc(rpc: Rational, path: Path) -> None:
 
 
 def read_rpc(path: Path) -> Rational:
-    """An RPC from a text file (``_RPC.TXT``), a DIMAP file (``RPC_*.XML``), ``.RPB``, OSSIM's ``.geom``, ALOS's text
-    of fixed width or orthority's YAML.
-
-    Raises SensorModelError.
-    """
+    """An RPC from _RPC.TXT, DIMAP, .RPB, OSSIM's .geom, ALOS's text or orthority's YAML. Raises SensorModelError."""
     content = file_content(path)
     if looks_like_xml(content):
         return from_metadata(_dimap_items(content, path.name), path.name, DIMAP_FIRST_PIXEL)
@@ -289,17 +273,12 @@ def _alos_items(text: str) -> dict[str, str]:
 def _orthority_items(text: str, name: str) -> dict[str, str]:
     """Of a file for one image: GDAL's items in small letters."""
     try:
-        import yaml
-    except ImportError:
-        raise SensorModelError(messages.YAML_MISSING(name=name)) from None
-    try:
-        images = yaml.safe_load(text)
-        (rpc,) = (one["rpc"] for one in images.values())
+        (rpc,) = (one["rpc"] for one in yaml_document(text, name).values())
         return {
             key.upper(): " ".join(map(str, value)) if isinstance(value, list) else str(value)
             for key, value in rpc.items()
         }
-    except (yaml.YAMLError, RecursionError, ValueError, TypeError, KeyError, AttributeError):
+    except (ValueError, TypeError, KeyError, AttributeError):
         raise SensorModelError(messages.RPC_INCOMPLETE(name=name)) from None
 
 
@@ -360,12 +339,8 @@ def own_rpc(image: OpenRaster) -> Rational | None:
 
 
 def rpc_of_image_part(rpc: Rational, image: Raster) -> tuple[Rational, Message | None]:
-    """The RPC of a whole scene for an image that is a part of it, and what to say about that.
-
-    A part keeps its place in a geotransform of whole pixels without a reference system (origin = first column and
-    row). It is believed when the RPC's own range holds the part there, so that an RPC of the part itself stays as
-    it is.
-    """
+    """The RPC of a whole scene for an image that is a part of it, by a geotransform of whole pixels without a reference
+    system, as long as the RPC's own range holds the part there; and what to say about that."""
     if image.geotransform is None or image.own_wkt:
         return rpc, None
     left, across, skew_x, top, skew_y, down = image.geotransform
@@ -393,10 +368,7 @@ def image_with_rpc(image: OpenRaster, rpc: Rational) -> gdal.Dataset:
 def write_image_with_rpc(
     image: OpenRaster, rpc: Rational, path: Path, cancelled: Callable[[], bool] = lambda: False
 ) -> None:
-    """A GeoTIFF of the image with the RPC in its tags.
-
-    Raises RasterError where it can't be written, CancelledError when cancelled; no half-written file is left then.
-    """
+    """A GeoTIFF of the image with the RPC in its tags, whole or not at all. Raises RasterError, CancelledError."""
     source = image_with_rpc(image, rpc)
 
     def report(share: float, message: str, data: Any) -> int:

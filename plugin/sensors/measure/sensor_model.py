@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Callable, ClassVar
+from typing import Any, Callable, ClassVar
 
 import numpy as np
 
@@ -23,6 +23,18 @@ def file_content(path: Path) -> bytes:
         return document_bytes(path)
     except OSError:
         raise SensorModelError(imagery_messages.NOT_FOUND(path=path)) from None
+
+
+def yaml_document(text: str, name: str) -> Any:
+    """What a YAML text says; None for one that is none. Raises SensorModelError without PyYAML."""
+    try:
+        import yaml
+
+        return yaml.safe_load(text)
+    except ImportError:
+        raise SensorModelError(messages.YAML_MISSING(name=name)) from None
+    except (yaml.YAMLError, RecursionError, ValueError):
+        return None
 
 
 def reprojected(ground: np.ndarray, wkt: str, target: str) -> np.ndarray:
@@ -86,11 +98,8 @@ class Solution:
 
 
 def least_squares(design: np.ndarray, target: np.ndarray) -> Solution:
-    """Solve ``design @ x = target`` for (m, n) and (m,) or (m, k), the columns brought to length 1 before.
-
-    Singular values below machine precision times the larger side are taken as zero, nothing is added to the others.
-    Raises SensorModelError where an iteration has run away into numbers that are none.
-    """
+    """Solve ``design @ x = target`` for (m, n) and (m,) or (m, k), columns of length 1, without what rounding makes.
+    Raises SensorModelError for numbers that are none."""
     lengths = np.linalg.norm(design, axis=0)
     lengths[lengths == 0] = 1.0
     scaled = design / lengths
@@ -129,11 +138,8 @@ Map = Callable[[np.ndarray], np.ndarray]
 
 
 def newton(function: Map, wanted: np.ndarray, start: np.ndarray, step: float = 1e-4, steps: int = 0) -> np.ndarray:
-    """Solve ``function(x) = wanted`` for (n, 2) x near ``start``; NaN where it does not converge.
-
-    ``step`` is the difference, in units of x, that derivatives are taken with. With ``steps`` only so many are taken,
-    and what they reach is the answer.
-    """
+    """Solve ``function(x) = wanted`` for (n, 2) x near ``start``; NaN where it does not converge. ``step``: of
+    derivatives, in x. With ``steps`` only so many are taken, and what they reach is the answer."""
     found = np.array(start, float)
     last = np.full(len(found), np.inf)
     for _ in range(steps or limits.MAX_NEWTON_ITERATIONS):
@@ -159,20 +165,11 @@ def newton(function: Map, wanted: np.ndarray, start: np.ndarray, step: float = 1
 
 
 def locate(
-    project: Map,
-    image: np.ndarray,
-    heights: np.ndarray,
-    start: np.ndarray,
-    metres: tuple[float, float],
-    partly: bool = False,
-    steps: int = 0,
+    project: Map, image: np.ndarray, heights: np.ndarray, start: np.ndarray, metres: tuple[float, float],
+    partly: bool = False, steps: int = 0,
 ) -> np.ndarray:
-    """Ground coordinates (n, 2) of image points (n, 2) at heights (n,), by Newton's method from ``start`` (n or 1, 2).
-
-    ``project`` takes (n, 3) ground to (n, 2) image; ``metres`` are about those in a unit of x and y. Raises
-    SensorModelError where the model can't be inverted; with ``partly`` those places are NaN instead. ``steps`` as in
-    ``newton``.
-    """
+    """(n, 2) x, y of image points (n, 2) at heights (n,), by Newton's method from ``start``; ``metres`` in a unit of x
+    and y. Raises SensorModelError where there is none; with ``partly`` those are NaN. ``steps`` as in ``newton``."""
     scale = 1 / np.asarray(metres)
 
     def seen(units: np.ndarray) -> np.ndarray:

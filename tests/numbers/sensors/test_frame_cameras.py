@@ -17,11 +17,11 @@ from scipy.ndimage import map_coordinates
 from seam_inspector.plugin.imagery.errors import SeamInspectorError
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.reference_systems import transform_points
-from seam_inspector.plugin.sensors.measure.camera_files import read_interior
-from seam_inspector.plugin.sensors.measure.exterior_files import read_exterior
+from seam_inspector.plugin.sensors.measure.camera_files import document, read_cameras
+from seam_inspector.plugin.sensors.measure.exterior_files import read_exteriors
 from seam_inspector.plugin.sensors.measure.frames import FrameCamera, FrameInterior, camera_axes
 from seam_inspector.plugin.sensors.measure.lenses import BrownLens, FisheyeLens, Lens
-from seam_inspector.plugin.sensors.measure.oriented_frames import FrameFiles, OrientedFrame, oriented_frame
+from seam_inspector.plugin.sensors.measure.oriented_frames import FrameFiles, OrientedFrame, read_block
 from seam_inspector.plugin.sensors.measure.orthorectification import OrthoRequest, orthorectify
 from seam_inspector.plugin.sensors.measure.rpc import open_image
 
@@ -61,9 +61,12 @@ def folder(tmp_path: Path) -> Path:
 def oriented(folder: Path, interior: str = "camera.yaml", exterior: str = "places.csv", system: str = "EPSG:32633",
              datum: str = "as_terrain") -> OrientedFrame:
     files = FrameFiles(folder / interior, folder / exterior, system, datum)
-    return oriented_frame(
-        open_image(RasterRef(str(folder / "photo.tif"))), files, RasterRef(str(folder / "dem.tif")), "auto", 0.0
-    )
+    block = read_block(files, RasterRef(str(folder / "dem.tif")), "auto", 0.0)
+    return block.frame(open_image(RasterRef(str(folder / "photo.tif"))))
+
+
+def interior(path: Path, size: tuple[int, int]) -> FrameInterior:
+    return read_cameras(document(path), path).of("", size)
 
 
 @pytest.mark.parametrize("exterior", ["camera_pos_ori.txt", "ngi_ext_param.geojson"])
@@ -73,7 +76,7 @@ def test_points_lie_where_orthority_sees_them(data_folder: Path, exterior: str) 
         rows = [[float(row[name]) for name in ("x", "y", "z", "column", "row")] for row in csv.DictReader(file)]
     image = open_image(RasterRef(str(folder / "3324c_2015_1004_05_0182_RGB.tif")))
     files = FrameFiles(folder / "ngi_int_param.yaml", folder / exterior, "", "as_terrain")
-    made = oriented_frame(image, files, RasterRef(str(folder / "dem.tif")), "auto", 0.0)
+    made = read_block(files, RasterRef(str(folder / "dem.tif")), "auto", 0.0).frame(image)
     table = np.array(rows)
     assert np.abs(made.camera.project(table[:, :3]) - table[:, 3:]).max() < 2e-4
 
@@ -226,7 +229,7 @@ def test_all_files_of_an_exterior_orientation_say_the_same(folder: Path, image: 
                                      "opk": np.radians([1, -2, 30]).tolist()}}],
     }))
     for name in ("places.csv", "Orientation-photo.tif.xml", "blanks.txt", "semicolons.csv", "places.json"):
-        found = read_exterior(folder / name, image)
+        found = read_exteriors(document(folder / name), folder / name).of(image)
         assert found.position == pytest.approx(CENTRE), name
         assert found.axes == pytest.approx(axes), name
     assert (found.camera, found.wkt) == ("cam", "EPSG:32633")
@@ -234,7 +237,7 @@ def test_all_files_of_an_exterior_orientation_say_the_same(folder: Path, image: 
 
 def test_micmac_s_radial_distortion_is_that_of_its_formula(folder: Path) -> None:
     (folder / "AutoCal.xml").write_text(AUTOCAL)
-    camera = FrameCamera(read_interior(folder / "AutoCal.xml", "", (COLUMNS, ROWS)), np.zeros(3), np.eye(3))
+    camera = FrameCamera(interior(folder / "AutoCal.xml", (COLUMNS, ROWS)), np.zeros(3), np.eye(3))
     seen = np.array([[0.3, -0.2, 1.0], [0.0, 0.0, 1.0], [-0.4, 0.25, 1.0]])
     ideal = np.array([41.0, 29.0]) + 100 * seen[:, :2]
     off = ideal - [39.0, 31.0]
@@ -243,8 +246,8 @@ def test_micmac_s_radial_distortion_is_that_of_its_formula(folder: Path) -> None
 
 
 def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) -> None:
-    whole = read_interior(folder / "camera.yaml", "", (COLUMNS, ROWS))
-    half = read_interior(folder / "camera.yaml", "", (COLUMNS // 2, ROWS // 2))
+    whole = interior(folder / "camera.yaml", (COLUMNS, ROWS))
+    half = interior(folder / "camera.yaml", (COLUMNS // 2, ROWS // 2))
     assert half.focal == pytest.approx(whole.focal / 2)
     assert half.principal == pytest.approx(whole.principal / 2)
 

@@ -11,8 +11,8 @@ import pytest
 from osgeo import osr
 from seam_inspector.plugin.imagery.errors import SensorModelError
 from seam_inspector.plugin.imagery.reference_systems import transform_points
-from seam_inspector.plugin.sensors.measure.camera_files import orientation_file, read_interior
-from seam_inspector.plugin.sensors.measure.exterior_files import read_exterior
+from seam_inspector.plugin.sensors.measure.camera_files import document, orientation_file, read_cameras
+from seam_inspector.plugin.sensors.measure.exterior_files import FrameExterior, read_exteriors
 from seam_inspector.plugin.sensors.measure.frames import FrameCamera
 
 SIZE = (4000, 3000)
@@ -86,12 +86,15 @@ def opencv(ground: np.ndarray, turn: np.ndarray, place: np.ndarray, distorted: b
     return cv2.projectPoints(relative[:, None], vector, np.zeros(3), MATRIX, lens)[0][:, 0]
 
 
+def exterior_of(path: Path, image: str = "IMG_2.jpg", angles: str = "auto") -> FrameExterior:
+    return read_exteriors(document(path), path, angles).of(image)
+
+
 def seen(exterior: Path, interior: Path | None = None, image: str = "IMG_2.jpg", angles: str = "auto") -> np.ndarray:
     path = orientation_file(exterior)
-    found = read_exterior(path, image, angles)
-    camera = FrameCamera(
-        read_interior(interior or path, found.camera, SIZE), found.position, found.axes, found.curvature
-    )
+    found, interior = exterior_of(path, image, angles), interior or path
+    lens = read_cameras(document(interior), interior).of(found.camera, SIZE)
+    camera = FrameCamera(lens, found.position, found.axes, found.curvature)
     places = transform_points(GROUND, UTM, found.wkt or UTM)
     return camera.project(np.column_stack([places, GROUND[:, 2]]))
 
@@ -117,6 +120,8 @@ TABLES = {
     "gon and decimal commas": "Photo;Easting;Northing;Altitude;Omega [gon];Phi [gon];Kappa [gon]\n" + COMMAS,
     "commas and blanks": "Image E N H Omega(deg) Phi(deg) Kappa(deg)\n"
     + rows("{n} {x} {y} {z} {o} {p} {k}").replace(".", ",").replace(",jpg", ".jpg"),
+    "orthority": "'filename' 'easting' 'northing' 'altitude' 'omega' 'phi' 'kappa' 'camera'\n"
+    + rows("'{n}' {x} {y} {z} {o} {p} {k} 'a camera'"),
     "no header": rows("{n}, {x}, {y}, {z}, {o}, {p}, {k}"),
     "patb": "".join(f"{name} 153000.0 {PLACE[0]} {PLACE[1]} {PLACE[2]}\n{MATRIX_OF_PATB}\n" for name in
                     ("IMG_2", "IMG_1")) + "-99\n",
@@ -132,11 +137,18 @@ def test_tables_of_orientations_are_read_with_their_units(tmp_path: Path, name: 
     )
 
 
+def test_columns_are_not_guessed_where_a_header_names_others(tmp_path: Path) -> None:
+    path = tmp_path / "places.txt"
+    path.write_text("#name latitude longitude altitude omega phi kappa\nIMG_2 50.1 15.2 1500 1 2 3\n")
+    with pytest.raises(SensorModelError, match="choose a table with the columns"):
+        exterior_of(path)
+
+
 @pytest.mark.parametrize("angles", ["auto", "gon"])
 def test_gon_are_asked_for_where_a_file_does_not_name_them(tmp_path: Path, angles: str) -> None:
     path, turn = tmp_path / "places.csv", (4.0, -7.0, -179.1)
     path.write_text("filename,x,y,z,omega,phi,kappa\nIMG_2,1,2,3," + ",".join(str(one / 0.9) for one in turn) + "\n")
-    found = read_exterior(path, "IMG_2.jpg", angles)
+    found = exterior_of(path, "IMG_2.jpg", angles)
     assert bool(found.notices) == (angles == "auto")
     assert all("reach 199 and are taken as degrees" in str(one) for one in found.notices)
     if angles == "gon":
@@ -285,7 +297,41 @@ def test_files_in_coordinates_of_space_are_seen_as_from_the_earth_s_middle(
     np.testing.assert_allclose(seen(make(tmp_path, turn, place)), opencv(ground, turn, place), atol=2e-3)
 
 
+def test_the_reading_of_a_reconstruction_is_told(tmp_path: Path) -> None:
+    """Alone it is in the plane at its reference, in a project in UTM, and exact beside its topocentric form."""
+    path = odm(tmp_path) / "opensfm" / "reconstruction.json"
+    (told,) = exterior_of(path).notices
+    assert "is taken as in EPSG:32633 with the offset of coords.txt, where OpenDroneMap puts it" in str(told)
+    path.with_name("reconstruction.topocentric.json").write_text(path.read_text())
+    assert "Photos are placed by reconstruction.topocentric.json" in str(exterior_of(path).notices[0])
+    alone = tmp_path / "reconstruction.json"
+    alone.write_text(path.read_text())
+    assert "in the plane that touches the Earth at its reference" in str(exterior_of(alone).notices[0])
+
+
+@pytest.mark.parametrize("cameras", [False, True])
+def test_each_part_of_a_reconstruction_has_its_own_reference_and_cameras(tmp_path: Path, cameras: bool) -> None:
+    """The second part is 3 km away and its camera longer; OpenDroneMap's cameras.json names one for all."""
+    place, ground = geocentric(np.array([PLACE]))[0], geocentric(GROUND)
+    longitude, latitude = transform_points(PLACE[None, :2], UTM, "EPSG:4326")[0].tolist()
+    turn = CAMERA @ local_axes((longitude, latitude, float(PLACE[2])))
+    part = json.loads(opensfm(tmp_path, turn, place).joinpath("reconstruction.json").read_text())[0]
+    other = json.loads(json.dumps(part).replace("IMG_2", "IMG_9"))
+    other["reference_lla"]["latitude"] += 0.03
+    other["cameras"]["v2 dji"]["focal_x"] = other["cameras"]["v2 dji"]["focal_y"] = 1.5
+    path = tmp_path / "reconstruction.json"
+    path.write_text(json.dumps([other, part]))
+    known = {"dji": part["cameras"]["v2 dji"], "another": other["cameras"]["v2 dji"]}
+    (tmp_path / "cameras.json").write_text(json.dumps(known))
+    given = tmp_path / "cameras.json" if cameras else path
+    np.testing.assert_allclose(seen(path, given), opencv(ground, turn, place), atol=2e-3)
+    far = exterior_of(path, "IMG_9.jpg")
+    assert float(far.wkt.split("lat_0=")[1].split()[0]) - latitude == pytest.approx(0.03, abs=1e-5)
+    lens = read_cameras(document(given), given).of(far.camera, SIZE)
+    assert lens.focal == pytest.approx(3000 if cameras else 6000)
+
+
 def test_photos_that_are_not_aligned_are_not_oriented(tmp_path: Path) -> None:
     path = metashape(tmp_path, np.eye(3), geocentric(np.array([PLACE]))[0])
     with pytest.raises(SensorModelError, match="does not name the image IMG_1"):
-        read_exterior(path, "IMG_1.jpg")
+        exterior_of(path, "IMG_1.jpg")
