@@ -1,6 +1,7 @@
 """Mosaic and orthoimages of a run, from the parameters MOSAIC, SOURCES and SOURCE_INDEX."""
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -15,6 +16,7 @@ from ..measure import messages
 if TYPE_CHECKING:
     from ...imagery.rasters import Raster, RasterRef
     from ..measure.inspection import Block
+    from ..measure.scan.block_runs import ScanStep
     from ..measure.seam_cells import Cell
     from ..measure.source_images import Source
 
@@ -86,3 +88,19 @@ def given_block(run: Run, mosaic: Raster, given: GivenSources, cells: Iterable[C
     block, of_copies = without_copies(block)
     run.tell_once([*notices, *of_copies])
     return block
+
+
+_TOLD_EVERY_S = 10.0  # how long the rest will take
+
+
+def follow_steps(run: Run, steps: Iterable[ScanStep], share: float) -> None:
+    """Tells of steps as they are done, which all are a share of the time."""
+    from ..jobs import time_left
+
+    told_at = time.monotonic()
+    for step in steps:
+        run.tell_once(step.notices)
+        run.progress(share * step.share)
+        if step.seconds_left is not None and time.monotonic() - told_at > _TOLD_EVERY_S:
+            told_at = time.monotonic()
+            run.doing(time_left(step.seconds_left))

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import tempfile
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -29,7 +28,7 @@ from ...toolkit.algorithms.run import Run
 from ...toolkit.translation import tr
 from ..measure import limits
 from ..measure.scan import messages
-from .block_parameters import gathered_sources, given_sources
+from .block_parameters import follow_steps, gathered_sources, given_sources
 
 if TYPE_CHECKING:
     from ..measure.scan.lines.given_seams import GivenSeams
@@ -43,7 +42,6 @@ CELL, PIECE = "CELL", "PIECE"
 LOSS, SEAMS, CELLS, WORST, WORST_COUNT = "LOSS", "SEAMS", "CELLS", "WORST", "WORST_COUNT"
 SEAM_METRES, FAILED_METRES, WORST_KEPT = "SEAM_METRES", "FAILED_METRES", "WORST_KEPT"
 
-_TOLD_EVERY_S = 10.0  # how long the rest will take
 _MEASURED = 0.9  # of the time: the rest is to put the blocks together
 
 
@@ -210,16 +208,9 @@ class ScanMosaic(SeamInspectorAlgorithm):
     def _scanned(self, run: Run, scan: WholeScan, loss: str) -> ScanResult:
         """What all blocks tell. Raises CancelledError where nobody wants it any more."""
         from ...toolkit.executors import open_executor
-        from ..jobs import time_left
 
-        told_at = time.monotonic()
         with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as (executor, ahead):
-            for step in scan.steps(executor, ahead, run.is_cancelled):
-                run.tell_once(step.notices)
-                run.progress(_MEASURED * step.share)
-                if step.seconds_left is not None and time.monotonic() - told_at > _TOLD_EVERY_S:
-                    told_at = time.monotonic()
-                    run.doing(time_left(step.seconds_left))
+            follow_steps(run, scan.steps(executor, ahead, run.is_cancelled), _MEASURED)
             result = None if run.is_cancelled() else scan.result(
                 loss, lambda share: run.goes_on(_MEASURED + (1 - _MEASURED) * share), executor, ahead
             )
