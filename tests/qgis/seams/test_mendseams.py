@@ -281,3 +281,24 @@ def test_an_image_that_ends_beside_the_seam_leaves_no_line(tmp_path: Path) -> No
     far = np.min([np.abs(fine[0] - one).mean(axis=0) for one in fine[1:]], axis=0)
     assert np.percentile(far[inside], 99) < 8
     assert (after != 0).all()
+
+
+def test_a_refusal_leaves_nothing(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "SEAMS": scanned.layer("SEAMS")}
+    (tmp_path / "a file").touch()
+    assert_refused(
+        "mendseams", "can't be written", **given, PATCHES=str(tmp_path / "a file"), MENDED=str(tmp_path / "mended.vrt")
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["a file"]
+
+
+def test_a_patch_is_never_written_over_an_input(feathered: Files, tmp_path: Path) -> None:
+    folder = tmp_path / "patches"
+    folder.mkdir()
+    mosaic = folder / "patch_0001.tif"
+    mosaic.write_bytes(Path(feathered.mosaic).read_bytes())
+    files = Files(str(mosaic), feathered.west, feathered.east)
+    ended = mend(files, None, tmp_path)
+    assert ended.complaint is not None
+    assert_sentence(ended.complaint, "written over")
+    assert mosaic.read_bytes() == Path(feathered.mosaic).read_bytes()

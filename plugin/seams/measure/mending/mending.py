@@ -24,7 +24,7 @@ from ....imagery.messages import system_reason
 from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import rasters_kept
 from ....imagery.raster_writer import whole_raster
-from ....imagery.rasters import Raster, RasterRef
+from ....imagery.rasters import Raster
 from ....imagery.records import Column, record_of, sentences_of, value_of
 from ..scan.block_runs import BlockLook, JournaledBlocks, ScanStep, held
 from ..scan.lines.given_seams import GivenSeams
@@ -148,18 +148,9 @@ class Mending:
     """One mending, which may have begun in an earlier run of the program."""
 
     def __init__(self, request: MendRequest, patches: str, mended: str, journal: ScanJournal) -> None:
-        """``patches``: a folder, or a GeoTIFF for all of them. Raises SettingsError where they can't be."""
-        self.request, self._journal = request, journal
-        self._single = patches if patches.lower().endswith((".tif", ".tiff")) else ""
-        self._folder, self._mended = Path(patches), mended
-        inputs = {os.path.realpath(path) for ref in self._refs for path in ref.paths}
-        for path in [self._single] if self._single else map(self._place, range(len(request.runs[0]))):
-            if os.path.realpath(path) in inputs:
-                raise SettingsError(messages.PATCH_IS_INPUT(path=path))
-        try:
-            (self._folder.parent if self._single else self._folder).mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=patches, error=system_reason(error))) from None
+        """``patches``: a folder, or a GeoTIFF for all of them."""
+        self.request, self._journal, self._mended = request, journal, mended
+        self._single, self._folder = patches if _is_file(patches) else "", Path(patches)
 
     @property
     def done(self) -> int:
@@ -190,13 +181,6 @@ class Mending:
             write_mended(self._mended, mosaic, better)
         return seams
 
-    @property
-    def _refs(self) -> list[RasterRef]:
-        return [self.request.mosaic.ref, *(one.ref for one in self.request.sources)]
-
-    def _place(self, number: int) -> str:
-        return str(self._folder / f"patch_{number + 1:04d}.tif")
-
     def _moved(self, patch: PlacedPatch) -> PlacedPatch:
         path = str(self._folder / os.path.basename(patch.path))
         with whole_raster(path) as unfinished:
@@ -209,7 +193,7 @@ class Mending:
                 whole = self._cut(number)
                 assert whole.pixels is not None
                 assert whole.inside is not None
-                path = str(folder / os.path.basename(self._place(number)))
+                path = str(folder / _patch_name(number))
                 yield number, write_patch(path, self.request.mosaic, cut.window, whole.pixels, whole.inside)
 
     @cached_property
@@ -257,7 +241,7 @@ class Mending:
             return MendedSeam(run, cut, LEFT, reason=cut.reason)
         if kept is None or kept <= (run.kept or 0.0):
             return MendedSeam(run, cut, LEFT, kept, messages.NOT_BETTER())
-        name = os.path.basename(self._single or self._place(number))
+        name = os.path.basename(self._single) or _patch_name(number)
         return MendedSeam(run, cut, MENDED if kept >= MENDED_KEPT else IMPROVED, kept, None, name)
 
 
@@ -267,6 +251,7 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
     file can be, or another one is under way there."""
     given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
     mosaic, place = request.mosaic, Path(mended)
+    _check_patches(request, patches)
     fingerprint = fingerprint_of(
         mosaic.ref, request.sources, request.settings, [*given, np.array([one.is_wanted for one in request.pieces])],
         (mosaic.geotransform, mosaic.own_wkt),
@@ -278,6 +263,29 @@ def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending
         journal.remove()
     finally:
         journal.close()
+
+
+def _check_patches(request: MendRequest, patches: str) -> None:
+    """Makes their folder. Raises SettingsError where they can't be."""
+    single = _is_file(patches)
+    refs = [request.mosaic.ref, *(one.ref for one in request.sources)]
+    inputs = {os.path.realpath(path) for ref in refs for path in ref.paths}
+    for number in range(0 if single else len(request.runs[0])):  # one file is held against the inputs as any output is
+        path = os.path.join(patches, _patch_name(number))
+        if os.path.realpath(path) in inputs:
+            raise SettingsError(messages.PATCH_IS_INPUT(path=path))
+    try:
+        Path(os.path.dirname(os.path.abspath(patches)) if single else patches).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=patches, error=system_reason(error))) from None
+
+
+def _is_file(patches: str) -> bool:
+    return patches.lower().endswith((".tif", ".tiff"))
+
+
+def _patch_name(number: int) -> str:
+    return f"patch_{number + 1:04d}.tif"
 
 
 def _run_of(record: bytes) -> Any:
