@@ -16,6 +16,7 @@ from tests.qgis.acceptance.seam_scenes import UTM33, X, Y, seams
 from tests.qgis.resolution.bar_scenes import bar_layer, make_bar_scene
 from tests.qgis.runs import run
 from tests.qgis.scenes import BLURRED, SHARP, windows
+from tests.qgis.seams.scan_scenes import write_scene
 
 pytestmark = pytest.mark.slow
 
@@ -36,6 +37,16 @@ def inspection(given: dict[str, Any], folder: Path, path: Path) -> None:
     found = run("inspectwindows", WINDOWS=drawn, **rasters)
     tables = {name: found.layer(name) for name in ("CURVES", "PAIRS", "PROFILES")}
     assert run("report", WINDOWS=found.layer(), OUTPUT=str(path), **rasters, **tables).complaint is None
+
+
+def mending(given: dict[str, Any], folder: Path, path: Path) -> None:
+    """A feathered seam, with its pictures."""
+    files = write_scene(folder, width=40.0)
+    found = run("scanmosaic", **files.given())
+    made(
+        "mendseams", path, MOSAIC=files.mosaic, SOURCES=files.sources, SEAMS=found.layer("SEAMS"), WHAT="all",
+        PATCHES=str(folder / "patches"), MENDED=str(folder / "mended.vrt"),
+    )
 
 
 def radiometry(given: dict[str, Any], folder: Path, path: Path) -> None:
@@ -101,6 +112,7 @@ def made(algorithm: str, path: Path, **parameters: Any) -> None:
 
 REPORTS: dict[Report, str] = {
     inspection: "Flagged is a significant loss, or one that the observer saw.",
+    mending: "mended",
     radiometry: "failed",
     noise: "",
     resolution: "geometric mean",

@@ -8,7 +8,6 @@ from qgis.core import (
     QgsGeometry,
     QgsLineString,
     QgsProcessing,
-    QgsProcessingFeatureSource,
     QgsProcessingOutputRasterLayer,
     QgsProcessingParameterFeatureSink,
     QgsProcessingParameterFeatureSource,
@@ -19,7 +18,7 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
-from ...imagery.errors import CancelledError
+from ...imagery.errors import CancelledError, SettingsError
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
@@ -29,15 +28,12 @@ from ..measure.mending import messages
 from .block_parameters import check_sources, follow_steps, gathered_sources, given_features, given_sources
 
 if TYPE_CHECKING:
-    from ..measure.mending.failed_runs import ScannedPiece
-    from ..measure.mending.mend_run import MendSettings
-    from ..measure.mending.mending import MendedSeam, Mending
+    from ..measure.mending.failed_runs import SeamRun
     from ..measure.source_images import Source
 
 SEAMS, WHAT, WIDTH, BLEND, PATCHES, MENDED, CUTS = "SEAMS", "WHAT", "WIDTH", "BLEND", "PATCHES", "MENDED", "CUTS"
 MENDED_MOSAIC = "MENDED_MOSAIC"
 MENDED_METRES, LEFT_METRES = "MENDED_METRES", "LEFT_METRES"
-_CUT = 0.6  # of the time: the rest is to measure what was made
 
 
 class MendSeams(SeamInspectorAlgorithm):
@@ -101,23 +97,16 @@ class MendSeams(SeamInspectorAlgorithm):
             QgsProcessingParameterFeatureSink(CUTS, tr("Cuts"), line),
             tr("Each seam as it runs now, with what it kept before and after, and its step of tone before and after."),
         )
+        self.addDescribed(*common.report(tr("Each seam before and after, in figures and in pictures at 2x.")))
         self.addOutput(QgsProcessingOutputRasterLayer(MENDED_MOSAIC, tr("Mended mosaic")))
         self.addNumbers({
             MENDED_METRES: tr("Length of the seams that are mended (metres)"),
             LEFT_METRES: tr("Length of the seams that stay as they were (metres)"),
         })
 
-    @staticmethod
-    def _settings(run: Run) -> MendSettings:
-        """Raises SettingsError for values out of their range."""
-        from ..measure.mending.mend_run import MendSettings
-
-        settings = MendSettings(run.real(WIDTH), run.whole(BLEND), run.text(WHAT))
-        settings.check()
-        return settings
-
     def check(self, run: Run) -> None:
-        self._settings(run)
+        if run.text(WHAT) not in MENDED_SEAMS:
+            raise SettingsError(messages.WHAT_UNKNOWN(what=run.text(WHAT), known=", ".join(MENDED_SEAMS)))
         check_sources(run)
         run.mosaic()
 
@@ -126,36 +115,35 @@ class MendSeams(SeamInspectorAlgorithm):
         self._given = given_sources(run)
 
     def execute(self, run: Run) -> dict[str, Any]:
-        from ...toolkit import layers
         from ...toolkit.executors import open_executor
+        from ...toolkit.layers import mosaic_crs
         from ...toolkit.table_fields import column_fields, column_values, feature
         from ..measure.inputs.mosaic_copies import leave_out_copies
-        from ..measure.mending.failed_runs import given_pieces
-        from ..measure.mending.mending import CUT_COLUMNS, LEFT, MendRequest, mending, metres
+        from ..measure.mending.mend_run import MendSettings
+        from ..measure.mending.mending import CUT_COLUMNS, LEFT, PATCHED, MendRequest, mending, metres
+        from ..report.mending_report import save_mending_report
 
         self.check(run)
-        settings = self._settings(run)
-        mosaic, patches, mended = self._mosaic, run.text(PATCHES), run.file_path(MENDED)
-        assert mended is not None
-        crs = layers.mosaic_crs(mosaic)
-        gathered = gathered_sources(run, self._given, crs, mosaic.wkt, mosaic.ref)
-        sources, notices = leave_out_copies(mosaic, gathered)
+        mosaic, patches, mended = self._mosaic, run.text(PATCHES), str(run.file_path(MENDED))
+        crs = mosaic_crs(mosaic)
+        sources, notices = leave_out_copies(mosaic, gathered_sources(run, self._given, crs, mosaic.wkt, mosaic.ref))
         run.tell_once(notices)
-        given = run.source(SEAMS)
-        with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as (executor, ahead):
-            if QgsWkbTypes.geometryType(given.wkbType()) == QgsWkbTypes.GeometryType.PolygonGeometry:
-                pieces = self._scanned(run, given, crs, sources)
-            else:
-                pieces = given_pieces(*given_features(run, SEAMS, crs))
-            request = MendRequest(mosaic, tuple(sources), tuple(pieces), settings)
-            runs, unnamed = request.runs
-            if unnamed:
-                run.tell(messages.SIDES_UNKNOWN(metres=unnamed))
-            if not runs and not unnamed:
-                run.tell(messages.NOTHING_TO_MEND())
-            with mending(request, mended) as job:
-                seams = self._mended(run, job, patches, str(mended), executor, ahead)
-        run.tell_once(one.reason for one in seams if one.reason is not None)
+        pieces = self._pieces(run, crs, sources)
+        request = MendRequest(mosaic, tuple(sources), tuple(pieces), MendSettings(run.real(WIDTH), run.whole(BLEND)))
+        runs, unnamed = request.runs
+        if unnamed:
+            run.tell(messages.SIDES_UNKNOWN(metres=unnamed))
+        elif not runs:
+            run.tell(messages.NOTHING_TO_MEND())
+        with open_executor(run.text(common.SCHEDULER), run.is_cancelled) as crew, \
+                mending(request, patches, mended) as job:
+            if job.done:
+                run.tell(messages.MENDING_GOES_ON(done=job.done))
+            follow_steps(run, job.steps(*crew, run.is_cancelled), PATCHED)
+            if run.is_cancelled():
+                raise CancelledError(messages.MENDING_STOPPED())
+            seams = job.result(lambda share: run.goes_on(PATCHED + (1 - PATCHED) * share), *crew)
+        run.tell_once(one.reason.as_warning() for one in seams if one.reason is not None)
         fields = column_fields(CUT_COLUMNS)
         sink, cuts = run.sink(CUTS, fields, QgsWkbTypes.Type.LineString, crs)
         run.write(sink, (
@@ -164,42 +152,32 @@ class MendSeams(SeamInspectorAlgorithm):
         ))
         left = metres(seams, LEFT)
         return {
-            PATCHES: patches, MENDED: str(mended), MENDED_MOSAIC: str(mended), CUTS: cuts,
+            PATCHES: patches, MENDED: mended, MENDED_MOSAIC: mended, CUTS: cuts,
             MENDED_METRES: metres(seams) - left, LEFT_METRES: left + unnamed,
+            **run.save(common.REPORT, lambda path: save_mending_report(path, request, mended, seams)),
         }
 
-    @staticmethod
-    def _mended(
-        run: Run, job: Mending, patches: str, mended: str, executor: Any, ahead: int
-    ) -> list[MendedSeam]:
-        """Raises CancelledError where nobody wants it any more."""
-        if job.done:
-            run.tell(messages.MENDING_GOES_ON(done=job.done))
-        follow_steps(run, job.steps(executor, ahead, run.is_cancelled), _CUT)
-        if run.is_cancelled():
-            raise CancelledError(messages.MENDING_STOPPED())
-        return job.result(patches, mended, lambda share: run.goes_on(_CUT + (1 - _CUT) * share), executor, ahead)
-
-    def _scanned(
-        self, run: Run, windows: QgsProcessingFeatureSource, crs: QgsCoordinateReferenceSystem, sources: list[Source]
-    ) -> list[ScannedPiece]:
-        """The pieces of a scan of the mosaic; those in no window as such that passed."""
+    def _pieces(self, run: Run, crs: QgsCoordinateReferenceSystem, sources: list[Source]) -> list[SeamRun]:
+        """Those of a scan; with windows of one that is made now, of which only those in the windows are wanted."""
         from ...toolkit import layers
         from ..measure.inspection import Block
-        from ..measure.mending.failed_runs import scanned_pieces
+        from ..measure.mending.failed_runs import FIELDS, given_pieces
+        from ..measure.scan.scan_result import GEOMETRY, seam_rows
         from ..measure.scan.whole_scan import scan
+
+        given, what = run.source(SEAMS), run.text(WHAT)
+        if QgsWkbTypes.geometryType(given.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
+            return given_pieces(*given_features(run, SEAMS, crs), what)
 
         def goes_on(share: float) -> None:
             if run.is_cancelled():
                 raise CancelledError(messages.MENDING_STOPPED())
 
-        transform = run.transform(windows, crs)
-        wanted = [layers.window_geometry(one, transform) for one in layers.features(windows)]
+        transform = run.transform(given, crs)
+        windows = [layers.window_geometry(one, transform) for one in layers.features(given)]
         found = scan(Block(self._mosaic, tuple(sources)), progress=goes_on)
         run.tell_once(found.notices)
-
-        def is_wanted(vertices: Any) -> bool:
-            line = QgsGeometry(QgsLineString(*vertices.T.tolist()))
-            return any(one.intersects(line) for one in wanted)
-
-        return scanned_pieces(found.pieces, is_wanted)
+        rows = [(row, bytes(QgsGeometry.fromWkt(row[GEOMETRY]).asWkb())) for row in seam_rows(found)]
+        return given_pieces(rows, FIELDS, what, lambda vertices: any(
+            one.intersects(QgsGeometry(QgsLineString(*vertices.T.tolist()))) for one in windows
+        ))

@@ -244,3 +244,61 @@ def test_what_was_stopped_goes_on(feathered: Files, scanned: Run, mended: Run, t
     assert any("goes on where it stopped" in said for said in log.infos)
     assert not [path for path in tmp_path.iterdir() if ".mend" in path.name]
     assert (pixels(ended.results["MENDED"]) == pixels(mended.results["MENDED"])).all()
+
+
+def test_what_was_not_measured_is_not_written(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    stopped = mend(feathered, scanned, tmp_path, StopAt(70.0))
+    assert any("Mending was stopped" in said for said in stopped.log.infos)
+    assert not list(tmp_path.rglob("*.tif"))
+    assert not list(tmp_path.glob("*.vrt"))
+
+
+def test_of_windows_all_means_the_seams_in_them(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    ended = mend(feathered, scanned, tmp_path, SEAMS=windows((0, 0, COLUMNS, 200)), WHAT="all")
+    assert sum(row["length"] for row in ended.rows("CUTS")) < 0.75 * scanned.results["SEAM_METRES"]
+
+
+def test_the_report_shows_each_seam_before_and_after(mended: Run) -> None:
+    page = Path(str(mended.results["REPORT"])).read_text(encoding="utf-8")
+    assert "All mended" in page
+    assert page.count("data:image/jpeg") == 4 * len(mended.rows("CUTS"))
+    assert "where it is now: after" in page
+
+
+def test_an_image_that_ends_beside_the_seam_leaves_no_line(tmp_path: Path) -> None:
+    """What stands for its missing pixels comes into no patch, nor does what stands for no data in the mosaic."""
+    west, east = (in_type(one) for one in fitting_images())
+    made = cut(west, east, FEATHER_PX)
+    west[:, :, int(0.38 * COLUMNS) :] = 0
+    files = Files(*(
+        write_raster(tmp_path / name, image, nodata=0)
+        for name, image in (("mosaic.tif", made), ("west.tif", west), ("east.tif", east))
+    ))
+    ended = mend(files, None, tmp_path)
+    after, inside = pixels(ended.results["MENDED"]), patched(ended)
+    assert inside.any()
+    fine = [one - ndimage.gaussian_filter(one, (0, 2, 2)) for one in (after, *map(pixels, files.sources))]
+    far = np.min([np.abs(fine[0] - one).mean(axis=0) for one in fine[1:]], axis=0)
+    assert np.percentile(far[inside], 99) < 8
+    assert (after != 0).all()
+
+
+def test_a_refusal_leaves_nothing(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    given = {"MOSAIC": feathered.mosaic, "SOURCES": feathered.sources, "SEAMS": scanned.layer("SEAMS")}
+    (tmp_path / "a file").touch()
+    assert_refused(
+        "mendseams", "can't be written", **given, PATCHES=str(tmp_path / "a file"), MENDED=str(tmp_path / "mended.vrt")
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["a file"]
+
+
+def test_a_patch_is_never_written_over_an_input(feathered: Files, tmp_path: Path) -> None:
+    folder = tmp_path / "patches"
+    folder.mkdir()
+    mosaic = folder / "patch_0001.tif"
+    mosaic.write_bytes(Path(feathered.mosaic).read_bytes())
+    files = Files(str(mosaic), feathered.west, feathered.east)
+    ended = mend(files, None, tmp_path)
+    assert ended.complaint is not None
+    assert_sentence(ended.complaint, "written over")
+    assert mosaic.read_bytes() == Path(feathered.mosaic).read_bytes()

@@ -27,7 +27,16 @@ from ...measure.inputs.mosaic_copies import covered_share
 from ...measure.inspection import Block
 from ...measure.window.window_request import WindowRequest
 from .swipe_item import Divider, MapPicture, SwipeHandle, SwipeItem, end_drawing
-from .swiped_layer import SwipeChoice, composite_job, exchanged, is_on_top, looks_alike, opening_job, source_layers
+from .swiped_layer import (
+    SwipeChoice,
+    composite_job,
+    exchanged,
+    is_on_top,
+    looks_alike,
+    mended_mosaics,
+    opening_job,
+    source_layers,
+)
 
 if TYPE_CHECKING:
     from ..session import Session
@@ -275,9 +284,10 @@ class SwipeAction(QObject):
         self.swipe.close()
 
     def choices(self) -> list[SwipeChoice]:
-        """The sources over the selected window, those that cover most of it first; without one, those on the map."""
-        block = self._session.block()
-        if block is None:
+        """The sources over the selected window, those that cover most of it first; without one, those on the map. Then
+        the mended mosaic, and the composite."""
+        block, mosaic = self._session.block(), self._session.mosaic_layer()
+        if block is None or mosaic is None:
             return []
         place = self._place(block)
         if place is None:
@@ -291,6 +301,7 @@ class SwipeAction(QObject):
         else:
             found.sort(key=lambda source: -covered_share(place, source.extent))
         choices = [SwipeChoice(source.ref.name, source.ref) for source in found]
+        choices += mended_mosaics(QgsProject.instance(), mosaic, {source.ref.path for source in block.sources})
         if request is not None and choices:
             choices.append(SwipeChoice(tr("composite"), request=request))
         return choices
@@ -311,7 +322,8 @@ class SwipeAction(QObject):
             return
         project = QgsProject.instance()
         sources = set(self._session.inputs.sources)
-        sources |= source_layers(project, {source.ref.path for source in block.sources})
+        shown = {source.ref.path for source in block.sources} | ({choice.ref.path} if choice.ref is not None else set())
+        sources |= source_layers(project, shown)
         self.swipe.start(mosaic, choice, sources - {mosaic.id()})
 
     def _toggle(self, is_wanted: bool) -> None:

@@ -20,6 +20,7 @@ from ....imagery.open_raster import OpenRaster
 from ....imagery.raster_writer import raster_writer
 from ....imagery.rasters import RasterRef
 from ....toolkit.background_tasks import Cancelled, Job
+from ....toolkit.layers import layer_ref
 from ....toolkit.reference_systems import reference_system
 from ...measure.window.explained_window import WindowComposite, window_composite
 from ...measure.window.window_request import WindowRequest
@@ -104,6 +105,16 @@ def source_layers(project: QgsProject, refs: set[str]) -> set[str]:
         layer.id() for layer in project.mapLayers().values()
         if isinstance(layer, QgsRasterLayer) and layer.source().split("|")[0] in refs
     }  # fmt: skip
+
+
+def mended_mosaics(project: QgsProject, mosaic: QgsRasterLayer, refs: set[str]) -> list[SwipeChoice]:
+    """The project's virtual rasters on just the mosaic's pixels, as a mended one is. ``refs``: files of the sources."""
+    others = {mosaic.id(), *source_layers(project, refs)}
+    return [
+        SwipeChoice(layer.name(), layer_ref(layer)) for layer in project.mapLayers().values()
+        if isinstance(layer, QgsRasterLayer) and layer.id() not in others and layer.source().lower().endswith(".vrt")
+        and layer.extent() == mosaic.extent() and layer.width() == mosaic.width() and layer.height() == mosaic.height()
+    ]  # fmt: skip
 
 
 def composite_job(request: WindowRequest, path: str) -> Job:

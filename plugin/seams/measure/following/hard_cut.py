@@ -73,7 +73,7 @@ def make_composite(
             if not is_level:
                 np.copyto(levelled[band], mosaic[band], where=unknown)
             alike = (mosaic[band] - np.float32(tone.bias)) / np.float32(tone.gain or 1.0)
-            np.copyto(plain[band], _as_type(alike, dtype), where=unknown)
+            np.copyto(plain[band], as_type(alike, dtype), where=unknown)
     return Composite(names, plain, levelled)
 
 
@@ -96,7 +96,8 @@ def _cropped(mask: np.ndarray) -> tuple[np.ndarray, tuple[slice, slice]]:
     return mask[place], place
 
 
-def _as_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:
+def as_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:
+    """Rounded, and cut to what the type holds."""
     if dtype.kind == "f":
         return values.astype(dtype)
     ends = np.iinfo(dtype)

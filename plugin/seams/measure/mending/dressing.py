@@ -18,21 +18,23 @@ EASED_PX = 96
 _MIN_OWN = 0.9  # of a square's pixels
 _REACHES = 54.0, 18.0, 6.0, 2.0  # squares: what a tone is carried on by, the nearest that tells it
 _LEAST = 0.05
-_COARSE = 4.0  # squares: tones are what is wider
-_EASING = EASED_PX / SQUARE_PX / 3
+_EASED_SQUARES = 1.0, 2.0, EASED_PX / SQUARE_PX / 3  # by scale: the finest are eased nearest to the cut
+_RIM_SQUARES = 2.0  # what is wider are the mosaic's tones at the rim of a patch
 
 
-def place_plane(ground: JudgedGround, source: int) -> int:
-    """Which of a source's planes the mosaic follows most: as it is, or moved to where it lies in the mosaic."""
-    planes = [plane for plane, of in enumerate(ground.followed.source_of) if of == source]
-    return max(planes, key=lambda plane: ground.followed.following.shares[plane])
-
-
-def placed_bands(ground: JudgedGround, source: int, bands: np.ndarray) -> np.ndarray:
-    """Bands (bands, rows, columns) of a source as float32, where they lie in the mosaic."""
-    plane, found = place_plane(ground, source), bands.astype(np.float32)
-    move = ground.followed.moves.get(plane)
+def placed_bands(ground: JudgedGround, source: int, bands: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    """Bands (bands, rows, columns) of a source as float32, where they lie in the mosaic; what is not ``valid``, (rows,
+    columns) bool, is as the nearest that is, since filters see beyond the image's rim."""
+    found = bands.astype(np.float32)
+    if not valid.all():
+        found = found[(slice(None), *_nearest(valid))]
+    move = ground.followed.moves.get(_plane(ground, source))
     return found if move is None else np.stack([shifted(band, move.x, move.y) for band in found])
+
+
+def _nearest(known: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Rows and columns of the known sample that is nearest to each."""
+    return tuple(ndimage.distance_transform_edt(~known, return_distances=False, return_indices=True))
 
 
 def dressed(ground: JudgedGround, source: int, band: np.ndarray, mosaic: np.ndarray, own: np.ndarray) -> np.ndarray:
@@ -51,7 +53,13 @@ def dressed(ground: JudgedGround, source: int, band: np.ndarray, mosaic: np.ndar
     if not filters.taps:
         return plane
     common = next(iter(filters.taps.values())) if filters.came_over_cuts else UNTOUCHED
-    return filtered(plane, filters.taps.get(place_plane(ground, source), common))
+    return filtered(plane, filters.taps.get(_plane(ground, source), common))
+
+
+def _plane(ground: JudgedGround, source: int) -> int:
+    """Which of a source's planes the mosaic follows most: as it is, or moved to where it lies in the mosaic."""
+    planes = [plane for plane, of in enumerate(ground.followed.source_of) if of == source]
+    return max(planes, key=lambda plane: ground.followed.following.shares[plane])
 
 
 def tells_tones(own: np.ndarray) -> bool:
@@ -60,23 +68,27 @@ def tells_tones(own: np.ndarray) -> bool:
 
 
 def eased(
-    first: np.ndarray, second: np.ndarray, weight: np.ndarray, mosaic: np.ndarray, inside: np.ndarray
+    first: np.ndarray, second: np.ndarray, weight: np.ndarray, mosaic: np.ndarray, inside: np.ndarray,
+    valid: np.ndarray,
 ) -> np.ndarray:
     """Two dressed bands cut where ``weight``, that of the first one, passes one half, all (rows, columns) float32.
 
-    Tones only are eased, over ``EASED_PX``: what is finer than 16 px is of one image alone, but for the few pixels in
-    which the weight is neither 0 nor 1. Towards the edge of the patch, ``inside`` 0 there and 1 within, tones are those
-    of the mosaic, so that it shows no edge.
+    What is coarser than squares of 8 px is eased, each scale as far as it is wide, tones over ``EASED_PX``: what is
+    finer is of one image alone, but for the few pixels in which the weight is neither 0 nor 1. Towards the edge of the
+    patch, ``inside`` 0 there and 1 within, tones are those of the mosaic, so that it shows no edge. ``valid``: bool,
+    pixels that all three have; beyond them tones are those of the nearest.
     """
+    places = _nearest(square_means(valid) == 1)
     made = weight * first + (1 - weight) * second
-    apart = ndimage.gaussian_filter(square_means(first - second), _COARSE, mode="nearest")
-    share = square_means(weight)
-    even = ndimage.gaussian_filter(share, _EASING, mode="nearest")
-    # What is added differs across the cut by as much as the tones do.
-    eased_by = to_pixels(even, made.shape) - weight
-    within = made + eased_by * to_pixels(apart, made.shape)
-    rest = ndimage.gaussian_filter(square_means(mosaic - made), 2.0, mode="nearest")
-    return np.asarray(inside * within + (1 - inside) * (made + to_pixels(rest, made.shape)), np.float32)
+    share, apart = square_means(weight), square_means(first - second)[places]
+    # Of every scale what is added differs across the cut by as much as the images do, and fades as far as it is wide.
+    for reach in _EASED_SQUARES:
+        wider = ndimage.gaussian_filter(apart, reach, mode="nearest") if reach < _EASED_SQUARES[-1] else 0
+        even = ndimage.gaussian_filter(share, reach, mode="nearest")
+        made += (to_pixels(even, made.shape) - weight) * to_pixels(apart - wider, made.shape)
+        apart = wider
+    rest = ndimage.gaussian_filter(square_means(mosaic - made)[places], _RIM_SQUARES, mode="nearest")
+    return np.asarray(made + (1 - inside) * to_pixels(rest, made.shape), np.float32)
 
 
 def _carried_on(bias: np.ndarray, known: np.ndarray) -> np.ndarray:

@@ -8,23 +8,21 @@ import numpy as np
 from osgeo import ogr
 from scipy import ndimage
 
-from ....imagery.clips import Clip, read_clip
-from ....imagery.errors import Message, NotCoveredError, RasterError, SettingsError
+from ....imagery.clips import Clip
+from ....imagery.errors import Message, RasterError
 from ....imagery.grids import Grid, PixelWindow
-from ....imagery.limits import measured_bands
 from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
 from ....imagery.remote_files import remote_settings
-from ....imagery.shifts import find_shift
 from ....imagery.wavelets import judged_plane
 from ..compared_image import ComparedImage
-from ..following.boxes import enlarged, in_squares, near_border, widened
+from ..following.boxes import enlarged, in_squares, near_border, opened, widened
 from ..following.followed_source import high_pass
-from ..following.hard_cut import JudgedGround, judged_ground
+from ..following.hard_cut import JudgedGround, as_type, judged_ground
 from ..following.levelling import SQUARE_PX
-from ..inputs.grey_values import grey_factor
-from ..limits import FAILED, MEND_BLEND_PX, MEND_WIDTH_M, MENDED_SEAMS, MOST_BLEND_PX
+from ..limits import MEND_BLEND_PX, MEND_WIDTH_M
+from ..scan.blocks.block_pixels import JUDGED, BlockPixels
 from ..scan.lines.piece_index import NearestPieces, PieceIndex
 from ..seam_cells import UNKNOWN
 from ..source_images import Source
@@ -32,27 +30,23 @@ from ..while_measuring import measuring
 from . import messages
 from .dressing import EASED_PX, dressed, eased, placed_bands, tells_tones
 from .failed_runs import SeamRun
-from .new_cut import CELL_PX, MOST_APART, apart_along, cheapest_way, difference
+from .new_cut import CELL_PX, cheapest_way, cutting_cost, fit_along
 from .tone_steps import tone_step
 
 GROUNDS_PX = 192, 512
 """Around the old seam and the new cut: what tones and filters are learned of, and where that is too little."""
-MOST_BESIDE_PX = 128
-"""From a seam, as far as its mixture is looked for."""
-MOST_MISFIT_PX = 2.5
-"""Along the new cut: where images lie farther apart, an edge that it crosses is seen to break."""
+_MOST_BESIDE_PX = 128  # from a seam, as far as its mixture is looked for
 _BESIDE_PX = 16  # more than is mixed, on either side
 _BIN_CELLS = 4  # by distance from the seam
 _AS_ELSEWHERE = 1.5  # times what sources leave over far from the seam
 _MOST_UNKNOWN = 0.5  # of the pixels beside a seam, that follow no source for sure
 _LEAST_LEFT = 0.002  # of the fine detail: what rounding leaves over
 _EXACT_PX = 16.0  # from a seam
-_STRIP_PX = 40  # on either side of a way, in which the images' misfit is looked for
+_RIM_PX = 2  # of an image
 _RIM_CELLS = 8  # of a patch, in which it is led over to the mosaic's tones
 _STRAIGHTENED_PX = 3.0
 _SMOOTH_CELLS = 0.8  # of the cut's steps from cell to cell
-_BAND = ("judged",)
-SIDES = 0, 1
+_SIDES = 0, 1
 """Of the sources of a request: those on the left and on the right hand of the run."""
 
 
@@ -64,17 +58,6 @@ class MendSettings:
     """On either side of a seam, that its new cut may move."""
     blend_px: int = MEND_BLEND_PX
     """Width over which the images are mixed at the cut; 0: not at all."""
-    what: str = FAILED
-    """Which seams, one of ``limits.MENDED_SEAMS``."""
-
-    def check(self) -> None:
-        """Raise SettingsError when a value is out of its range."""
-        if not 0 < self.width_m < np.inf:
-            raise SettingsError(messages.WIDTH_NOT_POSITIVE(width=self.width_m))
-        if not 0 <= self.blend_px <= MOST_BLEND_PX:
-            raise SettingsError(messages.BLEND_OUT_OF_RANGE(blend=self.blend_px, most=MOST_BLEND_PX))
-        if self.what not in MENDED_SEAMS:
-            raise SettingsError(messages.WHAT_UNKNOWN(what=self.what, known=", ".join(MENDED_SEAMS)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +67,8 @@ class RunRequest:
     key: tuple[int, int]
     """The run's number, and 0."""
     mosaic: Raster
+    grey_factor: float
+    """What its values are multiplied by to be judged."""
     sources: tuple[Source, ...]
     """Those beside the run, the left one first, then others that are near."""
     run: SeamRun
@@ -91,7 +76,8 @@ class RunRequest:
     """All pieces of seam near by."""
     reach_px: float
     """As far as the cut may move."""
-    settings: MendSettings
+    blend_px: int
+    """As the settings have it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,177 +119,138 @@ def not_mended(request: RunRequest, notices: tuple[Message, ...]) -> MendedRun:
 
 
 def _mended(request: RunRequest) -> MendedRun:
-    grid = request.mosaic.grid
+    """Raises RasterError where it can't be."""
+    grid, names = request.mosaic.grid, request.mosaic.band_names
     line = grid.to_pixels(request.run.piece.vertices)
-    found = _new_way(request, line)
-    if isinstance(found, Message):
-        return MendedRun(request.key, found)
-    way, misfit = found
-    known_reach = min(request.run.width_m / grid.ground_sample_distance / 2, MOST_BESIDE_PX) + _BESIDE_PX
+    way, misfit = _new_way(request, line)
+    known_reach = min(request.run.width_m / grid.ground_sample_distance / 2, _MOST_BESIDE_PX) + _BESIDE_PX
     for margin in GROUNDS_PX:
-        window = _around(np.concatenate([line, way]), margin)
-        clips = _read(request, window, range(len(request.sources)))
-        part = _part(request, window, line, way)
-        ground = _ground(clips, part)
+        read = _Pixels(request, _around(np.concatenate([line, way]), margin), len(request.sources))
+        part = _part(request, read.window, line, way)
+        ground = _ground(read, part)
         reach = max(_mixed_reach(ground, part), known_reach)
         alone = enlarged(part.from_any > reach, CELL_PX)
-        own = [alone & clips.valid(side) & (ground.expected.labels == side) for side in SIDES]
+        own = [alone & read.valid(side) & (ground.expected.labels == side) for side in _SIDES]
         if all(map(tells_tones, own)):
             break
     else:
-        return MendedRun(request.key, messages.TONES_NOT_TOLD())
-    weight = part.weight(request.settings.blend_px)
-    inside = part.patch(reach)
-    pixels = enlarged(inside, CELL_PX) & clips.both
+        raise RasterError(messages.TONES_NOT_TOLD())
+    inside, weight, valid = part.patch(reach), part.weight(request.blend_px), [read.valid(side) for side in _SIDES]
+    # Of each image only what is shown has to be there.
+    pixels = enlarged(inside, CELL_PX) & (valid[0] | (weight == 0)) & (valid[1] | (weight == 1))
     if not pixels.any():
-        return MendedRun(request.key, messages.PART_NOT_COVERED())
-    before = clips.mosaic.bands
-    made, middle = _made(ground, clips, own, weight, part.fade(inside))
-    after = np.where(pixels, _of_type(made, before.dtype), before)
-    names = clips.mosaic.raster.band_names
-    steps = [
-        tone_step(judged_plane(bands - middle, names), points - (window.column, window.row), clips.both)
+        raise RasterError(messages.PART_NOT_COVERED())
+    fade, before, both = part.fade(inside), read.own.bands, valid[0] & valid[1]
+    images = [placed_bands(ground, side, _named(read.clip(side), names), valid[side]) for side in _SIDES]
+    made, middle = np.empty((2, *before.shape), np.float32)
+    for place, band in enumerate(before.astype(np.float32)):
+        first, second = (dressed(ground, side, images[side][place], band, own[side]) for side in _SIDES)
+        made[place], middle[place] = eased(first, second, weight, band, fade, both), (first + second) / 2
+    after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
+    corner = read.window.column, read.window.row
+    old_step, new_step = (
+        tone_step(judged_plane(bands - middle, names), points - corner, both)
         for bands, points in ((before, line), (after, way))
-    ]
-    place, patch = _cropped(pixels, window)
-    vertices = np.array([grid.to_map(*point) for point in way])
+    )
+    rows, columns = (np.flatnonzero(pixels.any(axis=axis)) for axis in (1, 0))
+    down, across = (slice(int(one[0]), int(one[-1]) + 1) for one in (rows, columns))
+    patch = PixelWindow(across.start, down.start, across.stop - across.start, down.stop - down.start)
     return MendedRun(
-        request.key, None, vertices, patch, after[(slice(None), *place)], pixels[place], (steps[0], steps[1]), misfit
+        request.key, None, np.array([grid.to_map(*point) for point in way]), patch.moved_by(*corner),
+        after[:, down, across], pixels[down, across], (old_step, new_step), misfit,
     )
 
 
-def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float | None] | Message:
-    """Columns and rows (n, 2) of the new cut, and the misfit of the images along it; why there is none."""
-    window = _around(line, request.reach_px)
-    clips = _read(request, window, SIDES)
-    first_image, second_image = clips.planes
-    found = difference(first_image, second_image, clips.both)
-    corner = np.array([window.column, window.row])
-    nearest = _beside(request.index, window)
+def _new_way(request: RunRequest, line: np.ndarray) -> tuple[np.ndarray, float | None]:
+    """Columns and rows (n, 2) of the new cut, and the misfit of the images along it. Raises RasterError where there is
+    none."""
+    read = _Pixels(request, _around(line, request.reach_px), len(_SIDES))
+    first_image, second_image = (read.planes.sources[side] for side in _SIDES)
+    cost = cutting_cost(first_image, second_image, read.both)
+    corner = np.array([read.window.column, read.window.row])
+    nearest = _beside(request.index, read.window)
     allowed = np.isin(nearest.number, request.run.numbers) & (nearest.distance_px <= request.reach_px)
     along = vertex_stations(line)
     points = points_at(line, along, np.linspace(0, along[-1], int(along[-1]) + 2))
     column, row = ((points - corner) // CELL_PX).astype(int).T
     # Where a seam runs out at the rim of an image it stays as it is.
-    held = np.flatnonzero(np.isfinite(found.cost)[row, column])
+    held = np.flatnonzero(np.isfinite(cost)[row, column])
     if not len(held):
-        return messages.NO_WAY()
+        raise RasterError(messages.NO_WAY())
     allowed[row, column] = True
     first, last = held[0], held[-1]
-    way = cheapest_way(found.cost, allowed, (row[first], column[first]), (row[last], column[last]))
+    way = cheapest_way(cost, allowed, (row[first], column[first]), (row[last], column[last]))
     if way is None:
-        return messages.NO_WAY()
-    misfit = _misfit(clips, way)
-    if misfit is None and apart_along(found, way) > MOST_APART:
-        return messages.IMAGES_UNLIKE()
-    if misfit is not None and misfit > MOST_MISFIT_PX:
-        return messages.IMAGES_MISFIT(misfit=misfit)
+        raise RasterError(messages.NO_WAY())
+    misfit, fault = fit_along(way, first_image, second_image, read.both)
+    if fault is not None:
+        raise RasterError(fault)
     inner = way[1:-1, ::-1] * CELL_PX + CELL_PX / 2 + corner
     way = np.concatenate([points[: first + 1], inner, points[last:]])
     return as_xy(straightened(way @ (1, 1j), _STRAIGHTENED_PX)), misfit
 
 
-def _misfit(clips: _RunClips, way: np.ndarray) -> float | None:
-    """How far the images lie from each other along a way, px; None where nothing in common shows it."""
-    off = np.ones([length // CELL_PX for length in clips.both.shape], bool)
-    off[tuple(way.T)] = False
-    beside = enlarged(CELL_PX * ndimage.distance_transform_edt(off) <= _STRIP_PX, CELL_PX)
-    first, second = clips.planes
-    shift = find_shift(first, second, beside & clips.both)
-    return None if shift is None else shift.length
+class _Pixels:
+    """What a window shows, as files have it and as it is judged."""
 
+    def __init__(self, request: RunRequest, window: PixelWindow, count: int) -> None:
+        """``count``: of the sources. Raises RasterError where the mosaic or one beside the run has no pixels."""
+        refs = [one.ref for one in request.sources[:count]]
+        block = BlockPixels(request.mosaic, refs, window, grey_factor=request.grey_factor)
+        self.window, self.mosaic, self.own, self._clips = window, request.mosaic, block.held.own, block.held.clips
+        if any(side not in self._clips for side in _SIDES):
+            raise RasterError(next(iter(block.notices), messages.PART_NOT_COVERED()))
+        self.planes = block.part(window, list(self._clips))
 
-def _made(
-    ground: JudgedGround, clips: _RunClips, own: Sequence[np.ndarray], weight: np.ndarray, fade: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """The bands of the patch, (bands, rows, columns) float32, and the mean of both images in the mosaic's dress."""
-    names = clips.mosaic.raster.band_names
-    images = [placed_bands(ground, side, clips.named(side, names)) for side in SIDES]
-    made, middle = np.empty((2, *clips.mosaic.bands.shape), np.float32)
-    for place, band in enumerate(clips.mosaic.bands.astype(np.float32)):
-        first, second = (dressed(ground, side, images[side][place], band, own[side]) for side in SIDES)
-        made[place], middle[place] = eased(first, second, weight, band, fade), (first + second) / 2
-    return made, middle
+    def clip(self, source: int) -> Clip:
+        """The bands of one."""
+        return self._clips[source]
 
-
-@dataclass(frozen=True, eq=False)
-class _RunClips:
-    """The pixels of a window."""
-
-    mosaic: Clip
-    sources: list[Clip]
-    """Those beside the run first."""
-    factors: list[float]
-    """What the values of each are multiplied by for the estimator, the mosaic's first."""
+    def valid(self, source: int) -> np.ndarray:
+        """(rows, columns) bool: where the mosaic and this source have pixels; without the source's rim, which may be
+        mixed with nothing."""
+        found, own = np.ones(self.planes.mosaic.shape, bool), self.clip(source).valid
+        if own is not None:
+            found &= own & ~widened(opened(~own, SQUARE_PX), _RIM_PX)
+        return found if self.own.valid is None else found & self.own.valid
 
     @property
     def both(self) -> np.ndarray:
-        """(rows, columns) bool: where the mosaic and both sources have pixels."""
-        return np.logical_and(*map(self.valid, SIDES))
-
-    def valid(self, source: int) -> np.ndarray:
-        """(rows, columns) bool: where the mosaic and this source have pixels."""
-        valid = [clip.valid for clip in (self.mosaic, self.sources[source]) if clip.valid is not None]
-        return np.logical_and.reduce([np.ones(self.mosaic.bands.shape[1:], bool), *valid])
-
-    @property
-    def planes(self) -> list[np.ndarray]:
-        """Of the judged band, of the sources."""
-        return [_plane(clip, self.mosaic.raster, factor) for clip, factor in zip(self.sources, self.factors[1:])]
-
-    def named(self, source: int, names: Sequence[str]) -> np.ndarray:
-        """The bands of a source in the order of these names. Raises RasterError where it lacks one."""
-        clip = self.sources[source]
-        held = clip.raster.band_names
-        missing = [name for name in names if name not in held]
-        if missing:
-            raise RasterError(messages.BANDS_LACK(name=clip.raster.ref.name, bands=", ".join(missing)))
-        return clip.bands[[held.index(name) for name in names]]
+        """(rows, columns) bool: where the mosaic and those beside the run have pixels."""
+        return np.logical_and(*map(self.valid, _SIDES))
 
 
-def _read(request: RunRequest, window: PixelWindow, numbers: Sequence[int]) -> _RunClips:
-    """Raises RasterError where the mosaic or a source beside the run can't be read."""
-    mosaic = read_clip(open_raster(request.mosaic.ref), request.mosaic, window, partly=True, holes=True)
-    sources, factors = [], [grey_factor(request.mosaic)]
-    for number in numbers:
-        try:
-            raster = open_raster(request.sources[number].ref)
-            clip = read_clip(raster, request.mosaic, window, partly=True, holes=True)
-        except NotCoveredError:
-            if number in SIDES:
-                raise
-            continue
-        if request.mosaic.judged_band in measured_bands(clip.raster.band_names):
-            sources.append(clip)
-            factors.append(grey_factor(raster.raster))
-    return _RunClips(mosaic, sources, factors)
+def _stored(made: np.ndarray, mosaic: Raster, dtype: np.dtype) -> np.ndarray:
+    """As the mosaic holds its pixels; none of them is what stands there for no data."""
+    found, nodata = as_type(made, dtype), open_raster(mosaic.ref).nodata
+    if mosaic.bits and dtype.kind != "f":
+        np.minimum(found, 2**mosaic.bits - 1, out=found)
+    if nodata is not None:
+        found[0, (found == nodata).all(axis=0)] += np.array(1 if nodata <= 0 else -1).astype(dtype)
+    return found
 
 
-def _plane(clip: Clip, mosaic: Raster, factor: float) -> np.ndarray:
-    names = clip.raster.band_names
-    first = 0 if mosaic.has_luminance else names.index(mosaic.judged_band)
-    some = slice(first, first + (3 if mosaic.has_luminance else 1))
-    return np.float32(factor) * judged_plane(clip.bands[some], names[some])
+def _named(clip: Clip, names: Sequence[str]) -> np.ndarray:
+    """The bands of a source in the order of these names. Raises RasterError where it lacks one."""
+    held = clip.raster.band_names
+    missing = [name for name in names if name not in held]
+    if missing:
+        raise RasterError(messages.BANDS_LACK(name=clip.raster.ref.name, bands=", ".join(missing)))
+    return clip.bands[[held.index(name) for name in names]]
 
 
-def _ground(clips: _RunClips, part: _Part) -> JudgedGround:
+def _ground(read: _Pixels, part: _Part) -> JudgedGround:
     """What the estimator tells of a window; its sources are numbered as in the request.
 
     Where compression left too little to tell them by, what a scan says of the sides of the seam is believed.
     """
-    image, *images = (
-        ComparedImage(
-            _plane(clip, clips.mosaic.raster, factor)[np.newaxis], _BAND, {}, {}, clip.raster,
-            (clip.offset_x, clip.offset_y), clip.valid,
-        )
-        for clip, factor in zip((clips.mosaic, *clips.sources), clips.factors)
-    )
-    found = judged_ground(image, images, None)
+    image = ComparedImage(read.planes.mosaic[np.newaxis], JUDGED, {}, {}, read.mosaic, valid=read.own.valid)
+    found = judged_ground(image, read.planes.compared, None)
     own = enlarged(part.territory, CELL_PX)
     if np.count_nonzero(found.expected.labels[own] == UNKNOWN) <= _MOST_UNKNOWN * np.count_nonzero(own):
         return found
-    sides = enlarged(np.where(part.on_left ^ part.flipped, *map(np.uint8, SIDES)), CELL_PX)
-    return judged_ground(image, images, np.where(own, sides, np.uint8(UNKNOWN)))
+    sides = enlarged(np.where(part.on_left ^ part.flipped, *map(np.uint8, _SIDES)), CELL_PX)
+    return judged_ground(image, read.planes.compared, np.where(own, sides, np.uint8(UNKNOWN)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -361,9 +308,9 @@ def _mixed_reach(ground: JudgedGround, part: _Part) -> float:
     known = (ground.expected.labels != UNKNOWN).astype(np.float32)
     left, energy = (in_squares(known * np.square(one), CELL_PX).sum(axis=(1, 3)) for one in (own - expected, expected))
     step = _BIN_CELLS * CELL_PX
-    bins = np.minimum(part.from_run // step, MOST_BESIDE_PX // step + 2).astype(int)
-    count, own_cells = MOST_BESIDE_PX // step, part.territory
-    sums = [np.bincount(bins[own_cells], one[own_cells], count + 3) for one in (left, energy)]
+    count = _MOST_BESIDE_PX // step
+    bins = np.minimum(part.from_run // step, count + 2).astype(int)[part.territory]
+    sums = [np.bincount(bins, one[part.territory], count + 3) for one in (left, energy)]
     share = sums[0] / np.maximum(sums[1], _LEAST_LEFT)
     mixed = share[:count] > np.maximum(_AS_ELSEWHERE * share[count:].max(), _LEAST_LEFT)
     return float(step * (len(mixed) if mixed.all() else mixed.argmin()) + _BESIDE_PX)
@@ -394,18 +341,3 @@ def _beside(index: PieceIndex, window: PixelWindow) -> NearestPieces:
 def _zoomed(cells: np.ndarray) -> np.ndarray:
     """Linear between the middles of cells, by pixels."""
     return np.asarray(ndimage.zoom(cells, CELL_PX, order=1, mode="nearest", grid_mode=True))
-
-
-def _of_type(pixels: np.ndarray, dtype: np.dtype) -> np.ndarray:
-    if dtype.kind == "f":
-        return pixels.astype(dtype)
-    ends = np.iinfo(dtype)
-    return np.clip(np.rint(pixels), ends.min, ends.max).astype(dtype)
-
-
-def _cropped(pixels: np.ndarray, window: PixelWindow) -> tuple[tuple[slice, slice], PixelWindow]:
-    """Rows and columns in which any pixel is, in the window and as one of its own."""
-    rows, columns = (np.flatnonzero(pixels.any(axis=axis)) for axis in (1, 0))
-    down, across = (slice(int(one[0]), int(one[-1]) + 1) for one in (rows, columns))
-    width, height = across.stop - across.start, down.stop - down.start
-    return (down, across), PixelWindow(window.column + across.start, window.row + down.start, width, height)

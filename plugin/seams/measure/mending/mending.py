@@ -5,6 +5,7 @@ A scan's journal keeps what is made, so that a run that was stopped in any way g
 from __future__ import annotations
 
 import os
+import shutil
 import tempfile
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
@@ -17,9 +18,12 @@ from typing import Any, Callable
 import numpy as np
 
 from ....imagery import messages as imagery_messages
+from ....imagery.atomic_files import drop_unfinished, unfinished_name
 from ....imagery.errors import CancelledError, Message, SettingsError
 from ....imagery.messages import system_reason
+from ....imagery.open_raster import describe_mosaic
 from ....imagery.raster_pool import rasters_kept
+from ....imagery.raster_writer import whole_raster
 from ....imagery.rasters import Raster
 from ....imagery.records import Column, record_of, sentences_of, value_of
 from ..scan.block_runs import BlockLook, JournaledBlocks, ScanStep, held
@@ -32,17 +36,18 @@ from ..scan.scan_settings import ScanSettings
 from ..scan.whole_scan import whole_scan
 from ..source_images import Source
 from . import messages
-from .failed_runs import ScannedPiece, SeamRun, seam_runs
+from .failed_runs import SeamRun, seam_runs
 from .mend_run import GROUNDS_PX, MendedRun, MendSettings, RunRequest, mend_run, not_mended
-from .mended_mosaic import PlacedPatch, joined_patches, open_mosaic, write_mended, write_patch
+from .mended_mosaic import PlacedPatch, joined_patches, write_mended, write_patch
 
 MENDED_KEPT = 0.9
 """kept_1 of a seam that counts as mended: less is the band of a seam profile."""
 MENDED, IMPROVED, LEFT = "mended", "improved", "left"
 """What became of a run: it keeps that much; it keeps more than before; it stays as it was."""
 JOURNAL_ENDING = ".mend"
+PATCHED = 0.6
+"""Of the time; the rest is to measure what was made."""
 _WIDEST_PX = 800.0  # of a corridor on either side, so that memory does not grow with it
-_PATCHED = 0.6  # of the time; the rest is to measure what was made
 _CORRIDOR_PX = 64.0
 _ONE_PIECE_M = 1e9
 
@@ -53,7 +58,7 @@ class MendRequest:
 
     mosaic: Raster
     sources: tuple[Source, ...]
-    pieces: tuple[ScannedPiece, ...]
+    pieces: tuple[SeamRun, ...]
     """All pieces of seam of the mosaic, none of them a ring."""
     settings: MendSettings
 
@@ -71,24 +76,28 @@ class MendRequest:
     @cached_property
     def runs(self) -> tuple[list[SeamRun], float]:
         """What is cut anew, and the metres whose orthoimages are not known."""
-        return seam_runs(self.pieces, self.settings.what, self.numbers, self.mosaic.ground_sample_distance)
+        return seam_runs(self.pieces, self.numbers, self.mosaic.ground_sample_distance)
 
     @cached_property
     def index(self) -> PieceIndex:
         """All pieces by place."""
         return PieceIndex([one.piece for one in self.pieces], self.mosaic.grid)
 
+    def near(self, run: SeamRun, reach_px: float) -> PieceIndex:
+        """Those near a run."""
+        return self.index.near(run.window(self.mosaic.grid), reach_px)
+
     def run(self, key: tuple[int, int]) -> RunRequest:
-        """One of them, by its number."""
+        """One of the runs, by its number."""
         run = self.runs[0][key[0]]
-        reach = min(self.settings.width_m / self.mosaic.ground_sample_distance, _WIDEST_PX)
-        window = run.window(self.mosaic.grid)
-        near = self.index.near(window, 2 * _WIDEST_PX)
-        beside = [self.pieces[number].piece for number in self.index.near(window, GROUNDS_PX[0]).numbers.tolist()]
+        beside = [self.pieces[number].piece for number in self.near(run, GROUNDS_PX[0]).numbers.tolist()]
         named = [self.numbers.get(str(side)) for piece in beside for side in (piece.left, piece.right)]
         order = dict.fromkeys([*run.sides, *(number for number in named if number is not None)])
-        sources = tuple(self.sources[number] for number in order)
-        return RunRequest(key, self.mosaic, sources, run, near, reach, self.settings)
+        return RunRequest(
+            key, self.mosaic, self.scan.grey_factor, tuple(self.sources[number] for number in order), run,
+            self.near(run, 2 * _WIDEST_PX),
+            min(self.settings.width_m / self.mosaic.ground_sample_distance, _WIDEST_PX), self.settings.blend_px,
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +113,7 @@ class MendedSeam:
     reason: Message | None = None
     """Why it stays as it was."""
     patch: str = ""
-    """The file of its patch."""
+    """The name of its patch's file."""
 
     @property
     def vertices(self) -> np.ndarray:
@@ -125,7 +134,7 @@ CUT_COLUMNS: tuple[Column[MendedSeam], ...] = (
     Column("misfit", "real", lambda one: one.cut.misfit),
     Column("outcome", "text", lambda one: one.outcome),
     Column("reason", "text", lambda one: one.reason),
-    Column("patch", "text", lambda one: os.path.basename(one.patch)),
+    Column("patch", "text", lambda one: one.patch),
 )
 """CUTS: one line per run."""
 
@@ -138,8 +147,10 @@ def metres(seams: Sequence[MendedSeam], *outcomes: str) -> float:
 class Mending:
     """One mending, which may have begun in an earlier run of the program."""
 
-    def __init__(self, request: MendRequest, journal: ScanJournal) -> None:
-        self.request, self._journal = request, journal
+    def __init__(self, request: MendRequest, patches: str, mended: str, journal: ScanJournal) -> None:
+        """``patches``: a folder, or a GeoTIFF for all of them."""
+        self.request, self._journal, self._mended = request, journal, mended
+        self._single, self._folder = patches if _is_file(patches) else "", Path(patches)
 
     @property
     def done(self) -> int:
@@ -152,43 +163,38 @@ class Mending:
         with rasters_kept():
             yield from JournaledBlocks(self._journal, executor, ahead, cancelled).steps(_LOOK, keys, self.request.run)
 
-    def result(
-        self, patches: str, mended: str, goes_on: Callable[[float], bool], executor: Executor, ahead: int
-    ) -> list[MendedSeam]:
-        """Writes the patches and the mended mosaic, measures the new cuts, and takes out what is no better.
+    def result(self, goes_on: Callable[[float], bool], executor: Executor, ahead: int) -> list[MendedSeam]:
+        """Measures the new cuts, and writes the patches that are better than the mosaic, and the mended mosaic.
 
-        ``patches``: a folder, or a GeoTIFF for all of them. Raises SettingsError or RasterError where they can't be
-        written, CancelledError when ``goes_on`` says no.
+        Raises SettingsError or RasterError where they can't be written, CancelledError when ``goes_on`` says no.
         """
-        single = patches.lower().endswith((".tif", ".tiff"))
-        with tempfile.TemporaryDirectory() as own, rasters_kept():
-            folder = Path(own if single else patches)
-            _make_folder(folder)
-            placed = dict(self._written(folder))
-            write_mended(mended, self.request.mosaic, list(placed.values()))
-            seams = self._judged(placed, self._measured(mended, placed, goes_on, executor, ahead))
-            better = [placed[number] for number, one in enumerate(seams) if one.outcome != LEFT]
-            for number, one in enumerate(seams):
-                if one.outcome == LEFT and number in placed:
-                    os.unlink(placed[number].path)
-            if single:
-                better = [joined_patches(patches, self.request.mosaic, better)] if better else []
-            write_mended(mended, self.request.mosaic, better)
+        place, mosaic = Path(self._mended), self.request.mosaic
+        with tempfile.TemporaryDirectory(prefix=unfinished_name(place), dir=place.parent) as folder, rasters_kept():
+            tried = dict(self._tried(Path(folder)))
+            kept = self._measured(str(Path(folder) / "mended.vrt"), tried, goes_on, executor, ahead) if tried else {}
+            seams = [self._judged(number, number in tried, kept.get(number)) for number in range(len(self._cuts))]
+            better = [tried[number] for number, one in enumerate(seams) if one.outcome != LEFT]
+            if self._single:
+                better = [joined_patches(self._single, mosaic, better)] if better else []
+            else:
+                better = [self._moved(one) for one in better]
+            write_mended(self._mended, mosaic, better)
         return seams
 
-    def _written(self, folder: Path) -> Iterator[tuple[int, PlacedPatch]]:
-        refs = [self.request.mosaic.ref, *(one.ref for one in self.request.sources)]
-        inputs = {os.path.realpath(one.path) for one in refs}
+    def _moved(self, patch: PlacedPatch) -> PlacedPatch:
+        path = str(self._folder / os.path.basename(patch.path))
+        with whole_raster(path) as unfinished:
+            shutil.copyfile(patch.path, unfinished)
+        return replace(patch, path=path)
+
+    def _tried(self, folder: Path) -> Iterator[tuple[int, PlacedPatch]]:
         for number, cut in enumerate(self._cuts):
-            path = str(folder / f"patch_{number + 1:04d}.tif")
-            if cut.window is None:
-                continue
-            if os.path.realpath(path) in inputs:
-                raise SettingsError(messages.PATCH_IS_INPUT(path=path))
-            whole = self._cut(number)
-            assert whole.pixels is not None
-            assert whole.inside is not None
-            yield number, write_patch(path, self.request.mosaic, cut.window, whole.pixels, whole.inside)
+            if cut.window is not None:
+                whole = self._cut(number)
+                assert whole.pixels is not None
+                assert whole.inside is not None
+                path = str(folder / _patch_name(number))
+                yield number, write_patch(path, self.request.mosaic, cut.window, whole.pixels, whole.inside)
 
     @cached_property
     def _cuts(self) -> list[MendedRun]:
@@ -202,78 +208,84 @@ class Mending:
         return found
 
     def _measured(
-        self, mended: str, placed: dict[int, PlacedPatch], goes_on: Callable[[float], bool],
-        executor: Executor, ahead: int,
+        self, path: str, tried: dict[int, PlacedPatch], goes_on: Callable[[float], bool], executor: Executor, ahead: int
     ) -> dict[int, float]:
-        """kept_1 of the mended mosaic along the new cuts, by the run's number: a scan of given seams, those that stay
-        among them."""
-        request = self.request
-        numbers = list(placed)
-        if not numbers:
-            return {}
-        runs = request.runs[0]
-        cut = {piece for number in numbers for piece in runs[number].numbers}
-        near = {
-            piece for number in numbers
-            for piece in request.index.near(runs[number].window(request.mosaic.grid), _WIDEST_PX).numbers.tolist()
-        }
+        """kept_1 of the mosaic with its patches, a VRT at ``path``, along the new cuts, by the run's number: a scan of
+        given seams, those that stay among them."""
+        request, runs = self.request, self.request.runs[0]
+        write_mended(path, request.mosaic, list(tried.values()))
+        numbers = list(tried)
+        near = {piece for number in numbers for piece in request.near(runs[number], _WIDEST_PX).numbers.tolist()}
+        near -= {piece for number in numbers for piece in runs[number].numbers}
         lines = [(self._cuts[number].vertices, runs[number].piece) for number in numbers]
-        lines += [(request.pieces[piece].piece.vertices, request.pieces[piece].piece) for piece in sorted(near - cut)]
+        lines += [(request.pieces[piece].piece.vertices, request.pieces[piece].piece) for piece in sorted(near)]
         seams = tuple(SidedSeam(vertices, piece.left, piece.right) for vertices, piece in lines if vertices is not None)
-        gsd = request.mosaic.ground_sample_distance
-        settings = ScanSettings(piece_m=_ONE_PIECE_M, corridor_m=_CORRIDOR_PX * gsd, worst_count=0)
-        scanned = ScanRequest(open_mosaic(mended), request.sources, settings, GivenSeams(seams, (), ()))
-        with whole_scan(scanned, Path(mended)) as scan:
-            for step in scan.steps(executor, ahead, lambda: not goes_on(_PATCHED)):
-                goes_on(_PATCHED + (1 - _PATCHED) * step.share)
-            found = None if not goes_on(1.0) else scan.result("", goes_on, executor, ahead)
-            if found is None:
-                raise CancelledError(messages.MENDING_STOPPED())
-            scan.finish()
+        corridor = _CORRIDOR_PX * request.mosaic.ground_sample_distance
+        settings = ScanSettings(piece_m=_ONE_PIECE_M, corridor_m=corridor, worst_count=0)
+        mended = describe_mosaic(replace(request.mosaic.ref, path=path))
+        with whole_scan(ScanRequest(mended, request.sources, settings, GivenSeams(seams, (), ())), Path(path)) as scan:
+            for step in scan.steps(executor, ahead, lambda: not goes_on(PATCHED)):
+                goes_on(PATCHED + (1 - PATCHED) * step.share)
+            found = scan.result("", goes_on, executor, ahead) if goes_on(1.0) else None
+        if found is None:
+            raise CancelledError(messages.MENDING_STOPPED())
         kept: dict[int, float] = {}
         for one in found.pieces:
             if one.piece.seam_id <= len(numbers) and one.least_kept is not None:
                 kept.setdefault(numbers[one.piece.seam_id - 1], one.least_kept)
         return kept
 
-    def _judged(self, placed: dict[int, PlacedPatch], kept: dict[int, float]) -> list[MendedSeam]:
-        seams = []
-        for number, (run, cut) in enumerate(zip(self.request.runs[0], self._cuts)):
-            if number not in placed:
-                seams.append(MendedSeam(run, cut, LEFT, reason=cut.reason))
-                continue
-            now, before = kept.get(number), run.kept or 0.0
-            if now is None or now <= before:
-                seams.append(MendedSeam(run, cut, LEFT, now, messages.NOT_BETTER()))
-            else:
-                outcome = MENDED if now >= MENDED_KEPT else IMPROVED
-                seams.append(MendedSeam(run, cut, outcome, now, None, placed[number].path))
-        return seams
+    def _judged(self, number: int, was_tried: bool, kept: float | None) -> MendedSeam:
+        run, cut = self.request.runs[0][number], self._cuts[number]
+        if not was_tried:
+            return MendedSeam(run, cut, LEFT, reason=cut.reason)
+        if kept is None or kept <= (run.kept or 0.0):
+            return MendedSeam(run, cut, LEFT, kept, messages.NOT_BETTER())
+        name = os.path.basename(self._single) or _patch_name(number)
+        return MendedSeam(run, cut, MENDED if kept >= MENDED_KEPT else IMPROVED, kept, None, name)
 
 
 @contextmanager
-def mending(request: MendRequest, output: Path) -> Iterator[Mending]:
-    """A mending whose results so far are kept beside ``output`` until all is done. Raises SettingsError where no file
-    can be, or another one is under way there."""
-    lines = [(one.piece.vertices, one.piece.left, one.piece.right) for one in request.pieces]
-    given = [item for line in lines for item in line]
-    mosaic = request.mosaic
+def mending(request: MendRequest, patches: str, mended: str) -> Iterator[Mending]:
+    """A mending whose results so far are kept beside the mended mosaic until all is done. Raises SettingsError where no
+    file can be, or another one is under way there."""
+    given = [item for one in request.pieces for item in (one.piece.vertices, one.piece.left, one.piece.right)]
+    mosaic, place = request.mosaic, Path(mended)
+    _check_patches(request, patches)
     fingerprint = fingerprint_of(
-        mosaic.ref, request.sources, request.settings, given, (mosaic.geotransform, mosaic.own_wkt)
+        mosaic.ref, request.sources, request.settings, [*given, np.array([one.is_wanted for one in request.pieces])],
+        (mosaic.geotransform, mosaic.own_wkt),
     )
-    journal, _ = open_journal(output.with_name(output.name + JOURNAL_ENDING), fingerprint)
+    journal, _ = open_journal(place.with_name(place.name + JOURNAL_ENDING), fingerprint)
     try:
-        yield Mending(request, journal)
+        drop_unfinished(place)
+        yield Mending(request, patches, mended, journal)
         journal.remove()
     finally:
         journal.close()
 
 
-def _make_folder(folder: Path) -> None:
+def _check_patches(request: MendRequest, patches: str) -> None:
+    """Makes their folder. Raises SettingsError where they can't be."""
+    single = _is_file(patches)
+    refs = [request.mosaic.ref, *(one.ref for one in request.sources)]
+    inputs = {os.path.realpath(path) for ref in refs for path in ref.paths}
+    for number in range(0 if single else len(request.runs[0])):  # one file is held against the inputs as any output is
+        path = os.path.join(patches, _patch_name(number))
+        if os.path.realpath(path) in inputs:
+            raise SettingsError(messages.PATCH_IS_INPUT(path=path))
     try:
-        folder.mkdir(parents=True, exist_ok=True)
+        Path(os.path.dirname(os.path.abspath(patches)) if single else patches).mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=folder, error=system_reason(error))) from None
+        raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=patches, error=system_reason(error))) from None
+
+
+def _is_file(patches: str) -> bool:
+    return patches.lower().endswith((".tif", ".tiff"))
+
+
+def _patch_name(number: int) -> str:
+    return f"patch_{number + 1:04d}.tif"
 
 
 def _run_of(record: bytes) -> Any:

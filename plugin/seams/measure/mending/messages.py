@@ -22,8 +22,6 @@ BANDS_LACK = Message("{name} lacks bands of the mosaic: {bands}.")
 NOT_BETTER = Message("The new cut keeps no more detail than the old seam, so its patch is left out.")
 
 # settings
-WIDTH_NOT_POSITIVE = Message("The corridor is {width} m wide; give a number of metres above 0.")
-BLEND_OUT_OF_RANGE = Message("The blend is {blend} pixels wide; give 0 to {most}.")
 WHAT_UNKNOWN = Message("'{what}' can't be mended; give one of: {known}.")
 # the whole
 NOT_OF_A_SCAN = Message(

@@ -6,50 +6,43 @@ the images show in different places, and where they don't fit. The new cut is th
 """
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from scipy import ndimage, sparse
 from scipy.sparse import csgraph
 
-from ..following.boxes import box_means, in_squares
+from ....imagery.errors import Message
+from ....imagery.shifts import find_shift
+from ..following.boxes import box_means, enlarged, in_squares
 from ..following.levelling import gain_field, square_means, to_pixels
+from . import messages
 
 CELL_PX = 4
 """Side of the cells of which a cut consists."""
-FAR = 32  # cells: what differs over more than that is tone
-MOST_APART = 0.9
-"""Of the detail coarser than a cell along a cut: unrelated images have 1."""
+MOST_MISFIT_PX = 2.5
+"""Along the new cut: where images lie farther apart, an edge that it crosses is seen to break."""
+LEAST_ALIKE = 0.1
+"""Correlation of what is coarser than a cell along a cut; unrelated images have 0."""
+_FAR = 32  # cells: what differs over more than that is tone
 _LENGTH = 0.2  # of the middle cost, for every cell: a way round has to be worth it
 _NEAR, _WIDE = 3, 9  # cells a side: what is beside a way, and what detail is coarser than
+_STRIP_PX = 40  # on either side of a way, in which images are compared
 
 
-@dataclass(frozen=True, eq=False)
-class Difference:
-    """Of two images, by cells, (rows, columns) float32 each."""
+def cutting_cost(first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> np.ndarray:
+    """Mean square of what two planes (rows, columns) float32 differ by in fine detail and in tones, DN squared, by
+    cells, (rows, columns) float32; infinite where one has no pixels.
 
-    cost: np.ndarray
-    """Mean square, DN squared, of fine detail and of tones; infinite where one image has no pixels."""
-    apart: np.ndarray
-    """Energy of the difference of their detail coarser than a cell."""
-    detail: np.ndarray
-    """Energy of that detail itself, of both together."""
-
-
-def difference(first: np.ndarray, second: np.ndarray, valid: np.ndarray) -> Difference:
-    """Of two planes (rows, columns) float32 whose sides are multiples of 8; ``valid``: pixels that both have."""
-    whole = square_means(valid) == 1
-    gain = to_pixels(gain_field(square_means(first), square_means(second), whole), first.shape)
-    levelled = gain * second
-    rest = first - levelled
-    known = in_squares(valid, CELL_PX).all(axis=(1, 3))
-    own, other, mean = (in_squares(one, CELL_PX).mean(axis=(1, 3)) for one in (first, levelled, rest))
-    fine = in_squares(np.square(rest), CELL_PX).mean(axis=(1, 3)) - np.square(mean)
-    cost = np.maximum(fine, 0) + np.square(mean - _around(mean, known))
-    detail = np.square(_detail(own)) + np.square(_detail(other))
-    apart = np.square(_detail(own) - _detail(other))
-    cost[~known], apart[~known], detail[~known] = np.inf, 0, 0
-    return Difference(cost, apart, detail)
+    The sides are multiples of 8. ``valid``: bool, pixels that both have.
+    """
+    gain = gain_field(square_means(first), square_means(second), square_means(valid) == 1)
+    rest = first - to_pixels(gain, first.shape) * second
+    known, mean = in_squares(valid, CELL_PX).all(axis=(1, 3)), _by_cell(rest)
+    weight, near = (
+        ndimage.gaussian_filter(np.asarray(one, np.float32), _FAR) for one in (known, np.where(known, mean, 0))
+    )
+    tones = mean - near / np.maximum(weight, 1e-6)
+    fine = np.maximum(_by_cell(np.square(rest)) - np.square(mean), 0)
+    return np.where(known, fine + np.square(tones), np.float32(np.inf))
 
 
 def cheapest_way(
@@ -62,24 +55,24 @@ def cheapest_way(
     free = allowed & np.isfinite(cost)
     if not free.any():
         return None
-    cost = cost / (cost[free].max() or 1)  # the way is the same, and no sum of them overflows
-    near = box_means(np.where(free, cost, 0), (_NEAR,))[0] / np.maximum(box_means(free, (_NEAR,))[0], 1e-6)
+    cost = np.where(free, cost / (cost[free].max() or 1), 0)  # the way is the same, and no sum of them overflows
+    near = box_means(cost, (_NEAR,))[0] / np.maximum(box_means(free, (_NEAR,))[0], 1e-6)
     near += _LENGTH * np.float32(np.median(near[free])) + np.float32(1e-6)
     free[start], free[end] = True, True
     numbers = np.full(cost.shape, -1)
     numbers[free] = np.arange(np.count_nonzero(free))
+    rows, columns = cost.shape
     heads, tails, lengths = [], [], []
     for down, across in ((0, 1), (1, 0), (1, 1), (1, -1)):
-        here, there = _neighbours(cost.shape, down, across)
+        here = np.s_[: rows - down, max(-across, 0) : columns - max(across, 0)]
+        there = np.s_[down:, max(across, 0) : columns - max(-across, 0)]
         both = free[here] & free[there]
         heads.append(numbers[here][both])
         tails.append(numbers[there][both])
         lengths.append(np.hypot(down, across) * (near[here][both] + near[there][both]) / 2)
-    count = int(numbers.max()) + 1
+    count = np.count_nonzero(free)
     graph = sparse.coo_matrix((np.concatenate(lengths), (np.concatenate(heads), np.concatenate(tails))), (count, count))
-    _, before = csgraph.dijkstra(
-        graph.tocsr(), directed=False, indices=int(numbers[start]), return_predecessors=True
-    )
+    before = csgraph.dijkstra(graph.tocsr(), directed=False, indices=int(numbers[start]), return_predecessors=True)[1]
     way = [int(numbers[end])]
     while way[-1] != numbers[start]:
         previous = int(before[way[-1]])
@@ -89,28 +82,23 @@ def cheapest_way(
     return np.argwhere(free)[way[::-1]]
 
 
-def apart_along(found: Difference, way: np.ndarray) -> float:
-    """How little the images agree along a way: 0 where they are alike, 1 where nothing in one is in the other."""
-    beside = np.zeros(found.cost.shape, bool)
-    beside[tuple(way.T)] = True
-    beside = ndimage.binary_dilation(beside, iterations=2)
-    total = float(found.detail[beside].sum())
-    return float(found.apart[beside].sum()) / total if total > 0 else 0.0
+def fit_along(
+    way: np.ndarray, first: np.ndarray, second: np.ndarray, valid: np.ndarray
+) -> tuple[float | None, Message | None]:
+    """How far two planes lie from each other along a way (n, 2), rows and columns of cells, px, None where nothing in
+    common shows it; and why they can't be cut there."""
+    off = np.ones([length // CELL_PX for length in valid.shape], bool)
+    off[tuple(way.T)] = False
+    beside = CELL_PX * ndimage.distance_transform_edt(off) <= _STRIP_PX
+    shift = find_shift(first, second, enlarged(beside, CELL_PX) & valid)
+    if shift is not None:
+        misfit = shift.length
+        return misfit, messages.IMAGES_MISFIT(misfit=misfit) if misfit > MOST_MISFIT_PX else None
+    beside &= in_squares(valid, CELL_PX).all(axis=(1, 3))
+    a, b = ((cells - ndimage.uniform_filter(cells, _WIDE))[beside] for cells in map(_by_cell, (first, second)))
+    alike = float(a @ b) >= LEAST_ALIKE * float(np.sqrt((a @ a) * (b @ b)))
+    return None, None if alike else messages.IMAGES_UNLIKE()
 
 
-def _detail(cells: np.ndarray) -> np.ndarray:
-    return np.asarray(cells - ndimage.uniform_filter(cells, _WIDE))
-
-
-def _around(values: np.ndarray, known: np.ndarray) -> np.ndarray:
-    """Means of what is known around every cell."""
-    weight = ndimage.gaussian_filter(known.astype(np.float32), FAR)
-    return np.asarray(ndimage.gaussian_filter(np.where(known, values, 0), FAR) / np.maximum(weight, 1e-6))
-
-
-def _neighbours(shape: tuple[int, ...], down: int, across: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
-    """All cells that have a neighbour so far off, and these."""
-    rows, columns = shape
-    left = slice(max(-across, 0), columns - max(across, 0))
-    right = slice(max(across, 0), columns - max(-across, 0))
-    return (slice(0, rows - down), left), (slice(down, rows), right)
+def _by_cell(plane: np.ndarray) -> np.ndarray:
+    return np.asarray(in_squares(plane, CELL_PX).mean(axis=(1, 3)))

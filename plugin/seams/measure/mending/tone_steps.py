@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy import ndimage
 
 from ....imagery.lines import points_at, vertex_stations
 
@@ -17,23 +18,19 @@ def tone_step(plane: np.ndarray, points: np.ndarray, valid: np.ndarray) -> float
     show there, so that what changes on the ground is no step. ``valid``: (rows, columns) bool.
     """
     along = vertex_stations(points)
-    places = np.arange(0.5, along[-1])
-    middles = points_at(points, along, places)
-    ahead = points_at(points, along, places + 4) - points_at(points, along, places - 4)
-    normals = np.column_stack([ahead[:, 1], -ahead[:, 0]]) / np.maximum(np.hypot(*ahead.T), 1e-9)[:, np.newaxis]
+    places = np.arange(0.5, along[-1] // _STATION_PX * _STATION_PX)
+    middles, after, before = (points_at(points, along, places + by) for by in (0, 4, -4))
+    ahead = (after - before) / np.maximum(np.hypot(*(after - before).T), 1e-9)[:, np.newaxis]
+    normals = np.column_stack([ahead[:, 1], -ahead[:, 0]])
     offsets = np.arange(_NEAR_PX, _FAR_PX) + 0.5
-    means, counts = [], []
-    for side in (1, -1):
-        across = middles[:, np.newaxis] + side * offsets[:, np.newaxis] * normals[:, np.newaxis]
-        columns, rows = np.floor(across).astype(int).transpose(2, 0, 1)
-        inside = (columns >= 0) & (rows >= 0) & (columns < plane.shape[1]) & (rows < plane.shape[0])
-        columns, rows = np.where(inside, columns, 0), np.where(inside, rows, 0)
-        known = inside & valid[rows, columns]
-        station = np.arange(len(places)) // _STATION_PX
-        count = np.bincount(station, known.sum(axis=1))
-        means.append(np.bincount(station, np.where(known, plane[rows, columns], 0).sum(axis=1)) / np.maximum(count, 1))
-        counts.append(count)
-    told = np.minimum(*counts) * 2 >= _STATION_PX * len(offsets)
+    across = np.stack([middles[:, np.newaxis] + side * offsets[:, np.newaxis] * normals[:, np.newaxis]
+                       for side in (1, -1)])  # fmt: skip
+    rows_columns = across[..., ::-1].transpose(3, 0, 1, 2) - 0.5
+    found = ndimage.map_coordinates(np.where(valid, plane, np.nan), rows_columns, order=0, cval=np.nan)
+    sides = found.reshape(2, -1, _STATION_PX * len(offsets))
+    known = np.isfinite(sides)
+    told = (2 * known.sum(axis=2) >= sides.shape[2]).all(axis=0)
     if np.count_nonzero(told) < _FEWEST_STATIONS:
         return None
-    return abs(float(np.median((means[0] - means[1])[told])))
+    left, right = np.nanmean(sides[:, told], axis=2)
+    return abs(float(np.median(left - right)))

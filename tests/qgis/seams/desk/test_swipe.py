@@ -277,6 +277,19 @@ def test_it_begins_with_the_source_that_has_most_pixels_in_the_window(map_: Map,
     assert "half.tif" not in [choice.title for choice in map_.action.choices()]
 
 
+def test_the_mended_mosaic_of_the_project(map_: Map, tmp_path: Path) -> None:
+    desk = map_.desk
+    path = str(tmp_path / "mended.vrt")
+    gdal.Translate(path, desk.sources[0].source(), format="VRT")
+    mended = desk.raster(Path(path))
+    choice = map_.action.choices()[-1]
+    assert choice.title == mended.name()
+    map_.show([mended, desk.mosaic])
+    map_.action.start(choice)
+    map_.wait()
+    assert same(map_.sides(map_.seen())[1], map_.sides(map_.alone(Path(path)))[1])
+
+
 def test_the_composite_of_the_selected_window(map_: Map) -> None:
     """Sharp where the mosaic is blurred, the mosaic around it; no file of it is left."""
     desk = map_.desk

@@ -22,11 +22,9 @@ from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
 from ...profile.detail_sums import compared_planes, detail_sums, numbers_of
 from ...seam_cells import UNKNOWN
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
-from .block_pixels import BlockPixels, Planes
+from .block_pixels import JUDGED, BlockPixels, Planes
 from .patches import PATCH_PX, SquareLook
 from .seam_sides import SeamSides
-
-_BAND = ("judged",)
 
 MIN_CLEAR = 0.9  # of a window: with more there is no part that is guessed
 MIN_SURE = 0.3  # of a part of one source; true ones have 0.56 or more after JPEG 75, guessed ones 0.25 or less
@@ -73,12 +71,7 @@ def measure_part(
     known = np.ones(planes.mosaic.shape, bool) if planes.mosaic_valid is None else planes.mosaic_valid
     if not present or known[own].mean() < MIN_VALID:
         return _nothing(window, levels, float(known[own].any()))
-    image = ComparedImage(planes.mosaic[np.newaxis], _BAND, {}, {}, pixels.mosaic)
-    images = [
-        ComparedImage(planes.sources[i][np.newaxis], _BAND, {}, {}, planes.rasters[i], planes.offsets[i],
-                      planes.valid.get(i))
-        for i in present
-    ]
+    image, images = ComparedImage(planes.mosaic[np.newaxis], JUDGED, {}, {}, pixels.mosaic), planes.compared
     known_filters = None if filters is None else _of_planes(filters, present)
     if known_filters is not None and known_filters.taps:
         followed = _follow_filtered(image, images, known_filters)

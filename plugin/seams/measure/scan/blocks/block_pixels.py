@@ -14,6 +14,7 @@ from .....imagery.limits import LUMINANCE, measured_bands
 from .....imagery.raster_pool import open_raster
 from .....imagery.rasters import Raster, RasterRef
 from .....imagery.wavelets import judged_plane
+from ...compared_image import ComparedImage
 from ...inputs.grey_values import factor_of
 from .. import messages
 from .block_grid import UNIT_PX
@@ -21,6 +22,8 @@ from .block_grid import UNIT_PX
 _Pick = Callable[[np.ndarray], np.ndarray]
 """Of pixels (..., rows, columns) those that are wanted, as an image of their own."""
 
+JUDGED = ("judged",)
+"""The band of such an image."""
 _EVERY = 16  # rows and columns of which the range of values is taken
 MOST_HELD = 8
 """Sources of a block that are held in memory; of others only what is asked for is read."""
@@ -41,9 +44,17 @@ class Planes:
     rasters: dict[int, Raster] = field(default_factory=dict)
     """What the sources are."""
     offsets: dict[int, tuple[float, float]] = field(default_factory=dict)
+    """How the pixel grids of the sources lie beside the mosaic's, px."""
     resampled: set[int] = field(default_factory=set)
     """Sources that had to be warped to the mosaic's grid."""
-    """How the pixel grids of the sources lie beside the mosaic's, px."""
+
+    @property
+    def compared(self) -> list[ComparedImage]:
+        """The sources as they are compared, in their order."""
+        return [
+            ComparedImage(plane[np.newaxis], JUDGED, {}, {}, self.rasters[i], self.offsets[i], self.valid.get(i))
+            for i, plane in self.sources.items()
+        ]
 
     def take_sources(self, more: Planes) -> None:
         """Those of other sources, too."""
@@ -77,6 +88,12 @@ class BlockPixels:
         self._held = self._read(self._around, range(min(len(refs), MOST_HELD))) if whole else None
 
     @property
+    def held(self) -> BlockClips:
+        """All that was read, as the files have it, of a block that was read as a whole."""
+        assert self._held is not None
+        return self._held
+
+    @property
     def numbers(self) -> tuple[int, ...]:
         """Of the sources that may have pixels here."""
         return tuple(i for i in range(len(self._refs)) if i not in self._absent)
@@ -100,7 +117,8 @@ class BlockPixels:
 
         planes = self._planes(self._held, pick)
         for number in range(MOST_HELD, len(self._refs)):  # one after the other, so that memory does not grow with them
-            planes.take_sources(self._planes(_Clips(self._held.own, self._read_sources(self._around, [number])), pick))
+            read = BlockClips(self._held.own, self._read_sources(self._around, [number]))
+            planes.take_sources(self._planes(read, pick))
         return planes
 
     def strip_of_patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
@@ -119,7 +137,7 @@ class BlockPixels:
         within = min(left, top) >= 0 and left + window.width <= around.width and top + window.height <= around.height
         if self._held is None or not within or any(i not in self._held.clips for i in numbers):
             return self._planes(self._read(window, numbers))
-        held = _Clips(self._held.own, {i: self._held.clips[i] for i in numbers})
+        held = BlockClips(self._held.own, {i: self._held.clips[i] for i in numbers})
         return self._planes(held, lambda pixels: pixels[..., top : top + window.height, left : left + window.width])
 
     def _single_patches(self, rows: np.ndarray, columns: np.ndarray, side: int) -> Planes:
@@ -147,9 +165,9 @@ class BlockPixels:
                     valid[number][place] = found.valid.get(number, True)
         return Planes(mosaic, known, sources, valid, resampled=resampled)
 
-    def _read(self, window: PixelWindow, numbers: Sequence[int]) -> _Clips:
+    def _read(self, window: PixelWindow, numbers: Sequence[int]) -> BlockClips:
         own = read_clip(open_raster(self.mosaic.ref), self.mosaic, window, partly=True, holes=True)
-        return _Clips(own, self._read_sources(window, numbers))
+        return BlockClips(own, self._read_sources(window, numbers))
 
     def _read_sources(self, window: PixelWindow, numbers: Sequence[int]) -> dict[int, Clip]:
         clips = {}
@@ -171,7 +189,7 @@ class BlockPixels:
             self._absent.update(i for i in numbers if i not in clips)
         return clips
 
-    def _planes(self, read: _Clips, pick: _Pick = lambda pixels: pixels) -> Planes:
+    def _planes(self, read: BlockClips, pick: _Pick = lambda pixels: pixels) -> Planes:
         own, clips = read.own, read.clips
         return Planes(
             _plane(own, self._band, pick, self._factor),
@@ -198,7 +216,7 @@ def thin_valid(mosaic: Raster, window: PixelWindow) -> np.ndarray | None:
 
 
 @dataclass(frozen=True, eq=False)
-class _Clips:
+class BlockClips:
     """What was read of one window."""
 
     own: Clip

@@ -1,0 +1,43 @@
+"""Which pieces of a scan's layer are cut anew, and which of them as one."""
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from osgeo import ogr
+from seam_inspector.plugin.seams.measure.limits import ALL, FAILED, REDUCED
+from seam_inspector.plugin.seams.measure.mending.failed_runs import FIELDS, given_pieces, seam_runs
+
+NUMBERS = {"a.tif": 0, "b.tif": 1}
+
+
+def feature(first: float, last: float, state: str = "failed", verdict: str = "significant", **more: Any) -> Any:
+    """A piece of the seam 1 along the x axis."""
+    line = ogr.CreateGeometryFromWkt(f"LINESTRING ({first} 0, {last} 0)")
+    row = {"seam_id": 1, "station": first, "left_source": "a.tif", "right_source": "b.tif", "length": last - first,
+           "kept_1": 0.5, "state": state, "verdict": verdict, **more}  # fmt: skip
+    return row, bytes(line.ExportToWkb())
+
+
+PASSED = feature(20, 30, "passed", "reduced")
+SOUND = feature(30, 40, "passed", "preserved")
+
+
+@pytest.mark.parametrize(("what", "count"), [(FAILED, 1), (REDUCED, 2), (ALL, 3)])
+def test_what_is_wanted(what: str, count: int) -> None:
+    pieces = given_pieces([feature(0, 10), PASSED, SOUND], FIELDS, what)
+    assert [one.is_wanted for one in pieces].count(True) == count
+    assert not any(one.is_wanted for one in given_pieces([feature(0, 10)], FIELDS, what, lambda vertices: False))
+
+
+def test_pieces_that_follow_each_other_are_one_run() -> None:
+    pieces = given_pieces([feature(10, 30, kept_1=0.2), feature(0, 10), feature(40, 50)], FIELDS, FAILED)
+    runs, unnamed = seam_runs(pieces, NUMBERS, 0.1)
+    assert [(one.numbers, one.piece.length_m, one.sides) for one in runs] == [((1, 0), 30, (0, 1)), ((2,), 10, (0, 1))]
+    assert (runs[0].kept, unnamed) == (pytest.approx(0.3), 0)
+    assert [one.numbers for one in seam_runs(pieces, NUMBERS, 0.02)[0]] == [(1,), (0,), (2,)]  # 20 m are too long
+
+
+def test_pieces_without_two_orthoimages_are_counted() -> None:
+    pieces = given_pieces([feature(0, 10, left_source=""), feature(20, 25, right_source="c.tif")], FIELDS, ALL)
+    assert seam_runs(pieces, NUMBERS, 0.1) == ([], 15)
