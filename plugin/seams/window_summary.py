@@ -290,7 +290,7 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
     if row.verdict not in LOSSES:
         return [_what_is_left(row, happened.along_the_seam)]
     is_along, sharpness = is_lost_along_the_seam(row), 1.0 if row.sharpness is None else row.sharpness
-    is_whole = not is_along or sharpness < 1 - SHARPNESS_TOLERANCE
+    is_whole = not is_along or (sharpness < 1 - SHARPNESS_TOLERANCE if found is None else found.ground_left < 1)
     area = "" if row.loss is None else f" ({shown_area(row.loss)})"
     if is_along:
         where = tr("beside the seam")

@@ -31,6 +31,8 @@ class KeyLine(NamedTuple):
     """By what they do, as ``DeskKeys`` and the actions call it; empty where a widget of Qt's or QGIS's has them."""
     is_repeating: bool = False
     """Whether they go on while they are held."""
+    is_map: bool = False
+    """Whether they are somebody else's but where the map, or nothing that takes keys, has the focus."""
 
 
 KEYS = (
@@ -43,6 +45,11 @@ KEYS = (
     KeyLine("S", "everywhere", "takes seamlines and a scan's layers off the map, and puts them back",
             {"seamlines": ("S",)}),
     KeyLine("L", "everywhere", "shows or hides where detail was lost", {"lost detail": ("L",)}),
+    KeyLine("J", "everywhere", "judging: the map and what judging takes alone; again: all of the desk",
+            {"layout": ("J",)}),
+    KeyLine("Space", "map", "held: the hard cut in place of the mosaic; tapped: until the next tap",
+            {"flicker": ("Space",)}, is_map=True),
+    KeyLine("Tab", "map", "the next of the window's places that lost most", {"next place": ("Tab",)}, True, True),
     KeyLine("Ctrl+Z; Ctrl+Shift+Z, Ctrl+Y", "everywhere", "undo; redo",
             {"undo": ("Ctrl+Z",), "redo": ("Ctrl+Shift+Z", "Ctrl+Y")}, True),
     KeyLine("Space", "images, mouse over a picture", "held: the composite or the chosen source in place of the mosaic"),
@@ -62,7 +69,7 @@ def keys_for(name: str) -> tuple[str, ...]:
     return next(line.keys[name] for line in KEYS if name in line.keys)
 
 
-_EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
+_EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
 _OURS = (QgsMapCanvas, QgsLayerTreeView, QToolBar)  # beside the desk and the main window itself
 _MODIFIERS = {"Ctrl": Qt.KeyboardModifier.ControlModifier, "Shift": Qt.KeyboardModifier.ShiftModifier}
 
@@ -85,14 +92,19 @@ class DeskKeys(QObject):
         self._desk, self._main_window, self._canvas, self._tool, self._steps = desk, main_window, canvas, tool, steps
         self._meant = {_pressed(key): (name, key) for line in KEYS for name, keys in line.keys.items() for key in keys}
         self._repeating = {name for line in KEYS if line.is_repeating for name in line.keys}
+        self._of_map = {name for line in KEYS if line.is_map for name in line.keys}
         self._actions: Mapping[str, Callable[[], bool]] = {}
+        self._released: Mapping[str, Callable[[], None]] = {}
+        self._held: set[str] = set()
         self._keyboard = FocusFilter(self)
         desk.installEventFilter(self)
 
-    def set_actions(self, actions: Mapping[str, Callable[[], bool]]) -> None:
+    def set_actions(
+        self, actions: Mapping[str, Callable[[], bool]], released: Mapping[str, Callable[[], None]] | None = None
+    ) -> None:
         """What single keys do, by their names; one that has nothing to do says so by False, and the key is somebody
-        else's then."""
-        self._actions = actions
+        else's then. ``released``: what letting go of one does."""
+        self._actions, self._released = actions, released or {}
 
     def listen(self, listening: bool) -> None:
         """While the desk is in sight."""
@@ -112,6 +124,8 @@ class DeskKeys(QObject):
         if event.type() not in _EVENTS or not is_keyboard_free():
             return False
         name, key = self._meant.get((event.key(), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier), ("", ""))
+        if event.type() == QEvent.Type.KeyRelease:
+            return self._let_go(name, event.isAutoRepeat())
         act = self._action(name, key) if name else None
         if act is None:
             return False
@@ -120,7 +134,19 @@ class DeskKeys(QObject):
             return True
         if event.isAutoRepeat() and name not in self._repeating:
             return True
-        return act() is not False
+        is_done = act() is not False
+        if is_done and name in self._released:
+            self._held.add(name)
+        return is_done
+
+    def _let_go(self, name: str, is_repeated: bool) -> bool:
+        """Whether it is of a key that was pressed here."""
+        if name not in self._held:
+            return False
+        if not is_repeated:
+            self._held.discard(name)
+            self._released[name]()
+        return True
 
     def _action(self, name: str, key: str) -> Callable[[], object] | None:
         """What a key does here; None where it is somebody else's."""
@@ -135,8 +161,8 @@ class DeskKeys(QObject):
             return action.trigger if action is not None else None
         if window not in (self._main_window, self._desk.window()) or self._is_editing():
             return None
-        is_free = focus in (None, self._main_window, self._desk) or any(
-            widget is self._desk or isinstance(widget, _OURS) for widget in around
+        is_free = focus in (None, self._main_window, self._desk, self._canvas) or (
+            name not in self._of_map and any(widget is self._desk or isinstance(widget, _OURS) for widget in around)
         )
         return self._actions.get(name) if is_free else None
 
