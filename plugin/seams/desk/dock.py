@@ -90,6 +90,7 @@ class InspectionDock(ToolDock):
         self.flicker = Flicker(self._canvas, self.session, self)
         self.flicker.told.connect(self._show_message)
         self.layout_of_judging = JudgingLayout(iface, self, self.session, self._fold)
+        self.layout_of_judging.action.toggled.connect(self._begin_judging)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
         self.scans.found.connect(lambda done: self._findings.show(done, self.scans.notes))
         self._worst_inspector = single_shot(self, self._inspect_worst)  # apart, as adding fields takes some 30 ms
@@ -228,12 +229,14 @@ class InspectionDock(ToolDock):
         if curves is not None:
             curves.lend_profile(is_folded and not is_blind)
         self._body.fold(is_folded, curves.profile if curves is not None and is_folded and not is_blind else None)
-        if is_folded:
-            selected = self.session.selected()
-            if len(selected) != 1:
-                self.judging.model.go_on()
-            elif not self._view.is_seen(selected[0]):
-                self.zoom_to(selected[0])
+
+    def _begin_judging(self, is_on: bool) -> None:
+        """With the window that is selected, or the first to judge."""
+        selected = self.session.selected()
+        if is_on and len(selected) == 1:
+            self.zoom_to(selected[0])
+        elif is_on:
+            self.judging.model.go_on()
 
     def _hide_tabs(self) -> None:
         """While the tool's verdict is hidden, so are the tabs that tell it, and lost detail."""
@@ -284,13 +287,13 @@ class InspectionDock(ToolDock):
         allow(self.inspect, unset or no_windows)
         allow(self.inspect_selected, unset or no_windows)
         allow(self.scan, self.scans.why_not())
+        uninspected = no_windows or tr("No window has been inspected yet.")
         judge = self.layout_of_judging.action
-        allow(judge, "" if judge.isChecked() else unset or no_windows)
+        allow(judge, "" if judge.isChecked() or any(row.is_compared for row in windows) else unset or uninspected)
         unscanned = "" if self.scans.worst_layer() else tr("No scan has found such places yet: scan the mosaic first.")
         allow(self.worst, unset or unscanned)
         self._offer_stop(self.session.can_stop)
-        judged = any(row.verdict for row in windows)
-        allow(self.report, "" if judged else no_windows or tr("No window has been inspected yet."))
+        allow(self.report, "" if any(row.verdict for row in windows) else uninspected)
 
     def _repaint_windows(self) -> None:
         """Verdicts are the map's colours too, and QGIS does not redraw for attributes."""
@@ -360,7 +363,7 @@ class DockBody(QWidget):
         self._judging = QBoxLayout(QBoxLayout.Direction.TopToBottom)
         self._whole.addLayout(self._judging)
         self._whole.addWidget(progress)
-        self._is_wide, self._is_folded = False, False
+        self._is_wide = self._is_high = self._is_folded = False
         self._place_judge()
 
     def fold(self, is_folded: bool, panel: QWidget | None) -> None:
@@ -371,7 +374,7 @@ class DockBody(QWidget):
         if panel is not None:
             self._judging.insertWidget(0, panel, 1)
             panel.show()
-        self._judge.set_large(is_folded)
+        self._judge.set_large(is_folded, self._is_high)
         self._place_judge()
 
     def _place_judge(self) -> None:
@@ -384,9 +387,9 @@ class DockBody(QWidget):
 
     def arrange(self, is_wide: bool) -> None:
         """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
-        is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
-        self._windows.table.set_fewest_rows(_FEWEST_ROWS if is_high else 0)
-        self._judge.set_high(is_high)
+        self._is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
+        self._windows.table.set_fewest_rows(_FEWEST_ROWS if self._is_high else 0)
+        self._judge.set_high(self._is_high)
         orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
         if orientation == self._splitter.orientation():
             return

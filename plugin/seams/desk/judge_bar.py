@@ -204,7 +204,7 @@ class JudgeBar(QWidget):
             button.setVisible(False)
             self._steps.append(button)
 
-    def set_large(self, is_large: bool) -> None:
+    def set_large(self, is_large: bool, is_high: bool = False) -> None:
         """Whether the dock is the bar's alone: the buttons that judge are large then, and all of a sentence is told."""
         self._is_large = is_large
         buttons = (self._visible, self._invisible, self._unsure, self._next)
@@ -214,7 +214,7 @@ class JudgeBar(QWidget):
             button.setMinimumHeight(round(_LARGE * self.fontMetrics().height()) if is_large else 0)
         for column in range(len(buttons) + 1):
             self._judging_row.setColumnStretch(column, int(column < 2 if is_large else column == len(buttons)))
-        self.set_high(False)
+        self.set_high(is_high)
         self._shown = ()
         self.refresh()
 

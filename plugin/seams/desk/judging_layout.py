@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 from qgis.core import QgsApplication, QgsProject, QgsRectangle
 from qgis.gui import QgisInterface
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QObject, Qt
+from qgis.PyQt.QtCore import QObject, QSize, Qt
 from qgis.PyQt.QtWidgets import QAction, QDockWidget
 
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.translation import filled, tr
 from .judging_desk import covering
+from .map.seam_ticks import SeamTicks
 from .map.window_outline import WindowOutline
 
 if TYPE_CHECKING:
@@ -31,9 +32,10 @@ class JudgingLayout(QObject):
         super().__init__(dock)
         self._window, self._canvas = iface.mainWindow(), iface.mapCanvas()
         self._dock, self._session, self._fold = dock, session, fold
-        self._widths: list[tuple[QDockWidget, int]] = []  # of the docks beside the map, ours among them
+        self._sizes: list[tuple[QDockWidget, QSize]] = []  # of the docks around the map, ours among them
         self._panels: list[tuple[QDockWidget, bool]] = []  # that made room, and whether each was in sight
         self._outline = WindowOutline(self._canvas)
+        self.ticks = SeamTicks(self._canvas, session)
         self.action = QAction(QgsApplication.getThemeIcon("/mActionShowAllLayers.svg"), tr("Judge"), dock)
         self.action.setToolTip(
             tr("Judge window after window: the map takes the room, and what lies over the mosaic goes (J); again: all "
@@ -48,6 +50,7 @@ class JudgingLayout(QObject):
         dock.visibilityChanged.connect(self._follow_dock)
         session.selectionChanged.connect(self._mark)
         session.windowsChanged.connect(self._mark)
+        session.resultArrived.connect(self._mark)
         _put_back(self._project)
 
     @property
@@ -64,9 +67,11 @@ class JudgingLayout(QObject):
         """Leave nothing behind."""
         self.leave()
         self._outline.close()
+        self.ticks.close()
         self._dock.visibilityChanged.disconnect(self._follow_dock)
         self._session.selectionChanged.disconnect(self._mark)
         self._session.windowsChanged.disconnect(self._mark)
+        self._session.resultArrived.disconnect(self._mark)
         for signal in self._signals:
             signal.disconnect(self.leave)
 
@@ -81,10 +86,11 @@ class JudgingLayout(QObject):
             self._give_room()
         self._mark()
 
-    def _mark(self) -> None:
-        """The one window that is judged: all others would hide what is to be seen."""
+    def _mark(self, *_: object) -> None:
+        """The one window that is judged, and where its seam is: all others would hide what is to be seen."""
         selected, layer = self._session.selected(), self._session.window_layer()
         row = self._session.row(selected[0]) if self.is_on and len(selected) == 1 else None
+        self.ticks.show(None if row is None else row.fid)
         if row is None or row.extent is None or layer is None:
             self._outline.hide()
             return
@@ -100,7 +106,7 @@ class JudgingLayout(QObject):
             one for one in self._window.findChildren(QDockWidget)
             if one.toggleViewAction().isChecked() and not one.isFloating()
         ]  # fmt: skip
-        self._widths = [(one, one.width()) for one in docks if self._window.dockWidgetArea(one) in _SIDES]
+        self._sizes = [(one, one.size()) for one in docks]
         self._panels = [(one, not one.visibleRegion().isEmpty()) for one in docks if one is not self._dock]
         for panel, _ in self._panels:
             panel.hide()
@@ -111,13 +117,13 @@ class JudgingLayout(QObject):
                 node.setItemVisibilityChecked(False)
 
     def _narrow(self) -> None:
-        if any(one is self._dock for one, _ in self._widths):
+        if not self._dock.isFloating():
             width = _CHARACTERS * self._dock.fontMetrics().averageCharWidth()
-            self._window.resizeDocks([self._dock], [width], Qt.Orientation.Horizontal)
+            self._resize([(self._dock, QSize(width, self._dock.minimumSizeHint().height()))])
 
     def _give_room(self) -> None:
         panels, self._panels = self._panels, []
-        widths, self._widths = self._widths, []
+        sizes, self._sizes = self._sizes, []
         _put_back(self._project)
         if sip.isdeleted(self._window):
             return
@@ -127,10 +133,15 @@ class JudgingLayout(QObject):
         for panel, was_seen in left:
             if was_seen:
                 panel.raise_()
-        beside = [(one, width) for one, width in widths if not sip.isdeleted(one)]
-        if beside:
-            docks, pixels = map(list, zip(*beside))
-            self._window.resizeDocks(docks, pixels, Qt.Orientation.Horizontal)
+        self._resize([(one, size) for one, size in sizes if not sip.isdeleted(one)])
+
+    def _resize(self, sizes: list[tuple[QDockWidget, QSize]]) -> None:
+        """Docks beside the map in width, those above and below it in height."""
+        for is_beside, way in ((True, Qt.Orientation.Horizontal), (False, Qt.Orientation.Vertical)):
+            found = [pair for pair in sizes if (self._window.dockWidgetArea(pair[0]) in _SIDES) == is_beside]
+            pixels = [size.width() if is_beside else size.height() for _, size in found]
+            if found:
+                self._window.resizeDocks([one for one, _ in found], pixels, way)
 
 
 def _put_back(project: QgsProject) -> None:

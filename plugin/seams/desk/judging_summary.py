@@ -36,8 +36,8 @@ def tool_words(windows: Sequence[WindowRecord], operator: Operator) -> str:
     same, vain = sum(seen == found for seen, found in pairs), sum(found and not seen for seen, found in pairs)
     text = tr("The tool agrees on {same} of {count}.")
     if same < len(pairs):
-        text = tr("The tool agrees on {same} of {count}. Called significant and not seen: {vain}; seen and not called so: "
-                  "{missed}.")
+        text = tr("The tool agrees on {same} of {count}. Called significant and not seen: {vain}; seen and not called "
+                  "so: {missed}.")
     missed = len(pairs) - same - vain
     return filled(text, same=same, count=len(pairs), vain=vain, missed=missed) if pairs else ""
 
