@@ -52,7 +52,7 @@ def test_judging_has_the_screen_and_gives_it_back(small_block: Path, tmp_path: P
     assert report["judged"] > 3
     assert report["left"] == 0
     assert report["summary"].startswith("All windows are judged: ")
-    assert report["steps"] == ["Second operator", "Report", "Accept..."]
+    assert report["steps"] == ["Second operator", "Report", "Accept"]
     assert report["shown"][0] == report["shown"][1]
     before, after = report["widths"]
     assert before.keys() == after.keys()

@@ -312,7 +312,7 @@ class JudgeBar(QWidget):
             is_other = button.defaultAction() is (self.operators.agreement if self._judging.is_first else self._second)
             button.setVisible(is_over and not is_other)
         for place, button in enumerate(button for button in self._steps if not button.isHidden()):
-            self._next_steps.addWidget(button, *divmod(place, 2))
+            self._next_steps.addWidget(button, *divmod(place, 2 if self._is_large else 3))
         for button in (self._visible, self._invisible, self._unsure, self._next):
             button.setVisible(not (is_over and self._is_large))  # they make room for what comes next
         self._chip.setVisible(shows_chip)
@@ -374,6 +374,7 @@ class JudgeBar(QWidget):
         self._moving.invalidate()
         if self.width() < self._moving.minimumSize().width():
             self._tell_progress(self._just_sure() or self._progress_now.brief())
+            self._moving.invalidate()
         row = self._judging_row.sizeHint().width() + self._moving.sizeHint().width() + self._buttons.spacing()
         sentence = _SENTENCE_CHARACTERS * self.fontMetrics().averageCharWidth()
         beside, below = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom

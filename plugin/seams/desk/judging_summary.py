@@ -10,7 +10,6 @@ from ...imagery.statistics import DECIDED, INVISIBLE, UNSURE, VISIBLE, Operator
 from ...toolkit.background_tasks import BackgroundTasks, Cancelled, Job
 from ...toolkit.translation import filled, percent, tr
 from ..measure.window_records import WindowRecord
-from ..window_summary import judged_kept
 
 if TYPE_CHECKING:
     from ...imagery.grids import Extent
@@ -46,8 +45,8 @@ def limit_words(found: ThresholdCalibration, min_kept: float) -> str:
     """The limit that the verdicts support, beside the one that is set."""
     if found.best is None or found.best_range is None:
         visible, invisible = len(found.verdicts.visible), len(found.verdicts.invisible)
-        text = tr("That is too little for a limit of your own ({visible} visible, {invisible} invisible with a number "
-                  "along the seam): judge more windows of either kind.")
+        text = tr("Too few for a limit of your own ({visible} visible, {invisible} invisible with a number along the "
+                  "seam).")
         return filled(text, visible=visible, invisible=invisible)
     low, high = map(percent, found.best_range)
     text = tr("Your verdicts support a limit of {limit} % kept along the seam ({low} to {high} %); {set} % is set.")
@@ -70,7 +69,7 @@ class OwnLimit(QObject):
         """For these windows from now on."""
         values = [
             (row.extent, getattr(row, operator.observer) == VISIBLE, row.kept_1) for row in windows
-            if getattr(row, operator.observer) in DECIDED and judged_kept(row) is not None and row.kept_1 is not None
+            if getattr(row, operator.observer) in DECIDED and row.kept_1 is not None
         ]  # fmt: skip
         if values == self._values:
             return

@@ -116,11 +116,15 @@ class WindowResult:
 
     @cached_property
     def loss(self) -> LossPicture | None:
-        """The picture of where the sources' detail was lost; None where that can't be told."""
-        found, left = self.explanation.loss if self.explanation else None, self.ground_left
-        if found is None or left == 1:
+        """The picture of where the sources' detail was lost; None where that can't be told. Where the ground lost some
+        too, all that is lost in it is what the sharpness of the whole says."""
+        explained = self.explanation
+        found = explained.loss if explained else None
+        if explained is None or found is None or explained.sharpness is None or explained.ground_left == 1:
             return found
-        return replace(found, kept=np.minimum(found.kept, np.float32(1)) * np.float32(left))
+        kept = np.minimum(found.kept, np.float32(1))
+        around = float(np.nanmean(kept)) if np.isfinite(kept).any() else 1.0
+        return replace(found, kept=kept * np.float32(min(explained.sharpness**2 / around, 1.0)))
 
     @property
     def ground_left(self) -> float:
