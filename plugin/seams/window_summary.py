@@ -143,7 +143,7 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
             "images {apart} px apart are feathered"
         )
         if causes[0] == Cause.MISREGISTRATION:
-            text += tr(", and their misfit took most of what is lost there")
+            text += tr(", and the misfit took most")
     elif Cause.FEATHERING in causes:
         text = tr("images are feathered over {width} m") if width else tr("images are feathered")
     else:
