@@ -191,9 +191,9 @@ class InspectionDock(ToolDock):
 
     def _lay_out(self) -> None:
         steps = (self.steps.undo, self.steps.redo)
-        worded = [self.draw, self.inspect, self.scan, self.layout_of_judging.action, self.place]
-        actions = [*worded, self.swiping.action, *steps, self.report]
-        toolbar = FittingToolBar(actions, worded)
+        judge = self.layout_of_judging.action
+        actions = [self.draw, self.inspect, self.scan, judge, self.place, self.swiping.action, *steps, self.report]
+        toolbar = FittingToolBar(actions, worded=[judge, self.inspect, self.scan, self.draw, self.place])
         for action in (self.inspect, self.scan, self.swiping.action):
             toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         toolbar.widgetForAction(self.inspect).addAction(self.inspect_selected)
@@ -274,7 +274,6 @@ class InspectionDock(ToolDock):
         self.session.inspect_pending()
         if windows := self.session.windows():
             self.zoom_to(windows[0].fid)
-            self.layout_of_judging.action.setChecked(True)
 
     def _enable_actions(self) -> None:
         """Grey what can't be done now, and say why."""

@@ -104,7 +104,7 @@ class OperatorButton(QToolButton):
         return action
 
 
-_LINES, _HIGH_LINES, _ALL_LINES = (2, 4), (3, 6), (2, 12)  # of the sentence; in a high dock; in one of the bar's own
+_LINES, _HIGH_LINES, _ALL_LINES = (2, 4), (3, 6), (2, 16)  # of the sentence; in a high dock; where charts give way
 _LARGE = 2.5  # times as high as a line: a button that judges, where the bar has the dock for itself
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 
@@ -133,8 +133,7 @@ class JudgeBar(QWidget):
         self._why.setToolTip(rich_tip(tr("What the sentence rests on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
-        self._is_large = False
-        self.set_high(False)
+        self._is_large = self._is_high = False
         self._limit = OwnLimit(self)
         self._limit.found.connect(self._tell_limit)
         self._visible = self._judging_button(
@@ -220,7 +219,12 @@ class JudgeBar(QWidget):
 
     def set_high(self, is_high: bool) -> None:
         """Whether there is room for most of a long sentence."""
-        self._sentence.set_lines(*(_ALL_LINES if self._is_large else _HIGH_LINES if is_high else _LINES))
+        self._is_high = is_high
+        self._fit_sentence()
+
+    def _fit_sentence(self, is_over: bool = False) -> None:
+        lines = _HIGH_LINES if self._is_high else _LINES
+        self._sentence.set_lines(*(_ALL_LINES if self._is_large or is_over else lines))
 
     def sentence(self) -> str:
         """What is said about the selected windows."""
@@ -308,6 +312,7 @@ class JudgeBar(QWidget):
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
         is_over = progress.is_done and not selected
+        self._fit_sentence(is_over)
         for button in self._steps:
             is_other = button.defaultAction() is (self.operators.agreement if self._judging.is_first else self._second)
             button.setVisible(is_over and not is_other)
