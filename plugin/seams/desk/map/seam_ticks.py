@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from qgis.core import QgsPointXY
 from qgis.gui import QgsMapCanvas, QgsMapCanvasItem
 from qgis.PyQt import sip
-from qgis.PyQt.QtCore import QPointF
+from qgis.PyQt.QtCore import QPointF, QRectF
 from qgis.PyQt.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from ....toolkit.layers import transformed_box, transformed_point
@@ -56,9 +56,14 @@ class _TicksItem(QgsMapCanvasItem):
 
     def __init__(self, canvas: QgsMapCanvas) -> None:
         super().__init__(canvas)
+        self._canvas = canvas
         self.ticks: list[tuple[QgsPointXY, tuple[int, int]]] = []
         """On the map."""
         self._side = canvas.fontMetrics().height()
+
+    def boundingRect(self) -> QRectF:
+        width, height = self._canvas.width(), self._canvas.height()  # and as much around while the map is dragged
+        return QRectF(-width, -height, 3 * width, 3 * height)
 
     def paint(self, painter: QPainter, *_: object) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
