@@ -69,7 +69,7 @@ class InspectionDock(ToolDock):
         )
         self.inputs = InputsPanel(self.session)
         self.windows = WindowsPanel(self.session)
-        self._view = WindowView(self._canvas, self.session)
+        self._view = WindowView(self._canvas, self.session, lambda: self.judging.model.is_blind)
         self.zoom_to = self._view.show
         self.session.selectionChanged.connect(self._view.follow)
         self.judging = JudgingDesk(self.session, self.windows, self, self._view.is_seen)

@@ -15,14 +15,14 @@ _WORTH_A_LOOK = 0.25  # of what the worst place lost
 _EVEN = 0.02  # of a place's detail: less is lost nowhere, and the seam itself is looked at
 
 
-def worst_places(loss: LossPicture) -> list[tuple[float, float]]:
+def worst_places(loss: LossPicture, is_hidden: bool = False) -> list[tuple[float, float]]:
     """Column and row, px from the window's upper left, of the middles of the squares of ``SHOWN_PX`` that lost most,
-    which do not overlap, the worst first. Where nothing is lost, squares along the seam, from its middle on; empty
-    without a seam.
+    which do not overlap, the worst first. Where nothing is lost, or that is to be hidden, squares along the seam, from
+    its middle on; empty without a seam.
     """
     side = max(SHOWN_PX // loss.cell_px, 1)
     lost = ndimage.uniform_filter(1 - np.clip(np.nan_to_num(loss.kept, nan=1.0), 0, 1), side, mode="constant")
-    if lost.max(initial=0) < _EVEN:
+    if is_hidden or lost.max(initial=0) < _EVEN:
         return _along(loss.seam * SAMPLE_PX + SAMPLE_PX / 2)
     found: list[tuple[float, float]] = []
     least = _WORTH_A_LOOK * lost.max()

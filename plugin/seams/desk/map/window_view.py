@@ -1,6 +1,7 @@
 """A window on the map: it is gone to, and whether the operator sees it."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
@@ -20,8 +21,11 @@ _LEAST_SHOWN = 0.5  # of the window, or of the map where the window is larger
 class WindowView:
     """In the mosaic's reference system, in whose pixels windows are seen."""
 
-    def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
-        self._canvas, self._session = canvas, session
+    def __init__(
+        self, canvas: QgsMapCanvas, session: Session, is_blind: Callable[[], bool] = lambda: False
+    ) -> None:
+        """``is_blind``: whether it is hidden where detail was lost."""
+        self._canvas, self._session, self._is_blind = canvas, session, is_blind
         self._looked = 0, 0  # the window that was gone to last, and which of its places
 
     def show(self, fid: int, place: int = 0) -> None:
@@ -72,7 +76,7 @@ class WindowView:
         if result is None or result.window is None or result.loss is None:
             return []
         left, _, _, top = grid.window_extent(result.window)
-        places = worst_places(result.loss)
+        places = worst_places(result.loss, self._is_blind())
         return [(left + column * grid.pixel_width, top - row * grid.pixel_height) for column, row in places]
 
     def follow(self) -> None:
