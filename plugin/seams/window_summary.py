@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..toolkit.translation import filled, percent, shown_number, tr
+from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
 from .measure.causes import ALONG_THE_SEAM, Cause, causes_taken
 from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
@@ -37,7 +37,7 @@ def judged_words(row: WindowRecord) -> list[str]:
 
 def shown_area(area_m2: float) -> str:
     """Square metres, with tenths where they are few."""
-    return filled(tr("{area} m²"), area=shown_number(area_m2, 0 if area_m2 >= _FEW_M2 else 1))
+    return filled(tr("{area} m²"), area=grouped_number(area_m2, 0 if area_m2 >= _FEW_M2 else 1))
 
 
 def _kept_words(row: WindowRecord) -> list[str]:

@@ -373,8 +373,10 @@ class DockBody(QWidget):
         if panel is not None:
             self._judging.insertWidget(0, panel, 1)
             panel.show()
+        at_bottom = Qt.AlignmentFlag.AlignBottom if is_folded and panel is None else Qt.AlignmentFlag(0)
         self._judge.set_large(is_folded, self._is_high)
         self._place_judge()
+        self._judging.setAlignment(self._judge, at_bottom)
 
     def _place_judge(self) -> None:
         direction = QBoxLayout.Direction

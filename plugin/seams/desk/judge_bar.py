@@ -316,8 +316,8 @@ class JudgeBar(QWidget):
         for button in self._steps:
             is_other = button.defaultAction() is (self.operators.agreement if self._judging.is_first else self._second)
             button.setVisible(is_over and not is_other)
-        for place, button in enumerate(button for button in self._steps if not button.isHidden()):
-            self._next_steps.addWidget(button, *divmod(place, 2 if self._is_large else 3))
+        for number, button in enumerate(button for button in self._steps if not button.isHidden()):
+            self._next_steps.addWidget(button, *divmod(number, 2 if self._is_large else 3))
         for button in (self._visible, self._invisible, self._unsure, self._next):
             button.setVisible(not (is_over and self._is_large))  # they make room for what comes next
         self._chip.setVisible(shows_chip)

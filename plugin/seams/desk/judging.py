@@ -221,8 +221,11 @@ class Judging(QObject):
         return not any(_kind(row, one) == _LEFT for row in self._session.windows() for one in OPERATORS)
 
     def begin_second(self, *_: object) -> None:
-        """The second operator's turn, who is told nothing."""
+        """The second operator's turn, who is told nothing, from the first window on."""
         self.change(operator=2, is_blind=True)
+        self._session.select([])
+        self.follow()
+        self._last_place = -1
         self.go_on()
 
     @property
