@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..toolkit.translation import filled, percent, shown_number, tr
+from ..toolkit.translation import filled, grouped_number, percent, shown_number, tr
 from .measure.causes import ALONG_THE_SEAM, Cause, causes_taken
 from .measure.limits import MAX_SIGNIFICANT_SHARPNESS_SQUARED, SHARPNESS_TOLERANCE
 from .measure.profile.seam_profile import WIDEST_FEATHER_PX, Measure
@@ -37,7 +37,7 @@ def judged_words(row: WindowRecord) -> list[str]:
 
 def shown_area(area_m2: float) -> str:
     """Square metres, with tenths where they are few."""
-    return filled(tr("{area} m²"), area=shown_number(area_m2, 0 if area_m2 >= _FEW_M2 else 1))
+    return filled(tr("{area} m²"), area=grouped_number(area_m2, 0 if area_m2 >= _FEW_M2 else 1))
 
 
 def _kept_words(row: WindowRecord) -> list[str]:
@@ -143,7 +143,7 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
             "images {apart} px apart are feathered"
         )
         if causes[0] == Cause.MISREGISTRATION:
-            text += tr(", and their misfit took most of what is lost there")
+            text += tr(", and the misfit took most")
     elif Cause.FEATHERING in causes:
         text = tr("images are feathered over {width} m") if width else tr("images are feathered")
     else:
@@ -290,7 +290,7 @@ def _by_the_seam(row: WindowRecord, found: Explanation | None) -> list[str]:
     if row.verdict not in LOSSES:
         return [_what_is_left(row, happened.along_the_seam)]
     is_along, sharpness = is_lost_along_the_seam(row), 1.0 if row.sharpness is None else row.sharpness
-    is_whole = not is_along or sharpness < 1 - SHARPNESS_TOLERANCE
+    is_whole = not is_along or (sharpness < 1 - SHARPNESS_TOLERANCE if found is None else found.ground_left < 1)
     area = "" if row.loss is None else f" ({shown_area(row.loss)})"
     if is_along:
         where = tr("beside the seam")

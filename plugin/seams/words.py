@@ -174,7 +174,7 @@ CAUSES: dict[str, ShownCause] = {
         (QT_TR_NOOP("images lie {value} px apart where they meet"),),
         lambda found: found.misfit,
         _tenths,
-        to_do=QT_TR_NOOP("Register the two images before you blend them."),
+        to_do=QT_TR_NOOP("Register the images before blending."),
     ),
     Cause.MISSING_SOURCE.value: ShownCause(
         QT_TR_NOOP("missing source"),

@@ -34,6 +34,13 @@ def shown_number(value: float, decimals: int = 2) -> str:
     return QLocale().toString(float(value), "f", decimals)
 
 
+def grouped_number(value: float, decimals: int = 0) -> str:
+    """The same with its thousands apart, whatever QGIS is set to, as labels on the map have them."""
+    locale = QLocale()
+    locale.setNumberOptions(QLocale.NumberOption.DefaultNumberOptions)
+    return locale.toString(float(value), "f", decimals)
+
+
 def shown_metres(length: float) -> str:
     """Metres as the user writes them: tenths, or hundredths where tenths would be another length."""
     return shown_number(length, 1 if abs(length - round(length, 1)) < 0.005 else 2)

@@ -29,3 +29,32 @@ def test_windows_are_judged_by_one_key_each(data_folder: Path, tmp_path: Path, s
     assert "'sharp'" in report["wrong_filter"]
     assert report["csv_lines"] == report["placed"] + 1
     assert report["reopened"]
+
+
+def test_judging_has_the_screen_and_gives_it_back(small_block: Path, tmp_path: Path, screenshots: Path) -> None:
+    """On a low screen the image has more than half of it; all windows by keys; then all is as it was."""
+    parameters = {"block": str(small_block), "side_m": 51.2, "screenshots": str(screenshots), "name": "layout"}
+    run = play(SCENARIOS / "judging_layout.py", tmp_path, parameters, seconds=400, screen="1366x768")
+    say("Judging alone on the screen", run.seconds, run.report)
+    check(run)
+    report = run.report
+    assert report["share"] >= 0.5
+    assert report["focus"]
+    assert report["focus_after_tab"]
+    assert report["judge_whole"]
+    assert report["profile"]
+    assert "seamlines" not in report["on_map"]
+    assert "Windows" not in report["on_map"]
+    assert report["ticks"] > 0
+    assert report["places"] > 1
+    assert report["hard_cut"] == [True, False, True, False, False]
+    assert report["cut"] == []
+    assert report["judged"] > 3
+    assert report["left"] == 0
+    assert report["summary"].startswith("All windows are judged: ")
+    assert report["steps"] == ["Second operator", "Report", "Accept"]
+    assert report["shown"][0] == report["shown"][1]
+    before, after = report["widths"]
+    assert before.keys() == after.keys()
+    assert all(abs(before[name] - after[name]) <= 2 for name in before)
+    assert report["left_by_project"]

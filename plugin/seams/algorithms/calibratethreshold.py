@@ -8,7 +8,7 @@ from qgis.core import QgsProcessing, QgsProcessingParameterFeatureSink, QgsProce
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ...imagery.errors import SettingsError
-from ...imagery.statistics import UNSURE
+from ...imagery.statistics import UNSURE, VISIBLE
 from ...toolkit.algorithms import parameters as common
 from ...toolkit.algorithms.base import SeamInspectorAlgorithm
 from ...toolkit.algorithms.run import Run
@@ -171,24 +171,13 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     @staticmethod
     def _measured(measure: str, values: _Values, run: Run) -> Verdicts:
         """The windows where the measure has a value, by the observer's word, and their neighbourhoods."""
-        from ..measure.neighbourhoods import find_neighbourhoods
-        from ..measure.threshold_calibration import Verdicts
+        from ..measure.threshold_calibration import verdicts_of
 
         known = [(window, value) for window, value in values if value is not None]
         if len(known) < len(values):
             run.tell(messages.VERDICTS_WITHOUT_VALUE(measure=measure, count=len(values) - len(known)))
-        places = find_neighbourhoods(
-            [window.extent for window, _ in known], [window.observer == "visible" for window, _ in known]
-        )
-        rows = [(window.observer == "visible", value, place) for (window, value), place in zip(known, places)]
-        return Verdicts(
-            measure,
-            visible=tuple(value for is_visible, value, _ in rows if is_visible),
-            invisible=tuple(value for is_visible, value, _ in rows if not is_visible),
-            visible_places=tuple(place for is_visible, _, place in rows if is_visible),
-            invisible_places=tuple(place for is_visible, _, place in rows if not is_visible),
-            is_loss=measure == _VISIBILITY,
-        )
+        placed = [(window.extent, window.observer == VISIBLE, value) for window, value in known]
+        return verdicts_of(measure, placed, is_loss=measure == _VISIBILITY)
 
 
 def _save_chart(path: Path, found: list[ThresholdCalibration]) -> None:

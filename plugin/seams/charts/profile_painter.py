@@ -10,6 +10,7 @@ from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.translation import filled, percent, shown_number, tr
+from ..measure.profile.seam_profile import Measure
 from .chart_painter import ChartPainter
 
 if TYPE_CHECKING:
@@ -38,6 +39,8 @@ class ShownProfile:
     """Share at or below which a loss is significant."""
     levels: frozenset[int] = frozenset({1})
     """Which are drawn; the finest of them with its interval."""
+    ground_left: float = 1.0
+    """What the ground around has of the sources' finest detail."""
 
     def bins(self, level: int) -> list[ProfileBin]:
         """Of one level, from the seam outwards."""
@@ -94,7 +97,14 @@ def summary_words(shown: ShownProfile) -> list[str]:
         "feather": shown_number((profile.feather_width_px or 0) * shown.pixel_m, 1),
     }  # fmt: skip
     words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
-    if profile.band_width_px:
+    if shown.ground_left < 1 and profile.measure is Measure.ENERGY:
+        values["left"] = percent(shown.ground_left)
+        words = [
+            tr("Beside the seam {kept} % kept ({low} to {high} %) of the ground around, which has {left} % of the "
+               "orthoimages' detail"),
+            tr("{kept} % kept of the ground, which has {left} %"),
+        ]
+    elif profile.band_width_px:
         words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m"))
         if profile.feather_width_px:
             words.insert(

@@ -15,7 +15,7 @@ from ...toolkit.desk.keyboard import FocusFilter, is_keyboard_free
 from .keys import KEYS
 from .windows.undo_actions import UndoActions
 
-_EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress)
+_EVENTS = (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress, QEvent.Type.KeyRelease)
 _OURS = (QgsMapCanvas, QgsLayerTreeView, QToolBar)  # beside the desk and the main window itself
 _MODIFIERS = {"Ctrl": Qt.KeyboardModifier.ControlModifier, "Shift": Qt.KeyboardModifier.ShiftModifier}
 
@@ -38,14 +38,19 @@ class DeskKeys(QObject):
         self._desk, self._main_window, self._canvas, self._tool, self._steps = desk, main_window, canvas, tool, steps
         self._meant = {_pressed(key): (name, key) for line in KEYS for name, keys in line.keys.items() for key in keys}
         self._repeating = {name for line in KEYS if line.is_repeating for name in line.keys}
+        self._of_map = {name for line in KEYS if line.is_map for name in line.keys}
         self._actions: Mapping[str, Callable[[], bool]] = {}
+        self._released: Mapping[str, Callable[[], None]] = {}
+        self._held: set[str] = set()
         self._keyboard = FocusFilter(self)
         desk.installEventFilter(self)
 
-    def set_actions(self, actions: Mapping[str, Callable[[], bool]]) -> None:
+    def set_actions(
+        self, actions: Mapping[str, Callable[[], bool]], released: Mapping[str, Callable[[], None]] | None = None
+    ) -> None:
         """What single keys do, by their names; one that has nothing to do says so by False, and the key is somebody
-        else's then."""
-        self._actions = actions
+        else's then. ``released``: what letting go of one does."""
+        self._actions, self._released = actions, released or {}
 
     def listen(self, listening: bool) -> None:
         """While the desk is in sight."""
@@ -65,6 +70,8 @@ class DeskKeys(QObject):
         if event.type() not in _EVENTS or not is_keyboard_free():
             return False
         name, key = self._meant.get((event.key(), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier), ("", ""))
+        if event.type() == QEvent.Type.KeyRelease:
+            return self._let_go(name, event.isAutoRepeat())
         act = self._action(name, key) if name else None
         if act is None:
             return False
@@ -73,7 +80,19 @@ class DeskKeys(QObject):
             return True
         if event.isAutoRepeat() and name not in self._repeating:
             return True
-        return act() is not False
+        is_done = act() is not False
+        if is_done and name in self._released:
+            self._held.add(name)
+        return is_done
+
+    def _let_go(self, name: str, is_repeated: bool) -> bool:
+        """Whether it is of a key that was pressed here."""
+        if name not in self._held:
+            return False
+        if not is_repeated:
+            self._held.discard(name)
+            self._released[name]()
+        return True
 
     def _action(self, name: str, key: str) -> Callable[[], object] | None:
         """What a key does here; None where it is somebody else's."""
@@ -88,8 +107,8 @@ class DeskKeys(QObject):
             return action.trigger if action is not None else None
         if window not in (self._main_window, self._desk.window()) or self._is_editing():
             return None
-        is_free = focus in (None, self._main_window, self._desk) or any(
-            widget is self._desk or isinstance(widget, _OURS) for widget in around
+        is_free = focus in (None, self._main_window, self._desk, self._canvas) or (
+            name not in self._of_map and any(widget is self._desk or isinstance(widget, _OURS) for widget in around)
         )
         return self._actions.get(name) if is_free else None
 

@@ -40,12 +40,14 @@ from .desk_keys import DeskKeys
 from .inputs.inputs_panel import InputsPanel
 from .judge_bar import JudgeBar
 from .judging_desk import JudgingDesk
+from .judging_layout import JudgingLayout
 from .map.lost_detail import LostDetail
 from .map.window_tool import WindowTool
 from .map.window_view import WindowView
 from .mosaic_scans import MosaicScans, ScanMessage, show_layer, uncover
 from .report_writer import ReportWriter
 from .session import Session
+from .swipe.flicker import Flicker
 from .swipe.swipe_action import SwipeAction
 from .windows.undo_actions import UndoActions
 from .windows.windows_panel import WindowsPanel
@@ -67,7 +69,7 @@ class InspectionDock(ToolDock):
         )
         self.inputs = InputsPanel(self.session)
         self.windows = WindowsPanel(self.session)
-        self._view = WindowView(self._canvas, self.session)
+        self._view = WindowView(self._canvas, self.session, lambda: self.judging.model.is_blind)
         self.zoom_to = self._view.show
         self.session.selectionChanged.connect(self._view.follow)
         self.judging = JudgingDesk(self.session, self.windows, self, self._view.is_seen)
@@ -85,14 +87,23 @@ class InspectionDock(ToolDock):
         self.scans.changed.connect(self._follow_scan)
         self.swiping = SwipeAction(self._canvas, self.session, self)
         self.swiping.told.connect(self._show_message)
+        self.flicker = Flicker(self._canvas, self.session, self)
+        self.flicker.told.connect(self._show_message)
+        self.layout_of_judging = JudgingLayout(iface, self, self.session, self._fold)
+        self.layout_of_judging.action.toggled.connect(self._begin_judging)
         self._findings = ScanMessage(iface.messageBar(), self.judge_worst, self)
         self.scans.found.connect(lambda done: self._findings.show(done, self.scans.notes))
         self._worst_inspector = single_shot(self, self._inspect_worst)  # apart, as adding fields takes some 30 ms
         self.steps = UndoActions(self.session, iface.mainWindow(), self)
         self._keys = DeskKeys(self, iface.mainWindow(), self._canvas, self.tool, self.steps)
-        self._keys.set_actions(self.judging.key_actions())
+        self._keys.set_actions(
+            {**self.judging.key_actions(), "layout": self._switch_layout, "flicker": self.flicker.press,
+             "next place": self._view.show_next_place},
+            {"flicker": self.flicker.release},
+        )
         self._make_actions()
         self._lay_out()
+        self.judge.offer_next([self.report, self.accept])
         self._found = FoundMessage(iface.messageBar(), self.session.open_windows, self)
         self.session.windowsFound.connect(self._found.show)
         MosaicQuestion(self.session, self)
@@ -114,8 +125,9 @@ class InspectionDock(ToolDock):
         self._worst_inspector.stop()
         self.session.selectionChanged.disconnect(self._view.follow)
         for part in (
-            self._keys, self.steps, self.reports, self.swiping, self._findings, self._found, self.scans, self.judging,
-            self.lost, self._selected, self.session, self.inputs, self.windows, *self.panels.values(),
+            self.layout_of_judging, self._keys, self.steps, self.reports, self.swiping, self.flicker, self._findings,
+            self._found, self.scans, self.judging, self.lost, self._selected, self.session, self.inputs, self.windows,
+            *self.panels.values(),
         ):  # fmt: skip
             part.close()
 
@@ -179,10 +191,12 @@ class InspectionDock(ToolDock):
 
     def _lay_out(self) -> None:
         steps = (self.steps.undo, self.steps.redo)
-        actions = [self.draw, self.place, self.inspect, self.scan, self.inspect_selected, self.swiping.action]
-        toolbar = FittingToolBar([*actions, *steps, self.report], worded=[self.inspect, self.place])
-        for action in (self.scan, self.swiping.action):
+        judge = self.layout_of_judging.action
+        actions = [self.draw, self.inspect, self.scan, judge, self.place, self.swiping.action, *steps, self.report]
+        toolbar = FittingToolBar(actions, worded=[judge, self.inspect, self.scan, self.draw, self.place])
+        for action in (self.inspect, self.scan, self.swiping.action):
             toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
+        toolbar.widgetForAction(self.inspect).addAction(self.inspect_selected)
         toolbar.widgetForAction(self.scan).addActions([self.worst, self.accept])
         self._tab_widget = tabs = QTabWidget()
         for tab in self._tabs:
@@ -204,12 +218,34 @@ class InspectionDock(ToolDock):
         self._body = DockBody(self.inputs, toolbar, self.windows, tabs, self.judge, self._progress_row())
         self.setWidget(self._body)
 
+    def _switch_layout(self) -> bool:
+        """By its key."""
+        self.layout_of_judging.action.trigger()
+        return True
+
+    def _fold(self, is_folded: bool) -> None:
+        """Leave what judging takes: what was found, the profile with it unless that is hidden, and the buttons."""
+        curves, is_blind = self.panels.get("curves"), self.judging.model.is_blind
+        if curves is not None:
+            curves.lend_profile(is_folded and not is_blind)
+        self._body.fold(is_folded, curves.profile if curves is not None and is_folded and not is_blind else None)
+
+    def _begin_judging(self, is_on: bool) -> None:
+        """With the window that is selected, or the first to judge."""
+        selected = self.session.selected()
+        if is_on and len(selected) == 1:
+            self.zoom_to(selected[0])
+        elif is_on:
+            self.judging.model.go_on()
+
     def _hide_tabs(self) -> None:
         """While the tool's verdict is hidden, so are the tabs that tell it, and lost detail."""
         is_blind = self.judging.model.is_blind
         for place, tab in enumerate(self._tabs):
             self._tab_widget.setTabVisible(place, not (tab.tells_verdict and is_blind))
         allow(self.lost.action, tr("What was found is hidden while you judge blind.") if is_blind else "")
+        if self.layout_of_judging.is_on:
+            self._fold(True)
 
     def _progress_row(self) -> QWidget:
         """How far windows and scan are, and the button that stops them; in sight while there is something to stop."""
@@ -250,11 +286,13 @@ class InspectionDock(ToolDock):
         allow(self.inspect, unset or no_windows)
         allow(self.inspect_selected, unset or no_windows)
         allow(self.scan, self.scans.why_not())
+        uninspected = no_windows or tr("No window has been inspected yet.")
+        judge = self.layout_of_judging.action
+        allow(judge, "" if judge.isChecked() or any(row.is_compared for row in windows) else unset or uninspected)
         unscanned = "" if self.scans.worst_layer() else tr("No scan has found such places yet: scan the mosaic first.")
         allow(self.worst, unset or unscanned)
         self._offer_stop(self.session.can_stop)
-        judged = any(row.verdict for row in windows)
-        allow(self.report, "" if judged else no_windows or tr("No window has been inspected yet."))
+        allow(self.report, "" if any(row.verdict for row in windows) else uninspected)
 
     def _repaint_windows(self) -> None:
         """Verdicts are the map's colours too, and QGIS does not redraw for attributes."""
@@ -321,14 +359,38 @@ class DockBody(QWidget):
         self._whole.setContentsMargins(4, 2, 4, 4)
         self._whole.setSpacing(3)
         self._whole.addWidget(self.scrolled, 1)
-        self._whole.addWidget(judge)
+        self._judging = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        self._whole.addLayout(self._judging)
         self._whole.addWidget(progress)
+        self._is_wide = self._is_high = self._is_folded = False
+        self._place_judge()
+
+    def fold(self, is_folded: bool, panel: QWidget | None) -> None:
+        """Leave judgement alone, below a panel or in a wide dock beside it; or show all of the desk."""
+        self._is_folded = is_folded
+        self.scrolled.setVisible(not is_folded)
+        self._whole.setStretchFactor(self._judging, int(is_folded))
+        if panel is not None:
+            self._judging.insertWidget(0, panel, 1)
+            panel.show()
+        at_bottom = Qt.AlignmentFlag.AlignBottom if is_folded and panel is None else Qt.AlignmentFlag(0)
+        self._judge.set_large(is_folded, self._is_high)
+        self._place_judge()
+        self._judging.setAlignment(self._judge, at_bottom)
+
+    def _place_judge(self) -> None:
+        direction = QBoxLayout.Direction
+        self._judging.setDirection(direction.LeftToRight if self._is_wide else direction.TopToBottom)
+        if self._is_wide and not self._is_folded:
+            self._side.addWidget(self._judge)
+        else:
+            self._judging.addWidget(self._judge)
 
     def arrange(self, is_wide: bool) -> None:
         """A wide dock is mostly a low one: the tabs have its whole height, beside windows and judgement."""
-        is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
-        self._windows.table.set_fewest_rows(_FEWEST_ROWS if is_high else 0)
-        self._judge.set_high(is_high)
+        self._is_high = not is_wide and self.height() > _HIGH_LINES * self.fontMetrics().height()
+        self._windows.table.set_fewest_rows(_FEWEST_ROWS if self._is_high else 0)
+        self._judge.set_high(self._is_high)
         orientation = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
         if orientation == self._splitter.orientation():
             return
@@ -336,10 +398,8 @@ class DockBody(QWidget):
         self._splitter.setSizes(_SHARES)
         direction = QBoxLayout.Direction
         self._head.setDirection(direction.LeftToRight if is_wide else direction.TopToBottom)
-        if is_wide:
-            self._side.addWidget(self._judge)
-        else:
-            self._whole.insertWidget(1, self._judge)
+        self._is_wide = is_wide
+        self._place_judge()
 
 
 class MosaicQuestion(QObject):

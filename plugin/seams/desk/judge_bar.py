@@ -14,6 +14,7 @@ from qgis.PyQt.QtWidgets import (
     QAction,
     QActionGroup,
     QBoxLayout,
+    QGridLayout,
     QHBoxLayout,
     QLabel,
     QMenu,
@@ -29,6 +30,7 @@ from ...toolkit.desk.widgets import ClippedLabel, rich_tip, single_shot
 from ...toolkit.translation import filled, tr
 from ..window_summary import window_sentence
 from .judging import Judging, JudgingProgress
+from .judging_summary import OwnLimit, counts_words, limit_words, tool_words
 from .notes_row import NotesRow
 from .windows.window_columns import verdict_chip, window_tip, windows_sentence
 
@@ -36,6 +38,7 @@ if TYPE_CHECKING:
     from ..measure.window.window_result import WindowResult
     from ..measure.window_records import WindowRecord
     from .session import Session
+
 
 class OperatorButton(QToolButton):
     """Says who judges."""
@@ -79,7 +82,7 @@ class OperatorButton(QToolButton):
         number = 2 if settings.operator == 2 else 1
         self.operators[number - 1].setChecked(True)
         self.blind.setChecked(settings.is_blind)
-        self.agreement.setEnabled(not settings.is_blind)
+        self.agreement.setEnabled(not settings.is_blind or self._judging.is_done_by_both)
         words = tr("2nd") if number == 2 else tr("1st")
         self.setText(filled(tr("{operator}, blind"), operator=words) if settings.is_blind else words)
         tip = tr("Choose the operator, judge blind, and see how well both agree.")
@@ -101,7 +104,8 @@ class OperatorButton(QToolButton):
         return action
 
 
-_LINES, _HIGH_LINES = (2, 3), (3, 6)  # of the sentence, and where the dock is high
+_LINES, _HIGH_LINES, _ALL_LINES = (2, 4), (3, 6), (2, 16)  # of the sentence; in a high dock; where charts give way
+_LARGE = 2.5  # times as high as a line: a button that judges, where the bar has the dock for itself
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 
 
@@ -129,7 +133,9 @@ class JudgeBar(QWidget):
         self._why.setToolTip(rich_tip(tr("What the sentence rests on: intervals, what an eye sees, all causes with "
                                          "their figures, the paper's rule.")))
         self._why.clicked.connect(self._tell_why)
-        self.set_high(False)
+        self._is_large = self._is_high = False
+        self._limit = OwnLimit(self)
+        self._limit.found.connect(self._tell_limit)
         self._visible = self._judging_button(
             tr("Visible (V)"), "mActionShowAllLayers", VISIBLE,
             tr("The loss of detail can be seen at 2x magnification."),
@@ -154,7 +160,13 @@ class JudgeBar(QWidget):
         self.operators = OperatorButton(judging, self)
         self.operators.agreementAsked.connect(self.agreementAsked)
         self.notes = NotesRow(session, judging, self)
+        self._second = QAction(tr("Second operator"), self)
+        self._second.setToolTip(tr("Somebody else judges the same windows and is not told what was found or said."))
+        self._second.triggered.connect(judging.begin_second)
+        self._steps: list[QToolButton] = []
         self._lay_out()
+        self.set_large(False)
+        self.offer_next([self._second, self.operators.agreement])
         session.windowsChanged.connect(self.refresh)
         session.selectionChanged.connect(self.refresh)
         session.progressChanged.connect(self._follow_progress)
@@ -176,9 +188,43 @@ class JudgeBar(QWidget):
             **{f"sure {percent}": partial(judging.say_sure, percent) for percent in range(10, 101, 10)},
         }
 
+    def stop(self) -> None:
+        """Do nothing more in the background."""
+        self._limit.close()
+
+    def offer_next(self, actions: Sequence[QAction]) -> None:
+        """What more can be done once the last window is judged."""
+        for action in actions:
+            button = QToolButton(self)
+            button.setDefaultAction(action)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            button.setVisible(False)
+            self._steps.append(button)
+
+    def set_large(self, is_large: bool, is_high: bool = False) -> None:
+        """Whether the dock is the bar's alone: the buttons that judge are large then, and all of a sentence is told."""
+        self._is_large = is_large
+        buttons = (self._visible, self._invisible, self._unsure, self._next)
+        for place, button in enumerate(buttons):
+            self._judging_row.removeWidget(button)
+            self._judging_row.addWidget(button, *divmod(place, 2 if is_large else len(buttons)))
+            button.setMinimumHeight(round(_LARGE * self.fontMetrics().height()) if is_large else 0)
+        for column in range(len(buttons) + 1):
+            self._judging_row.setColumnStretch(column, int(column < 2 if is_large else column == len(buttons)))
+        self.set_high(is_high)
+        self._shown = ()
+        self.refresh()
+
     def set_high(self, is_high: bool) -> None:
         """Whether there is room for most of a long sentence."""
-        self._sentence.set_lines(*(_HIGH_LINES if is_high else _LINES))
+        self._is_high = is_high
+        self._fit_sentence()
+
+    def _fit_sentence(self, is_over: bool = False) -> None:
+        lines = _HIGH_LINES if self._is_high else _LINES
+        self._sentence.set_lines(*(_ALL_LINES if self._is_large or is_over else lines))
 
     def sentence(self) -> str:
         """What is said about the selected windows."""
@@ -262,9 +308,18 @@ class JudgeBar(QWidget):
         elif selected:
             sentence = windows_sentence(selected)
         elif progress.is_done:
-            sentence = tr("No window is left to judge. Select one to judge it again.")
+            sentence = self._summary()
         else:
             sentence = tr("Select a window to judge it.") if progress.count else ""
+        is_over = progress.is_done and not selected
+        self._fit_sentence(is_over)
+        for button in self._steps:
+            is_other = button.defaultAction() is (self.operators.agreement if self._judging.is_first else self._second)
+            button.setVisible(is_over and not is_other)
+        for number, button in enumerate(button for button in self._steps if not button.isHidden()):
+            self._next_steps.addWidget(button, *divmod(number, 2 if self._is_large else 3))
+        for button in (self._visible, self._invisible, self._unsure, self._next):
+            button.setVisible(not (is_over and self._is_large))  # they make room for what comes next
         self._chip.setVisible(shows_chip)
         self._why.setVisible(bool(tip))
         self._sentence.setText(sentence, tip)
@@ -274,6 +329,21 @@ class JudgeBar(QWidget):
         self._position.setText(filled(position, place=place, count=count) if count else "")
         widest = filled(position, place=count, count=count)
         self._position.setMinimumWidth(self.fontMetrics().horizontalAdvance(widest))  # the arrows stay where they are
+
+    def _summary(self) -> str:
+        """What all verdicts come to."""
+        windows, operator = self._session.windows(), self._judging.operator
+        said = [counts_words(windows, operator)]
+        if not self._judging.is_blind:
+            self._limit.ask(windows, operator)
+            said.append(tool_words(windows, operator))
+            if self._limit.calibration is not None:
+                said.append(limit_words(self._limit.calibration, self._session.inputs.min_kept))
+        return " ".join(filter(None, said))
+
+    def _tell_limit(self) -> None:
+        self._shown = ()
+        self.refresh()
 
     # Widgets
 
@@ -309,11 +379,13 @@ class JudgeBar(QWidget):
         self._moving.invalidate()
         if self.width() < self._moving.minimumSize().width():
             self._tell_progress(self._just_sure() or self._progress_now.brief())
+            self._moving.invalidate()
         row = self._judging_row.sizeHint().width() + self._moving.sizeHint().width() + self._buttons.spacing()
         sentence = _SENTENCE_CHARACTERS * self.fontMetrics().averageCharWidth()
         beside, below = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
-        self._rows.setDirection(beside if self.width() >= row + sentence else below)
-        self._buttons.setDirection(beside if self.width() >= row else below)
+        has_room = not self._is_large or self.width() >= 2 * row  # large buttons have the width
+        self._rows.setDirection(beside if has_room and self.width() >= row + sentence else below)
+        self._buttons.setDirection(beside if has_room and self.width() >= row else below)
 
     def _tell_progress(self, words: str) -> None:
         self._progress.setText(words)
@@ -331,10 +403,7 @@ class JudgeBar(QWidget):
         words.addWidget(self._chip)
         words.addWidget(self._sentence, 1)
         words.addWidget(self._why)
-        self._judging_row, self._moving = QHBoxLayout(), QHBoxLayout()
-        for button in (self._visible, self._invisible, self._unsure, self._next):
-            self._judging_row.addWidget(button)
-        self._judging_row.addStretch(1)
+        self._judging_row, self._moving, self._next_steps = QGridLayout(), QHBoxLayout(), QGridLayout()
         self._moving.addWidget(self._progress, 1)
         for widget in (*self.notes.buttons, self.operators, self._back, self._position, self._forth):
             self._moving.addWidget(widget)
@@ -345,6 +414,7 @@ class JudgeBar(QWidget):
         for before, after in zip(standing, standing[1:]):  # the remark comes after them
             QWidget.setTabOrder(before, after)
         below = QBoxLayout(QBoxLayout.Direction.TopToBottom)
+        below.addLayout(self._next_steps)
         below.addLayout(self._buttons)
         below.addWidget(self.notes)
         self._rows = QBoxLayout(QBoxLayout.Direction.TopToBottom, self)

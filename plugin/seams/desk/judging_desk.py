@@ -64,6 +64,7 @@ class JudgingDesk(QObject):
         """Leave nothing behind."""
         self._show_on_map()
         self.model.close()
+        self.bar.stop()
         self.bar.close()
 
     def key_actions(self) -> dict[str, Callable[[], bool]]:
@@ -73,7 +74,7 @@ class JudgingDesk(QObject):
     def show_agreement(self) -> None:
         """How well both operators agree, and where they do not when that is wanted."""
         if ask_for_disagreements(agreement_of(self._session.windows()), self._dock):
-            self.model.change(order="operators")
+            self.model.change(order="operators", is_blind=False)
             self._windows.set_filter("", "operators_differ")
 
     def _follow(self) -> None:
@@ -250,7 +251,7 @@ def ask_for_disagreements(found: Agreement, parent: QWidget) -> bool:
 
 def toggle_seamlines(session: Session) -> bool:
     """Take the seamlines and what a scan found off the map, or put them on it again; False where there are none."""
-    nodes = list(_covering(session))
+    nodes = list(covering(session))
     is_shown = any(node.isVisible() for node in nodes)
     for node in nodes:
         if is_shown:
@@ -260,7 +261,7 @@ def toggle_seamlines(session: Session) -> bool:
     return bool(nodes)
 
 
-def _covering(session: Session) -> Iterator[QgsLayerTreeNode]:
+def covering(session: Session) -> Iterator[QgsLayerTreeNode]:
     """The seamlines, and the group that the last scan of the mosaic left."""
     project = QgsProject.instance()
     root = project.layerTreeRoot()

@@ -19,6 +19,8 @@ class KeyLine(NamedTuple):
     """By what they do, as ``DeskKeys`` and the actions call it; empty where a widget of Qt's or QGIS's has them."""
     is_repeating: bool = False
     """Whether they go on while they are held."""
+    is_map: bool = False
+    """Whether they are somebody else's but where the map, or nothing that takes keys, has the focus."""
 
 
 KEYS = (
@@ -31,6 +33,11 @@ KEYS = (
     KeyLine("S", "everywhere", "takes seamlines and a scan's layers off the map, and puts them back",
             {"seamlines": ("S",)}),
     KeyLine("L", "everywhere", "shows or hides where detail was lost", {"lost detail": ("L",)}),
+    KeyLine("J", "everywhere", "judging: the map and what judging takes alone; again: all of the desk",
+            {"layout": ("J",)}),
+    KeyLine("Space", "map", "held: the hard cut in place of the mosaic; tapped: until the next tap",
+            {"flicker": ("Space",)}, is_map=True),
+    KeyLine("Tab", "map", "the next of the window's places that lost most", {"next place": ("Tab",)}, True, True),
     KeyLine("Ctrl+Z; Ctrl+Shift+Z, Ctrl+Y", "everywhere", "undo; redo",
             {"undo": ("Ctrl+Z",), "redo": ("Ctrl+Shift+Z", "Ctrl+Y")}, True),
     KeyLine("Space", "images, mouse over a picture", "held: the composite or the chosen source in place of the mosaic"),

@@ -20,6 +20,7 @@ from .following.boxes import enlarged, near_border
 from .following.followed_source import FollowedSource
 from .following.hard_cut import Composite, HardCut, cut_hard, follows_at
 from .following.levelling import left_by_curve, left_over
+from .limits import SHARPNESS_TOLERANCE
 from .profile.cell_table import CELL_PX, CellTable
 from .profile.seam_profile import SeamProfile
 from .profile.window_detail import LossPicture, loss_picture
@@ -90,6 +91,13 @@ class Explanation:
         """How far the two images that the mosaic follows most lie from each other as they are placed in it, px; None
         where there are none, or nothing in common shows it."""
         return None if self.evidence.misfit is None else self.evidence.misfit.px
+
+    @property
+    def ground_left(self) -> float:
+        """Share of the sources' finest detail that is left in the ground which the seam is compared with; 1 where it
+        is as sharp as they are."""
+        left = 1 - self.evidence.off_seam_lost
+        return left if left < (1 - SHARPNESS_TOLERANCE) ** 2 else 1.0
 
 
 def explain(

@@ -4,8 +4,44 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from scipy import ndimage
+
+from .profile.window_detail import SAMPLE_PX, LossPicture
 
 _BLOCK = 16  # px: the part is found to this precision
+SHOWN_PX = 160  # a side of the part of a window that is shown at 2x
+_MOST_PLACES = 6  # of a window
+_WORTH_A_LOOK = 0.25  # of what the worst place lost
+_EVEN = 0.02  # of a place's detail: less is lost nowhere, and the seam itself is looked at
+
+
+def worst_places(loss: LossPicture, is_hidden: bool = False) -> list[tuple[float, float]]:
+    """Column and row, px from the window's upper left, of the middles of the squares of ``SHOWN_PX`` that lost most,
+    which do not overlap, the worst first. Where nothing is lost, or that is to be hidden, squares along the seam, from
+    its middle on; empty without a seam.
+    """
+    side = max(SHOWN_PX // loss.cell_px, 1)
+    lost = ndimage.uniform_filter(1 - np.clip(np.nan_to_num(loss.kept, nan=1.0), 0, 1), side, mode="constant")
+    if is_hidden or lost.max(initial=0) < _EVEN:
+        return _along(loss.seam * SAMPLE_PX + SAMPLE_PX / 2)
+    found: list[tuple[float, float]] = []
+    least = _WORTH_A_LOOK * lost.max()
+    while len(found) < _MOST_PLACES and lost.max() >= least:
+        row, column = (int(place) for place in np.unravel_index(lost.argmax(), lost.shape))
+        found.append(((column + 0.5) * loss.cell_px, (row + 0.5) * loss.cell_px))
+        lost[max(row - side + 1, 0) : row + side, max(column - side + 1, 0) : column + side] = 0
+    return found
+
+
+def _along(seam: np.ndarray) -> list[tuple[float, float]]:
+    """Of points (row, column) of a seam, so many that no two lie within ``SHOWN_PX`` of each other."""
+    found: list[tuple[float, float]] = []
+    left = seam[np.argsort(np.hypot(*(seam - seam.mean(axis=0)).T))] if len(seam) else seam
+    while len(left) and len(found) < _MOST_PLACES:
+        row, column = left[0]
+        found.append((float(column), float(row)))
+        left = left[np.abs(left - left[0]).max(axis=1) >= SHOWN_PX]
+    return found
 
 
 def greatest_loss(mosaic: np.ndarray, sources: Sequence[np.ndarray], side: int) -> tuple[int, int]:

@@ -9,16 +9,17 @@ need research on statistically significant samples.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...imagery import limits as imagery_limits
 from ...imagery.errors import Message
+from ...imagery.grids import Extent
 from ...imagery.statistics import Interval
 from . import limits, messages
-from .neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods
+from .neighbourhoods import MIN_NEIGHBOURHOODS, Neighbourhoods, find_neighbourhoods
 from .verdict_statistics import MIN_VERDICTS, roc_area, smoothed_threshold, wanted_verdicts
 
 STANDARD_LIMITS = {
@@ -54,6 +55,22 @@ class Verdicts:
         if self.visible_places or self.invisible_places:
             return Neighbourhoods(self.visible_places, self.invisible_places)
         return Neighbourhoods.of_single_windows(len(self.visible), len(self.invisible))
+
+
+def verdicts_of(
+    measure: str, values: Sequence[tuple[Extent | None, bool, float]], is_loss: bool = False
+) -> Verdicts:
+    """Of judged windows: where each lies, whether a loss was seen there, and the measure's value."""
+    places = find_neighbourhoods([extent for extent, _, _ in values], [seen for _, seen, _ in values])
+    rows = [(seen, value, place) for (_, seen, value), place in zip(values, places)]
+    return Verdicts(
+        measure,
+        visible=tuple(value for seen, value, _ in rows if seen),
+        invisible=tuple(value for seen, value, _ in rows if not seen),
+        visible_places=tuple(place for seen, _, place in rows if seen),
+        invisible_places=tuple(place for seen, _, place in rows if not seen),
+        is_loss=is_loss,
+    )
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from ...imagery.grids import Extent, PixelWindow, snap_window
 from ...imagery.raster_pool import one_by_one, open_raster, reading_threads
 from ...toolkit.pages.picture_files import encoded
 from ..clip_pictures import stretched
-from ..measure.greatest_loss import greatest_loss
+from ..measure.greatest_loss import SHOWN_PX, greatest_loss
 from ..measure.inspection import Block, InspectionSettings, window_request
 from ..measure.profile.window_detail import LossPicture
 from ..measure.source_images import Source
@@ -23,7 +23,7 @@ from ..measure.window.explained_window import window_lost
 from ..measure.window.measured_window import MeasuredWindow, measure_window
 from ..words import LOSS_OPACITY, loss_rgba
 
-REPORT_CLIP_PX = 160  # a side of the part that is shown at 2x: two of them fit beside each other on A4
+REPORT_CLIP_PX = SHOWN_PX  # two of them fit beside each other on A4
 MIN_REPORT_CLIP_PX = 64  # smaller ones show too little
 MAX_REPORT_SOURCES = 2  # shown of a window, the least sharp ones; with chart and mosaic they fill a page
 MAX_SEARCHED_SIDE_PX = 512  # of a window, around its centre (on the seam), where the part that lost most is looked for

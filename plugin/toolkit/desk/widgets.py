@@ -165,7 +165,8 @@ _STYLES = Qt.ToolButtonStyle
 
 
 class FittingToolBar(QToolBar):
-    """Of the ``worded`` actions the last ones lose their words first; the others are icons throughout."""
+    """Of the ``worded`` actions the last ones lose their icons first, and then their words, for an icon; the others
+    are icons throughout."""
 
     def __init__(self, actions: Sequence[QAction], worded: Sequence[QAction], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -196,10 +197,11 @@ class FittingToolBar(QToolBar):
         for button in self._worded:
             button.setToolButtonStyle(_STYLES.ToolButtonTextBesideIcon)
         self._whole = super().sizeHint().width()
-        for button in reversed(self._worded):
-            if super().sizeHint().width() <= self.width():
-                break
-            button.setToolButtonStyle(_STYLES.ToolButtonIconOnly)
+        for style in (_STYLES.ToolButtonTextOnly, _STYLES.ToolButtonIconOnly):
+            for button in reversed(self._worded):
+                if super().sizeHint().width() <= self.width():
+                    return
+                button.setToolButtonStyle(style)
 
 
 _FEWEST_LINES = 12  # of the font, that a dock can be made as low as

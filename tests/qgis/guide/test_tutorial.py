@@ -40,5 +40,5 @@ def test_the_first_window_of_the_readme_is_that_of_the_report(repository: Path, 
     (quoted,) = _QUOTED.findall(readme)
     sentence = " ".join(quoted.replace("> ", "").split())
     page = " ".join(html.unescape((folder / "report.html").read_text("utf-8")).split())
-    assert sentence in page.replace("3,931", "3931")  # numbers are written as the machine's region does
+    assert sentence.replace("3,931", "3931") in page.replace("3,931", "3931")  # as the machine's region writes numbers
     assert ("Six windows" in readme) == ("6 windows placed" in printed)

@@ -12,9 +12,11 @@ from scipy import ndimage
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import RasterRef
+from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, summary_words
 from seam_inspector.plugin.seams.desk.windows.filter_boxes import worst_first
 from seam_inspector.plugin.seams.desk.windows.window_columns import columns_of
 from seam_inspector.plugin.seams.measure.limits import MIN_MISREGISTRATION_PX
+from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 from seam_inspector.plugin.seams.report.window_words import window_rows
@@ -159,6 +161,24 @@ def test_the_profile_and_the_picture_show_a_loss_where_it_is_told(
             assert picture is None or loss_rgba(picture.kept)[..., 3].any(), name  # without even ground there is none
         elif row.verdict == "preserved" and picture is not None:
             assert (loss_rgba(picture.kept)[..., 3] > 0).mean() < 0.05, name
+
+
+def test_a_loss_in_the_whole_window_is_in_its_picture_and_beside_its_profile(
+    rows: dict[str, WindowRecord], results: dict[str, WindowResult]
+) -> None:
+    told = 0
+    for name, row in rows.items():
+        result = results[name]
+        if " in the whole window" not in window_sentence(row, result) or result.loss is None:
+            continue
+        told += 1
+        whole, kept = 1 - (row.sharpness or 0.0) ** 2, np.nan_to_num(result.loss.kept, nan=1.0)
+        assert 1 - np.minimum(kept, 1).mean() == pytest.approx(whole, abs=0.02), name
+        if result.profile is not None and result.profile.measure is Measure.ENERGY:
+            shown = ShownProfile(result.profile, 0.1, 0.7, ground_left=result.ground_left)
+            for words in summary_words(shown):
+                assert f"{percent(result.ground_left)} %" in words
+    assert told
 
 
 def test_nothing_that_is_said_contradicts_the_verdict(

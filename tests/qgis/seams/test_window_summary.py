@@ -190,8 +190,8 @@ SHARP = "The window is as sharp as its sources."
         ),
         (
             {"causes": "misregistration; feathering", "misfit": 2.04, "feather_width": 1.5},
-            (f"Significant loss. {STRIP}: images 2.0 px apart are feathered over 1.5 m, and their misfit took "
-             "most of what is lost there. Register the two images before you blend them."),
+            (f"Significant loss. {STRIP}: images 2.0 px apart are feathered over 1.5 m, and the misfit took most. "
+             "Register the images before blending."),
         ),
         ({"misfit": 2.04}, f"Significant loss. {STRIP}: images are feathered. {CUT}"),  # it cost nothing
         (
@@ -361,8 +361,7 @@ def test_what_the_whole_window_lost_is_told_apart_with_its_share(qgis_app: QgsAp
                 off_pixel=0.31, sharpness=0.85)  # fmt: skip
     assert said == (
         f"Significant loss. {STRIP}, 28 % of the orthoimages' in the whole window: images 2.0 px apart are feathered "
-        "over 1.5 m, and their misfit took most of what is lost there; the mosaic was resampled. Register the two "
-        "images before you blend them. "
+        "over 1.5 m, and the misfit took most; the mosaic was resampled. Register the images before blending. "
         f"{LIES} It is 1.4 times what an eye just sees at 2x. In the whole window 72 % of the finest detail is "
         "left (sharpness 85 %): resampling took 15 %, clipping took 3.0 %, the seam took 10 %. Besides: balanced."
     )

@@ -1,4 +1,4 @@
-"""Words beside icons as long as there is room."""
+"""Words beside icons as long as there is room, then words alone, then icons."""
 from __future__ import annotations
 
 from collections.abc import Iterator
@@ -10,6 +10,7 @@ from qgis.PyQt.QtWidgets import QAction, QApplication
 from seam_inspector.plugin.toolkit.desk.widgets import FittingToolBar
 
 ICON, WORDS = Qt.ToolButtonStyle.ToolButtonIconOnly, Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+BARE = Qt.ToolButtonStyle.ToolButtonTextOnly
 
 
 @pytest.fixture
@@ -32,7 +33,8 @@ def styles(bar: FittingToolBar, width: int) -> list[Qt.ToolButtonStyle]:
 def test_words_go_one_after_another_and_come_back(bar: FittingToolBar) -> None:
     whole = bar.sizeHint().width()
     assert styles(bar, whole + 5) == [ICON, WORDS, WORDS, ICON]
-    assert styles(bar, whole - 20) == [ICON, ICON, WORDS, ICON]
+    assert styles(bar, whole - 10) == [ICON, BARE, WORDS, ICON]
+    assert styles(bar, whole - 70) == [ICON, ICON, BARE, ICON]
     assert styles(bar, whole // 3) == [ICON, ICON, ICON, ICON]
     assert bar.sizeHint().width() == whole  # what it would like, whatever it has
     assert styles(bar, whole + 5) == [ICON, WORDS, WORDS, ICON]

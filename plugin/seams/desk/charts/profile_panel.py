@@ -53,10 +53,12 @@ class ProfilePanel(ChartPanel):
         """What is said in the chart's place; empty while there is one."""
         return str(self._text.text()) if self._pages.currentWidget() is self._text else ""
 
-    def show_profile(self, profile: SeamProfile, pixel_m: float, min_kept: float) -> None:
+    def show_profile(
+        self, profile: SeamProfile, pixel_m: float, min_kept: float, ground_left: float = 1.0
+    ) -> None:
         """Of any place, as while the mouse is dragged; the next ``refresh`` shows the selected window's again."""
         self._fill_levels(len(profile.kept))
-        self.chart.show_profile(profile, pixel_m, min_kept)
+        self.chart.show_profile(profile, pixel_m, min_kept, ground_left)
         self._pages.setCurrentWidget(self.chart)
         self._say()
 
@@ -78,7 +80,8 @@ class ProfilePanel(ChartPanel):
         result = self._session.result(selected[0]) if len(selected) == 1 else None
         profile = result.profile if result is not None else None
         if result is not None and profile is not None:
-            self.show_profile(profile, result.ground_sample_distance, self._session.inputs.min_kept)
+            pixel_m, min_kept = result.ground_sample_distance, self._session.inputs.min_kept
+            self.show_profile(profile, pixel_m, min_kept, result.ground_left)
         else:
             result = None
             self._text.setText(self._why_nothing(selected))
@@ -198,6 +201,7 @@ class CurvesAndProfile(QWidget):
         self.curves = CurvesPanel(session)
         self.profile = ProfilePanel(session)
         self._scroll: QScrollArea | None = None
+        self._sizes: list[int] = []  # of both, while one is lent
         self._arranger = single_shot(self, self._arrange)  # when all around it have their new sizes
         self._splitter = QSplitter(Qt.Orientation.Vertical)
         self._splitter.setChildrenCollapsible(False)
@@ -207,6 +211,16 @@ class CurvesAndProfile(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._splitter)
+
+    def lend_profile(self, is_lent: bool) -> None:
+        """Let it stand elsewhere, or take it back to where it was."""
+        if is_lent:
+            self._sizes = self._sizes or self._splitter.sizes()
+        elif self._sizes:
+            self._splitter.addWidget(self.profile)
+            self._splitter.setStretchFactor(1, 1)
+            self._splitter.setSizes(self._sizes)
+            self._sizes = []
 
     @property
     def is_side_by_side(self) -> bool:

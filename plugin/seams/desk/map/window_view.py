@@ -1,11 +1,13 @@
 """A window on the map: it is gone to, and whether the operator sees it."""
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from qgis.core import QgsCoordinateReferenceSystem, QgsRectangle
+from qgis.core import QgsCoordinateReferenceSystem, QgsPointXY, QgsRectangle
 from qgis.gui import QgsMapCanvas
 
+from ....imagery.grids import Grid
 from ....toolkit.layers import transformed_box
 
 if TYPE_CHECKING:
@@ -19,21 +21,63 @@ _LEAST_SHOWN = 0.5  # of the window, or of the map where the window is larger
 class WindowView:
     """In the mosaic's reference system, in whose pixels windows are seen."""
 
-    def __init__(self, canvas: QgsMapCanvas, session: Session) -> None:
-        self._canvas, self._session = canvas, session
+    def __init__(
+        self, canvas: QgsMapCanvas, session: Session, is_blind: Callable[[], bool] = lambda: False
+    ) -> None:
+        """``is_blind``: whether it is hidden where detail was lost."""
+        self._canvas, self._session, self._is_blind = canvas, session, is_blind
+        self._looked = 0, 0  # the window that was gone to last, and which of its places
 
-    def show(self, fid: int) -> None:
-        """Select a window and show it so that one image pixel covers 2 x 2 screen pixels."""
-        grid, place = self._session.mosaic_grid(), self._place(fid)
-        if grid is not None and place is not None:
-            width = self._canvas.width() / _SCREEN_PIXELS * grid.pixel_width
-            height = self._canvas.height() / _SCREEN_PIXELS * grid.pixel_height
-            view = QgsRectangle.fromCenterAndSize(place.center(), width, height)
-            shown = transformed_box(view, self._crs(), self._canvas.mapSettings().destinationCrs())
+    def show(self, fid: int, place: int = 0) -> None:
+        """Select a window and show it so that one image pixel covers 2 x 2 screen pixels: all of it where there is
+        room, else one of the places that lost most, the worst first.
+        """
+        views = self._views(fid)
+        if views:
+            self._looked = fid, place % len(views)
+            crs = self._canvas.mapSettings().destinationCrs()
+            shown = transformed_box(views[self._looked[1]], self._crs(), crs)
             if shown is not None:
                 self._canvas.setExtent(shown)
                 self._canvas.refresh()
         self._session.select([fid])
+
+    def show_next_place(self) -> bool:
+        """The next place of the selected window, after the last one the first. Whether a window is selected."""
+        fids = self._session.selected()
+        if len(fids) == 1:
+            fid, place = self._looked
+            self.show(fids[0], place + 1 if fids[0] == fid and self.is_seen(fid) else 0)
+        return len(fids) == 1
+
+    def _views(self, fid: int) -> list[QgsRectangle]:
+        """What can be shown of a window, in the mosaic's reference system; no two are the same."""
+        grid, whole = self._session.mosaic_grid(), self._place(fid)
+        if grid is None or whole is None:
+            return []
+        width = self._canvas.width() / _SCREEN_PIXELS * grid.pixel_width
+        height = self._canvas.height() / _SCREEN_PIXELS * grid.pixel_height
+        found = []
+        for x, y in self._worst_places(fid, grid) or [(whole.center().x(), whole.center().y())]:
+            middle = QgsPointXY(
+                _within(x, whole.xMinimum(), whole.xMaximum(), width),
+                _within(y, whole.yMinimum(), whole.yMaximum(), height),
+            )
+            view = QgsRectangle.fromCenterAndSize(middle, width, height)
+            if view not in found:
+                found.append(view)
+        return found
+
+    def _worst_places(self, fid: int, grid: Grid) -> list[tuple[float, float]]:
+        """In the mosaic's reference system; empty where it is not known where detail was lost, or not to be told."""
+        from ...measure.greatest_loss import worst_places
+
+        result = self._session.result(fid)
+        if result is None or result.window is None or result.loss is None:
+            return []
+        left, _, _, top = grid.window_extent(result.window)
+        places = worst_places(result.loss, self._is_blind())
+        return [(left + column * grid.pixel_width, top - row * grid.pixel_height) for column, row in places]
 
     def follow(self) -> None:
         """Go to the window that is selected, if the map does not show it, small as it may be."""
@@ -63,6 +107,12 @@ class WindowView:
     def _crs(self) -> QgsCoordinateReferenceSystem:
         layer = self._session.mosaic_layer()
         return QgsCoordinateReferenceSystem() if layer is None else layer.crs()
+
+
+def _within(middle: float, low: float, high: float, size: float) -> float:
+    """The middle of a view of that size that does not look beyond a window from ``low`` to ``high``, or that has all
+    of it in its middle."""
+    return (low + high) / 2 if high - low <= size else min(max(middle, low + size / 2), high - size / 2)
 
 
 def _area(box: QgsRectangle) -> float:

@@ -52,9 +52,11 @@ class Swipe(QObject):
     failed = pyqtSignal(object)
     """The Message why there is nothing to compare with; it has ended."""
 
-    def __init__(self, canvas: QgsMapCanvas, parent: QObject) -> None:
+    def __init__(self, canvas: QgsMapCanvas, parent: QObject, has_handle: bool = True) -> None:
+        """``has_handle``: to be dragged; else the other picture has all of the map while it is shown."""
         super().__init__(parent)
         self._canvas = canvas
+        self._has_handle = has_handle
         self._background = BackgroundTasks(self)
         self._mosaic: QgsRasterLayer | None = None
         self._sources: set[str] = set()  # ids of layers that would hide the mosaic
@@ -69,7 +71,9 @@ class Swipe(QObject):
         self._handle: SwipeHandle | None = None
         self._keys: list[QShortcut] = []
         self._connections: list[tuple[Any, Callable[..., None]]] = []
-        self.divider = Divider()
+        self.divider = Divider() if has_handle else Divider(share=0.0)
+        self.is_shown = has_handle
+        """Whether what lies on the canvas is seen."""
         self._origin = QPointF()  # of what is seen of the scene
 
     @property
@@ -148,17 +152,20 @@ class Swipe(QObject):
         self.divider.share = share
         self._place()
 
+    def show(self, is_shown: bool) -> None:
+        """Let it be seen, or lie ready."""
+        self.is_shown = is_shown
+        if self._item is not None:
+            self._item.setVisible(is_shown)
+
     # The canvas
 
     def _lay_on_canvas(self) -> None:
-        canvas, window = self._canvas, self._canvas.window()
+        canvas = self._canvas
         self._item = SwipeItem(canvas, self.divider, self._own, self._other)
-        self._handle = SwipeHandle(canvas, self.divider)
-        self._handle.moved.connect(self.move)
-        for key, slot in ((_FLIP_KEY, self.flip), (_END_KEY, self.stop)):
-            shortcut = QShortcut(QKeySequence(key), window)
-            shortcut.activated.connect(slot)
-            self._keys.append(shortcut)
+        self._item.setVisible(self.is_shown)
+        if self._has_handle:
+            self._lay_handle(canvas)
         self._connections = [
             (canvas.renderStarting, self._draw),
             (canvas.extentsChanged, self._repaint),
@@ -174,6 +181,14 @@ class Swipe(QObject):
         canvas.viewport().installEventFilter(self)
         self._origin = canvas.sceneRect().topLeft()
         self._place()
+
+    def _lay_handle(self, canvas: QgsMapCanvas) -> None:
+        self._handle = SwipeHandle(canvas, self.divider)
+        self._handle.moved.connect(self.move)
+        for key, slot in ((_FLIP_KEY, self.flip), (_END_KEY, self.stop)):
+            shortcut = QShortcut(QKeySequence(key), canvas.window())
+            shortcut.activated.connect(slot)
+            self._keys.append(shortcut)
         self._handle.show()
 
     def eventFilter(self, _watched: QObject | None, event: QEvent | None) -> bool:
@@ -182,9 +197,8 @@ class Swipe(QObject):
         return False
 
     def _place(self) -> None:
-        if self._item is None or self._handle is None:
-            return
-        self._handle.place()
+        if self._handle is not None:
+            self._handle.place()
         self._repaint()
 
     def _repaint(self, *_: object) -> None:
@@ -246,6 +260,16 @@ class Swipe(QObject):
             title = filled(tr("{name}: reading ..."), name=title)
         item.names = tr("mosaic"), title
         self._repaint()
+
+
+def compare(session: Session, swipe: Swipe, choice: SwipeChoice) -> None:
+    """The present mosaic with this, if there is one."""
+    mosaic, block = session.mosaic_layer(), session.block()
+    if mosaic is None or block is None:
+        return
+    shown = {source.ref.path for source in block.sources} | ({choice.ref.path} if choice.ref is not None else set())
+    sources = {*session.inputs.sources, *source_layers(QgsProject.instance(), shown)}
+    swipe.start(mosaic, choice, sources - {mosaic.id()})
 
 
 class SwipeAction(QObject):
@@ -314,23 +338,13 @@ class SwipeAction(QObject):
     def start(self, choice: SwipeChoice) -> None:
         """Compare the mosaic with this, which the operator chose."""
         self._is_chosen = True
-        self._compare(choice)
-
-    def _compare(self, choice: SwipeChoice) -> None:
-        mosaic, block = self._session.mosaic_layer(), self._session.block()
-        if mosaic is None or block is None:
-            return
-        project = QgsProject.instance()
-        sources = set(self._session.inputs.sources)
-        shown = {source.ref.path for source in block.sources} | ({choice.ref.path} if choice.ref is not None else set())
-        sources |= source_layers(project, shown)
-        self.swipe.start(mosaic, choice, sources - {mosaic.id()})
+        compare(self._session, self.swipe, choice)
 
     def _toggle(self, is_wanted: bool) -> None:
         choices = self.choices() if is_wanted else []
         self._is_chosen = False
         if choices:
-            self._compare(choices[0])
+            compare(self._session, self.swipe, choices[0])
         else:
             self.swipe.stop()
         if is_wanted and not choices:
@@ -353,7 +367,7 @@ class SwipeAction(QObject):
             if current is not None and current.ref is None:
                 current = choices[-1]  # of another window
             self._is_chosen = current in choices
-            self._compare(current if current is not None and current in choices else choices[0])
+            compare(self._session, self.swipe, current if current is not None and current in choices else choices[0])
         elif problem is not None and problem != messages.MOSAIC_OPENING():
             self.swipe.stop()
 

@@ -18,6 +18,7 @@ from .window_columns import verdict_chip
 
 _CLAIMS = ("significant", "reduced", "preserved")
 _WORST = (*_CLAIMS, "not_comparable")
+_LEAST_HALF_WIDTH = 0.001  # of an interval: layers may keep a few digits only
 
 
 class WindowOrder(NamedTuple):
@@ -27,11 +28,13 @@ class WindowOrder(NamedTuple):
     """As the project keeps it."""
     title: str
     tooltip: str
-    key: Callable[[WindowRecord], Any] | None
+    key: Callable[..., Any] | None
     """What windows are sorted by, None where one has no place in the order; without a key as the table's columns are.
     """
     tells_verdict: bool = False
     """Whether the order gives away what the tool found, or what the other operator said."""
+    takes_limit: bool = False
+    """Whether the key is of a window and of the share of detail that has to be kept."""
 
 
 def along_the_seam(row: WindowRecord) -> tuple[float, float, int]:
@@ -43,6 +46,13 @@ def along_the_seam(row: WindowRecord) -> tuple[float, float, int]:
 def worst_first(row: WindowRecord) -> tuple[int, float] | None:
     """By the verdict, then by how much detail is missing."""
     return None if row.verdict not in _WORST else (_WORST.index(row.verdict), -(row.loss or 0.0))
+
+
+def least_sure_first(row: WindowRecord, min_kept: float) -> float | None:
+    """By how many half widths of its 95 % interval what is kept along the seam lies from the limit."""
+    if row.verdict not in _CLAIMS or row.kept_1 is None or row.kept_low is None or row.kept_high is None:
+        return None
+    return abs(row.kept_1 - min_kept) / max((row.kept_high - row.kept_low) / 2, _LEAST_HALF_WIDTH)
 
 
 def tool_and_observer_disagree(row: WindowRecord) -> bool:
@@ -71,6 +81,11 @@ ORDERS = (
         "worst", QT_TR_NOOP("worst first"),
         QT_TR_NOOP("Significant losses first; within a verdict the greatest loss."),
         worst_first, tells_verdict=True,
+    ),
+    WindowOrder(
+        "sure", QT_TR_NOOP("least sure first"),
+        QT_TR_NOOP("Starts where the limit lies deep within the interval of what is kept: there an eye tells most."),
+        least_sure_first, tells_verdict=True, takes_limit=True,
     ),
     WindowOrder(
         "tool", QT_TR_NOOP("tool differs"),

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from qgis.core import QgsApplication
 from qgis.gui import QgsFilterLineEdit
@@ -115,12 +115,18 @@ class WindowsPanel(QWidget):
     def show_order(self, order: WindowOrder) -> None:
         """Show the windows in an order that is no column's, or go on in a column's."""
         self._orders.show_order(order)
-        if order.key is not None:
+        if (key := order.key) is not None:
+            if order.takes_limit:
+                key = partial(self._by_limit, key)
             with self._following():
-                self._windows.sort_by(order.key)
+                self._windows.sort_by(key)
             self.table.show_sorting()
         elif self._windows.sorted_by is None:
             self.table.sortByColumn(0, Qt.SortOrder.AscendingOrder)
+
+    def _by_limit(self, key: Callable[[WindowRecord, float], Any], row: WindowRecord) -> Any:
+        """With the limit as it is then."""
+        return key(row, self._session.inputs.min_kept)
 
     def set_blind(self, own: frozenset[str] | None) -> None:
         """Show these columns and no others, and offer nothing that tells what was found; None: show all."""

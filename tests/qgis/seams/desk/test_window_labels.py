@@ -1,10 +1,12 @@
 """The labels of the windows on the map: none over another, and the selected window's always there."""
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from qgis.core import (
+    QgsApplication,
     QgsCoordinateReferenceSystem,
     QgsCoordinateTransform,
     QgsExpression,
@@ -18,7 +20,7 @@ from qgis.core import (
     QgsRectangle,
     QgsVectorLayer,
 )
-from qgis.PyQt.QtCore import QSize
+from qgis.PyQt.QtCore import QLocale, QSize
 from seam_inspector.plugin.seams.desk.windows.window_columns import columns_of
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
 
@@ -102,7 +104,22 @@ def test_at_twofold_magnification_the_label_is_that_of_the_selected_window(
     assert set(labels(windows, box(65, 165, 95, 185), [selected])) == {selected}
 
 
-def test_a_label_tells_the_loss_as_the_table_does(project: QgsProject, repository: Path) -> None:
+@pytest.fixture
+def own_locale(qgis_app: QgsApplication) -> Iterator[None]:
+    """How numbers are written, to be changed."""
+    before = QLocale()
+    yield
+    QLocale.setDefault(before)
+
+
+@pytest.mark.parametrize("omits_groups", [False, True])  # as QGIS is set to, unless its user wants them
+def test_a_label_tells_the_loss_as_the_table_does(
+    project: QgsProject, repository: Path, own_locale: None, omits_groups: bool
+) -> None:
+    if omits_groups:
+        locale = QLocale()
+        locale.setNumberOptions(QLocale.NumberOption.OmitGroupSeparator)
+        QLocale.setDefault(locale)
     layer = QgsVectorLayer("Polygon?field=window_id:integer&field=loss:double", "windows", "memory")
     message, worked = layer.loadNamedStyle(str(repository / "resources" / "styles" / "windows.qml"))
     assert worked, message

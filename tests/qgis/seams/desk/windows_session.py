@@ -8,6 +8,7 @@ from typing import Any
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 from qgis.PyQt.QtWidgets import QWidget
 from seam_inspector.plugin.imagery.statistics import FIRST, Operator
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 from seam_inspector.plugin.seams.desk.windows.windows_panel import WindowsPanel
 from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
 from seam_inspector.plugin.seams.measure.window_records import WindowRecord
@@ -24,6 +25,7 @@ class WindowsSession(QObject):
         super().__init__()
         self.rows = list(rows or [])
         self.chosen: list[int] = []
+        self.inputs = Inputs()
         self.pending: set[int] = set()
         self.results: dict[int, WindowResult] = {}
         self.calls: list[tuple[Any, ...]] = []

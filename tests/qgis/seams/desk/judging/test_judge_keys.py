@@ -50,7 +50,9 @@ class _Desk:
         self.editing = False
         self.has_windows = True
         self.keys = DeskKeys(body, self.window, self)  # type: ignore[arg-type]  # which has the map's tool
-        self.keys.set_actions({"visible": self._judge, "next": self._next})
+        self.keys.set_actions(
+            {"visible": self._judge, "next": self._next, "flicker": self._hold}, {"flicker": self._let_go}
+        )
         self.keys.listen(True)
 
     def mapTool(self) -> _Desk:
@@ -66,6 +68,13 @@ class _Desk:
         if self.has_windows:
             self.taken.append("V")
         return self.has_windows
+
+    def _hold(self) -> bool:
+        self.taken.append("held")
+        return True
+
+    def _let_go(self) -> None:
+        self.taken.append("let go")
 
     def _next(self) -> bool:
         self.taken.append("N")
@@ -94,6 +103,23 @@ def test_keys_work_wherever_the_focus_is_and_no_shortcut_is_ambiguous(desk: _Des
     for widget in (desk.button, desk.tree):
         assert desk.press(widget) == ["V"]
         assert desk.press(widget, Qt.Key.Key_N) == ["N"]
+
+
+def test_keys_of_the_map_are_a_button_s_where_that_has_the_focus(desk: _Desk) -> None:
+    pressed: list[bool] = []
+    desk.button.clicked.connect(pressed.append)
+    assert desk.press(desk.button, Qt.Key.Key_Space) == []
+    assert pressed
+    assert desk.press(desk.tree, Qt.Key.Key_Space) == []
+    desk.tree.clearFocus()
+    desk.window.setFocus()
+    desk.taken.clear()
+    QTest.keyPress(desk.window, Qt.Key.Key_Space)
+    assert desk.taken == ["held"]
+    QTest.keyRelease(desk.window, Qt.Key.Key_Space)
+    assert desk.taken == ["held", "let go"]
+    QTest.keyRelease(desk.window, Qt.Key.Key_Space)
+    assert desk.taken == ["held", "let go"]
 
 
 def test_text_fields_keep_their_letters(desk: _Desk) -> None:

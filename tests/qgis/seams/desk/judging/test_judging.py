@@ -77,7 +77,10 @@ def test_after_the_last_window_keys_that_come_too_late_judge_nothing(
     assert session.selected() == []
     assert not judging.judge("unsure")
     assert [row.observer for row in session.rows] == ["invisible", "invisible", "visible", "invisible", "invisible"]
-    assert bar.sentence() == "No window is left to judge. Select one to judge it again."
+    assert bar.sentence() == (
+        "All windows are judged: 1 visible, 4 invisible, 0 not sure. The tool agrees on 4 of 5. Called significant and "
+        "not seen: 0; seen and not called so: 1."
+    )
     judging.take_back()
     assert session.selected() == [3]
 

@@ -38,6 +38,7 @@ class Explained:
 
     def __init__(self, profile: SeamProfile | None = PROFILE, loss: LossPicture | None = None) -> None:
         self.profile, self.has_seam = profile, profile is not None
+        self.ground_left = self.sharpness = 1.0
         self.loss = loss if loss is not None else loss_of_window()
 
 
