@@ -38,8 +38,12 @@ MOST_GROWTH = 3.0
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 _KEPT_BY_QGIS = re.compile(r"^(made|changed) .*\.aux\.xml$|^changed .*\.vrt$")
 """Statistics, by which it stretches a raster: GDAL keeps them beside it, those of a VRT in the VRT."""
-_SAID_BY_QGIS = re.compile(r"Unable to load mesh|Creating Warped VRT|Warped VRT Creation failed")
-"""A file that is no raster is tried as a mesh, and one that is rotated is warped, both aloud."""
+_SAID_BY_QGIS = re.compile(
+    r"Unable to load mesh|Creating Warped VRT|Warped VRT Creation failed|already exists in ZIP file"
+    r"|Failed to open \S+ to write"
+)
+"""A file that is no raster is tried as a mesh, one that is rotated is warped, and to a VRT in an archive statistics are
+to be added, all aloud."""
 
 
 class Player:

@@ -14,7 +14,7 @@ from osgeo import gdal, gdal_array
 
 from . import limits, messages
 from .errors import Message, RasterError
-from .gdal_calls import RASTERS, check_raster_path, gdal_call, gdal_pixels, open_dataset, whole_jpeg_tiles
+from .gdal_calls import RASTERS, check_raster_path, gdal_call, gdal_pixels, gdal_told, open_dataset, whole_jpeg_tiles
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
@@ -113,7 +113,8 @@ class OpenRaster:
     @cached_property
     def raster(self) -> Raster:
         """What the raster is."""
-        band, transform = self.dataset.GetRasterBand(1), self.dataset.GetGeoTransform(can_return_null=True)
+        band = self.dataset.GetRasterBand(1)
+        transform = gdal_told(lambda: self.dataset.GetGeoTransform(can_return_null=True), None)
         if transform is not None and 0 in (transform[1] or transform[2], transform[5] or transform[4]):
             transform = None  # all its pixels would lie on one line
         kind = np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
@@ -123,7 +124,7 @@ class OpenRaster:
             self.columns,
             self.rows,
             transform and tuple(transform),
-            self.dataset.GetProjection() or "",
+            gdal_told(self.dataset.GetProjection, "") or "",
             self.roles.names,
             "uint8" if self.roles.palette is not None else str(kind),
             int(bits) if bits else None,
@@ -144,7 +145,13 @@ class OpenRaster:
     @property
     def is_all_valid(self) -> bool:
         """Whether the file says nothing of pixels that are no measurements."""
-        return bool(self.dataset.GetRasterBand(1).GetMaskFlags() == gdal.GMF_ALL_VALID)
+        return self._mask_flags == gdal.GMF_ALL_VALID
+
+    @cached_property
+    def _mask_flags(self) -> int:
+        """GDAL's. Raises RasterError where the mask is damaged."""
+        failure = messages.MASK_NOT_READABLE(name=self.ref.name)
+        return int(gdal_pixels(self.dataset.GetRasterBand(1).GetMaskFlags, failure, lambda why: failure))
 
     def band_index(self, number: int) -> int:
         """Where a band of the file, from 1 on, stands among those that are measured.
@@ -174,8 +181,7 @@ class OpenRaster:
 
         data = self._pixels(lambda dataset: dataset.ReadAsArray(*inside, **options), window, size)
         mask = None
-        flags = gdal_call(self.dataset.GetRasterBand(1).GetMaskFlags, messages.NOT_READABLE(name=self.ref.name))
-        if flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
+        if self._mask_flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
             mask = self._pixels(read_mask, window, size)
         return self._block(data.reshape(-1, rows, columns), mask)
 
