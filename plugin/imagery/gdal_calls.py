@@ -101,6 +101,8 @@ def _is_special(path: str, mode: int) -> bool:
 
 _MOST_PARTS = 100_000  # of a VRT, and of those in it
 _MOST_BYTES = 100_000_000  # of a VRT's text
+_MOST_MARKS = 4_000_000  # < and = in it: what the time and memory of its reading go by
+_MOST_COLONS = 8  # in a name, of which each part between two of them may be a file's
 _MOST_READINGS = 300_000  # of files for one band, where VRTs name VRTs that name each file again and again
 _MOST_DEPTH = 1000  # of VRTs in VRTs; GDAL itself gives up long before
 _HEAD_BYTES = 1024  # by which GDAL's drivers know their files
@@ -286,12 +288,14 @@ def _look_by_name(path: str) -> _PathLook:
         return _PathLook(None, (rest[2:].partition("?")[0],))
     if prefix.upper() == "GTI":
         return _PathLook(None, tuple(_indexed(rest)))
-    return _PathLook(None, tuple(_files_in(rest))) if prefix in _PARTS_OF_FILES else _PathLook(_Refused.SERVICE)
+    if prefix not in _PARTS_OF_FILES or rest.count(":") > _MOST_COLONS:
+        return _PathLook(_Refused.SERVICE)
+    return _PathLook(None, tuple(_files_in(rest)))
 
 
 def _files_in(text: str, folder: str = "") -> Iterator[str]:
     """The names between colons and quotes that are files, or may be some elsewhere."""
-    words = text.split(":")[:20]
+    words = text.split(":")
     for first in range(len(words)):
         for last in range(first + 1, len(words) + 1):
             name = os.path.join(folder, ":".join(words[first:last]).strip('"'))
@@ -344,7 +348,7 @@ def _look(path: str, file: str, mode: int, *identity: int) -> _PathLook:
             return _PathLook()
     if driver is not None and driver.ShortName not in ANYTHING.drivers:
         return _PathLook(_Refused.DRIVER, driver=driver.ShortName)
-    if len(content) > _MOST_BYTES:
+    if len(content) > _MOST_BYTES or content.count(b"<") + content.count(b"=") > _MOST_MARKS:
         return _PathLook(_Refused.TOO_MANY)
     if _INDEX.search(path):
         return _PathLook(None, tuple(_indexed(path)))
@@ -446,7 +450,7 @@ _BASE = ":::BASE:::"  # before names that are relative to the file they stand be
 def _places(text: str, folder: str, is_relative: bool) -> Iterator[str]:
     if text.startswith(_BASE):
         text, is_relative = text[len(_BASE) :], True
-    if not is_relative:
+    if not is_relative or text.count(":") > _MOST_COLONS:
         yield text
         return
     yield os.path.normpath(os.path.join(folder, text))
@@ -570,13 +574,11 @@ def gdal_pixels(call: Callable[[], Any], failure: Message, damage: Callable[[str
     return result
 
 
-def gdal_told(call: Callable[[], Any], otherwise: Any) -> Any:
-    """What GDAL says of a dataset; ``otherwise`` where that lies in metadata which it can't read."""
-    with gdal_silenced():
-        try:
-            return call()
-        except RuntimeError:
-            return otherwise
+def read_metadata(dataset: gdal.Dataset) -> None:
+    """Have GDAL read now what lies beside a raster, and leave out what of it is broken; else the first question about
+    the raster fails, whatever it is."""
+    with gdal_silenced(), suppress(RuntimeError):
+        dataset.GetGeoTransform()
 
 
 @contextmanager

@@ -14,7 +14,15 @@ from osgeo import gdal, gdal_array
 
 from . import limits, messages
 from .errors import Message, RasterError
-from .gdal_calls import RASTERS, check_raster_path, gdal_call, gdal_pixels, gdal_told, open_dataset, whole_jpeg_tiles
+from .gdal_calls import (
+    RASTERS,
+    check_raster_path,
+    gdal_call,
+    gdal_pixels,
+    open_dataset,
+    read_metadata,
+    whole_jpeg_tiles,
+)
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
@@ -99,6 +107,7 @@ class OpenRaster:
             for part in ref.parts:
                 check_raster_path(part, ref.name)
             dataset = gdal_call(lambda: _opened(ref), failure)
+            read_metadata(dataset)
         if dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
         _check_amounts(dataset, ref.name)
@@ -113,8 +122,7 @@ class OpenRaster:
     @cached_property
     def raster(self) -> Raster:
         """What the raster is."""
-        band = self.dataset.GetRasterBand(1)
-        transform = gdal_told(lambda: self.dataset.GetGeoTransform(can_return_null=True), None)
+        band, transform = self.dataset.GetRasterBand(1), self.dataset.GetGeoTransform(can_return_null=True)
         if transform is not None and 0 in (transform[1] or transform[2], transform[5] or transform[4]):
             transform = None  # all its pixels would lie on one line
         kind = np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
@@ -124,7 +132,7 @@ class OpenRaster:
             self.columns,
             self.rows,
             transform and tuple(transform),
-            gdal_told(self.dataset.GetProjection, "") or "",
+            self.dataset.GetProjection() or "",
             self.roles.names,
             "uint8" if self.roles.palette is not None else str(kind),
             int(bits) if bits else None,

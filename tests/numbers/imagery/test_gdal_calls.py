@@ -244,6 +244,19 @@ def test_what_is_looked_at_of_a_vrt_grows_with_its_size_alone(tmp_path: Path, mo
         assert counts[1] in (0, 2 * counts[0])
 
 
+def test_a_vrt_of_very_many_elements_is_not_parsed(tmp_path: Path) -> None:
+    path = tmp_path / "a.vrt"
+    path.write_text(f"<VRTDataset>{'<a/>' * 4_000_001}</VRTDataset>")
+    assert "a.vrt is a VRT of more than" in refusal(path)
+
+
+def test_names_of_very_many_colons_are_no_files(tmp_path: Path) -> None:
+    """Any part between two of them may be a file's name."""
+    for name in ("ab:" * 1000, "GTIFF_DIR:1:" + "a:" * 1000):
+        (tmp_path / "a.vrt").write_text(vrt(name).replace("<SourceFilename>", "<SourceFilename relativeToVRT='1'>"))
+        assert "a.vrt is a VRT that leads to" in refusal(tmp_path / "a.vrt")
+
+
 def holding(path: Path, *statements: str) -> Path:
     with closing(sqlite3.connect(path)) as database:
         for statement in statements:
