@@ -15,7 +15,11 @@ from qgis.core import (
     QgsProject,
 )
 
+from fuzz import desk
+
 PATIENCE_SECONDS = 25.0
+READERS = {desk.NAME: desk.ReadDesk}
+"""What reads and is no algorithm of ours."""
 ENDINGS = {"sink": ".gpkg", "rasterDestination": ".tif"}
 
 
@@ -53,8 +57,10 @@ class Outcome:
 
 
 def created(name: str) -> QgsProcessingAlgorithm:
-    """A new one of our algorithms."""
-    made = QgsApplication.processingRegistry().createAlgorithmById(f"seaminspector:{name}")
+    """A new one of our algorithms, or of what reads as one."""
+    made = READERS[name]().create() if name in READERS else (
+        QgsApplication.processingRegistry().createAlgorithmById(f"seaminspector:{name}")
+    )
     assert made is not None, name
     return made
 

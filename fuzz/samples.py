@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from osgeo import gdal
 
+from fuzz import desk
 from fuzz.running import run
 from tests.numbers.photos.photos import CAMERA
 from tests.numbers.sensors.sensor_scenes import made_rational, places
@@ -208,6 +209,7 @@ def _derived(folder: Path) -> None:
         **given["fitsensormodel"], "OUTPUT": "TEMPORARY_OUTPUT", "RPC": str(folder / "rpc" / "image_RPC.TXT"),
     }, patience=PATIENCE_SECONDS)  # fmt: skip
     assert again.worked, again.said
+    desk.make_folder(folder / "desk", folder / "inspected.gpkg")
 
 
 def gcps_address(path: Path) -> str:

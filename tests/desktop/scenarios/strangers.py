@@ -1,4 +1,4 @@
-"""Projects of strangers: what the plugin keeps in a project and its layers is of the wrong kind, huge, or no text at all.
+"""Projects of strangers: what the plugin keeps in a project and its layers is of the wrong kind, huge, or no text.
 
 Parameters: ``block`` (folder), ``side_m``, ``screenshots`` (folder).
 """
