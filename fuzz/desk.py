@@ -48,8 +48,10 @@ class ReadDesk(QgsProcessingAlgorithm):
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        project = QgsProject()
-        project.read(str(Path(parameters[FOLDER]) / "windows.qgs"))
+        project, path = QgsProject(), Path(parameters[FOLDER]) / "windows.qgs"
+        if not (path.is_file() and path.with_suffix(".gpkg").is_file()):
+            return {}  # QGIS itself opens those, and would wait for a pipe
+        project.read(str(path))
         inputs, places = load_inputs(project), LayerPlaces(project)
         load_judging(project)
         places.load()

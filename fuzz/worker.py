@@ -17,6 +17,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, TextIO
 
+import matplotlib.font_manager  # noqa: F401 - lists the fonts now, and says so
 from osgeo import gdal
 from qgis.core import QgsApplication, QgsProject
 from seam_inspector.plugin.provider import SeamInspectorProvider

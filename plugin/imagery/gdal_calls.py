@@ -7,10 +7,16 @@ And how GDAL is called: without its own messages, its failures as ours whether o
 | `open_raster` | mosaics, orthoimages, heights, photos, also those that VRTs name | `RASTERS`, checked |
 | `seam_features` | seamlines and cells that the Python interface is given | `FEATURES`, checked |
 | `outputs` | inputs and what is to be replaced, to see which files they are | `ANYTHING`, checked |
+| `open_raster`, `delivered_files` | parts and sheets, as one raster | GDAL's `BuildVRT`, checked before |
 | here | tile indexes of a raster (GTI) | `FEATURES` |
+| here | an image, alone, for what it names inside | the driver that knows it |
 | `layers`, `point_tables`, `feature_sinks` | a file that QGIS has open, or that was just written | `FEATURES` |
 | `raster_writer`, `orthorectification`, `mended_mosaic` | what was read or written just before | `RASTERS` |
 | `window_layer` | `windows*.gpkg` beside a project, which nobody chose | SQLite, after `holds_only_tables` |
+| `keeping` | the windows of a project that had no file, to move them | SQLite, as QGIS has them open |
+| `outputs` | a database that is to be written, to see whether others write it | SQLite |
+| `delivery_layers`, `mosaic_scans`, `swiped_layer`, `line_layers` | what the user chose, or was just written | QGIS |
+| `digests`, `scan_journal` | the bytes of inputs, for fingerprints | Python, of files alone |
 | `mark_tables` | the layers in a folder of marks | QGIS, after `is_layer_file` |
 | `record_store` | `.unsaved`, `.results`, `.scan`, which nobody chose | SQLite, of our own tables only |
 | `documents` | XML, JSON, rules, camera files | Python, after `is_endless`, up to a size |

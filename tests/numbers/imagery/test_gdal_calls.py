@@ -296,12 +296,18 @@ def test_files_of_marks_are_tables_and_lead_nowhere(tmp_path: Path) -> None:
 
 
 OPENING = re.compile(
-    r"\b(gdal\.Open(Ex)?|ogr\.Open|sqlite3\.connect|json\.loads?|XMLParser|fromstring|minidom)\(|expat\.P"
+    r"\b(gdal\.Open(Ex)?|gdal\.BuildVRT|ogr\.Open|sqlite3\.connect|json\.loads?|XMLParser|fromstring|minidom"
+    r"|QgsVectorLayer|QgsRasterLayer|mapLayerFromString)\(|expat\.P"
 )
 OPENED_BY = {
     "documents.py": {"json.loads", "expat.P"}, "gdal_calls.py": {"gdal.OpenEx", "sqlite3.connect"},
-    "record_store.py": {"sqlite3.connect"}, "window_layer.py": {"sqlite3.connect"}, "keeping.py": {"sqlite3.connect"},
-    "outputs.py": {"sqlite3.connect"}, "fit_files.py": {"json.loads"},
+    "record_store.py": {"sqlite3.connect"}, "window_layer.py": {"sqlite3.connect", "QgsVectorLayer"},
+    "keeping.py": {"sqlite3.connect"}, "outputs.py": {"sqlite3.connect", "mapLayerFromString"},
+    "fit_files.py": {"json.loads"}, "open_raster.py": {"gdal.BuildVRT"}, "delivered_files.py": {"gdal.BuildVRT"},
+    "layers.py": {"mapLayerFromString"}, "delivery_layers.py": {"mapLayerFromString", "QgsVectorLayer"},
+    "mark_tables.py": {"QgsVectorLayer"}, "line_layers.py": {"QgsVectorLayer"}, "swiped_layer.py": {"QgsRasterLayer"},
+    "mosaic_scans.py": {"QgsVectorLayer", "QgsRasterLayer"},
+    "sensor_parameters.py": {"QgsVectorLayer"}, "parameters.py": {"QgsRasterLayer"},  # empty ones in memory
 }  # fmt: skip
 
 
