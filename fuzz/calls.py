@@ -39,7 +39,10 @@ def _file(name: str) -> Path:
     return Path(name)
 
 
-FOLDERS = {"first": {".xml"}, "second": {".csv"}, "delivery": {".tif"}, "photos": {".tif"}}
+FOLDERS = {
+    "first": {".xml"}, "second": {".csv"}, "delivery": {".tif"}, "photos": {".tif"},
+    "desk": {".qgs", ".gpkg", ".unsaved"},
+}
 """The endings of what folders of the samples hold."""
 MODELS = {"inspect_mosaic", "accept_delivery"}
 """Their rasters are loaded by QGIS itself before a step of ours begins, and their steps refuse what they are given."""
@@ -48,6 +51,7 @@ _SCANNED = _files("scan/west.tif", "scan/east.tif")
 _FITTED = {"GCPS": Address(Path("gcps.csv")), "HEIGHTS": "ellipsoid"}
 
 CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
+    ("desk", "project", {"FOLDER": _file("desk")}),
     ("placewindows", "lines", {
         "SEAMLINES": _file("seams.gpkg"), "MOSAIC": _file("mosaic.tif"), "SIDE": 6.4, "SPACING": 6.4, "LEVELS": 3}),
     ("placewindows", "cells", {

@@ -15,7 +15,11 @@ from qgis.core import (
     QgsProject,
 )
 
+from fuzz import desk
+
 PATIENCE_SECONDS = 25.0
+READERS = {desk.NAME: desk.ReadDesk}
+"""What reads and is no algorithm of ours."""
 ENDINGS = {"sink": ".gpkg", "rasterDestination": ".tif"}
 
 
@@ -53,14 +57,16 @@ class Outcome:
 
 
 def created(name: str) -> QgsProcessingAlgorithm:
-    """A new one of our algorithms."""
-    made = QgsApplication.processingRegistry().createAlgorithmById(f"seaminspector:{name}")
+    """A new one of our algorithms, or of what reads as one."""
+    made = READERS[name]().create() if name in READERS else (
+        QgsApplication.processingRegistry().createAlgorithmById(f"seaminspector:{name}")
+    )
     assert made is not None, name
     return made
 
 
-def run(name: str, values: dict[str, Any], checked: bool = True) -> Outcome:
-    """Check the values, unless a model would not, and run."""
+def run(name: str, values: dict[str, Any], checked: bool = True, patience: float = PATIENCE_SECONDS) -> Outcome:
+    """Check the values, unless a model would not, and run; cancelled after so many seconds."""
     job, log, context = created(name), Log(), QgsProcessingContext()
     context.setProject(QgsProject.instance())
     context.setInvalidGeometryCheck(QgsFeatureRequest.InvalidGeometryCheck.GeometryAbortOnInvalid)
@@ -68,12 +74,12 @@ def run(name: str, values: dict[str, Any], checked: bool = True) -> Outcome:
         acceptable, why = job.checkParameterValues(values, context)
         if not acceptable:
             return Outcome(False, why or "(nothing)", log.errors, log.others)
-    patience = threading.Timer(PATIENCE_SECONDS, log.cancel)  # what takes long has to heed it
-    patience.start()
+    stop = threading.Timer(patience, log.cancel)  # what takes long has to heed it
+    stop.start()
     try:
         _, worked = job.run(values, context, log)
     finally:
-        patience.cancel()
+        stop.cancel()
     context.temporaryLayerStore().removeAllMapLayers()
     return Outcome(bool(worked), "", log.errors, log.others)
 

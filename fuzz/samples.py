@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from osgeo import gdal
 
+from fuzz import desk
 from fuzz.running import run
 from tests.numbers.photos.photos import CAMERA
 from tests.numbers.sensors.sensor_scenes import made_rational, places
@@ -20,6 +21,7 @@ from tests.qgis.scenes import BLURRED, SHARP, layer, line, make_scene, outline, 
 from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, write_scene
 
 PIECE_M = 5.0
+PATIENCE_SECONDS = 300.0  # with a busy machine
 POINTS = 40
 JRC = {"name": "mine", "rules": [{"check": "peak", "least": 0.3, "most": 0.7, "source": "mine"}]}
 ACCEPTANCE = {
@@ -206,12 +208,13 @@ def _derived(folder: Path) -> None:
     (folder / "rpc").mkdir()  # one beside its image would be what the image has by itself
     for algorithm, files in made.items():
         named = {output: str(folder / file) for output, file in files.items()}
-        outcome = run(algorithm, {**given[algorithm], **named})
+        outcome = run(algorithm, {**given[algorithm], **named}, patience=PATIENCE_SECONDS)
         assert outcome.worked, (algorithm, outcome.said)
     again = run("fitsensormodel", {
         **given["fitsensormodel"], "OUTPUT": "TEMPORARY_OUTPUT", "RPC": str(folder / "rpc" / "image_RPC.TXT"),
-    })  # fmt: skip
+    }, patience=PATIENCE_SECONDS)  # fmt: skip
     assert again.worked, again.said
+    desk.make_folder(folder / "desk", folder / "inspected.gpkg")
 
 
 def gcps_address(path: Path) -> str:

@@ -17,6 +17,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any, TextIO
 
+import matplotlib.font_manager  # noqa: F401 - lists the fonts now, and says so
 from osgeo import gdal
 from qgis.core import QgsApplication, QgsProject
 from seam_inspector.plugin.provider import SeamInspectorProvider
@@ -24,7 +25,7 @@ from seam_inspector.plugin.provider import SeamInspectorProvider
 from fuzz.calls import MODELS
 from fuzz.cases import NOTHING, Case, grows, kinds, values_of
 from fuzz.judging import MOST_BYTES, UNBROKEN, Report, judged
-from fuzz.running import Outcome, outputs, run
+from fuzz.running import READERS, Outcome, outputs, run
 from fuzz.samples import make_samples
 from fuzz.watching import differences, forget, state_of
 
@@ -38,8 +39,14 @@ MOST_GROWTH = 3.0
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 _KEPT_BY_QGIS = re.compile(r"^(made|changed) .*\.aux\.xml$|^changed .*\.vrt$")
 """Statistics, by which it stretches a raster: GDAL keeps them beside it, those of a VRT in the VRT."""
-_SAID_BY_QGIS = re.compile(r"Unable to load mesh|Creating Warped VRT|Warped VRT Creation failed")
-"""A file that is no raster is tried as a mesh, and one that is rotated is warped, both aloud."""
+_KEPT_BY_DESK = re.compile(r"\.(unsaved|results)$")
+"""Records, which are the desk's own."""
+_SAID_BY_QGIS = re.compile(
+    r"Unable to load mesh|Creating Warped VRT|Warped VRT Creation failed|already exists in ZIP file"
+    r"|Failed to open \S+ to write"
+)
+"""A file that is no raster is tried as a mesh, one that is rotated is warped, and to a VRT in an archive statistics are
+to be added, all aloud."""
 
 
 class Player:
@@ -84,9 +91,7 @@ class Player:
         report.stderr = (folder / SAID).read_text(errors="replace")
         report.said = outcome.said
         changed = differences(before, state_of(watched))
-        if case.algorithm in MODELS:
-            changed = [one for one in changed if not _KEPT_BY_QGIS.search(one)]
-            report.stderr = "\n".join(line for line in report.stderr.splitlines() if not _SAID_BY_QGIS.search(line))
+        changed, report.stderr = _of_ours(case.algorithm, changed, report.stderr)
         report.findings = judged(outcome, report.stderr) + changed
         if grows(case) and worked > LONG_SECONDS:
             report.findings += self._growth(case, folder, worked)
@@ -127,6 +132,16 @@ class Player:
             return run(case.algorithm, values, checked=case.seed % 4 != 3)  # the others as a step of a model
         except Exception:  # whatever it is, it is what is looked for
             return Outcome(False, errors=[traceback.format_exc()])
+
+
+def _of_ours(algorithm: str, changed: list[str], said: str) -> tuple[list[str], str]:
+    """Of what changed and was said what is not QGIS's own doing, or the desk's."""
+    if algorithm in READERS:  # QGIS tells aloud what it can't read of a project
+        return [one for one in changed if not _KEPT_BY_DESK.search(one)], ""
+    if algorithm in MODELS:
+        lines = (line for line in said.splitlines() if not _SAID_BY_QGIS.search(line))
+        return [one for one in changed if not _KEPT_BY_QGIS.search(one)], "\n".join(lines)
+    return changed, said
 
 
 class gdal_quiet:  # noqa: N801 - used as a function

@@ -9,9 +9,11 @@ from typing import Any, Callable
 
 RASTERS = (".tif", ".jpg", ".png", ".bmp", ".vrt")
 LAYERS = (".gpkg", ".shp", ".geojson")
-DOCUMENTS = (".json", ".xml", ".yaml", ".csv", ".points", ".rpb", ".txt")
+DOCUMENTS = (".json", ".xml", ".yaml", ".csv", ".points", ".rpb", ".txt", ".qgs")
+RECORDS = (".unsaved",)
+"""What the desk keeps beside a layer."""
 TEXTS = (*DOCUMENTS, ".geojson", ".vrt")
-FILES = (*RASTERS, *LAYERS, *DOCUMENTS)
+FILES = (*RASTERS, *LAYERS, *DOCUMENTS, *RECORDS)
 
 
 @dataclass

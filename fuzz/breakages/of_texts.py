@@ -5,6 +5,7 @@ import json
 import re
 from pathlib import Path
 from typing import Any
+from xml.sax.saxutils import escape
 
 from fuzz.breakages.broken import TEXTS, Broken, breakage
 
@@ -15,6 +16,9 @@ WORDS = (
     "=1+1", "9" * 5000,
 )  # fmt: skip
 DEPTH = 100_000
+OTHERS: tuple[Any, ...] = (
+    None, [], {}, "", "x", -1, 0, 1e300, float("nan"), float("inf"), True, 10**400, [[]], {"a": {}}, "<b>", [1] * 99
+)
 
 
 def _text(broken: Broken) -> str:
@@ -87,6 +91,32 @@ def deep(broken: Broken) -> None:
     _write(broken, opening * DEPTH + ("1" if opening == '{"a":' else "") + closing * DEPTH)
 
 
+_KEPT = re.compile(r'(?<=type="QString">)\{.*?\}(?=</)')
+"""What the plugin keeps in a project: JSON, its quotes written as a project has them."""
+
+
+@breakage(".qgs")
+def settings(broken: Broken) -> None:
+    """Parts of what a project keeps become other things, or none of it is JSON."""
+    def other(found: re.Match[str]) -> str:
+        if broken.random.random() < 0.2:
+            return broken.random.choice(("[" * DEPTH, "{", "null", "9" * 5000, "NaN", *WORDS[:10]))
+        document = json.loads(found[0].replace("&quot;", '"'))
+        for key in broken.random.sample(sorted(document), len(document) // 2):
+            document[key] = broken.random.choice(OTHERS)
+        return escape(json.dumps(document))
+
+    _write(broken, _KEPT.sub(other, _text(broken)))
+
+
+@breakage(".qgs")
+def layer_properties(broken: Broken) -> None:
+    """Numbers of windows that are none."""
+    words = ("--5", "\u00b2", "9" * 5000, "", "[[", "1e9", "-1", *WORDS[:10])
+    numbers = re.compile(r'(?<= type="QString" value=")\d+')
+    _write(broken, numbers.sub(lambda _: escape(broken.random.choice(words)).replace("\0", ""), _text(broken)))
+
+
 @breakage(".json", ".geojson", ".yaml")
 def structure(broken: Broken) -> None:
     """Parts of a JSON document become other things."""
@@ -109,13 +139,10 @@ def _replace(document: Any, broken: Broken) -> None:
     if not places:
         return
     holder, key = broken.random.choice(places)
-    others: tuple[Any, ...] = (
-        None, [], {}, "", "x", -1, 0, 1e300, float("nan"), float("inf"), True, 10**400, [[]], {"a": {}}, "<b>", [1] * 99
-    )
     if isinstance(holder, dict) and broken.random.random() < 0.2:
         del holder[key]
     else:
-        holder[key] = broken.random.choice(others)
+        holder[key] = broken.random.choice(OTHERS)
 
 
 def _keys(value: Any) -> list[Any]:

@@ -22,7 +22,7 @@ from .gdal_calls import is_endless
 from .messages import system_reason
 
 MOST_BYTES = 100_000_000  # a hundred times the largest table of points or rules anybody has
-_MOST_DIGITS = 400  # more than the largest float has
+_MOST_DIGITS = 308  # each whole number of so many is a float, too
 
 _PairsHook = Optional[Callable[[Sequence[tuple[str, Any]]], Any]]
 

@@ -7,10 +7,16 @@ And how GDAL is called: without its own messages, its failures as ours whether o
 | `open_raster` | mosaics, orthoimages, heights, photos, also those that VRTs name | `RASTERS`, checked |
 | `seam_features` | seamlines and cells that the Python interface is given | `FEATURES`, checked |
 | `outputs` | inputs and what is to be replaced, to see which files they are | `ANYTHING`, checked |
+| `open_raster`, `delivered_files` | parts and sheets, as one raster | GDAL's `BuildVRT`, checked before |
 | here | tile indexes of a raster (GTI) | `FEATURES` |
+| here | an image, alone, for what it names inside | the driver that knows it |
 | `layers`, `point_tables`, `feature_sinks` | a file that QGIS has open, or that was just written | `FEATURES` |
 | `raster_writer`, `orthorectification`, `mended_mosaic` | what was read or written just before | `RASTERS` |
 | `window_layer` | `windows*.gpkg` beside a project, which nobody chose | SQLite, after `holds_only_tables` |
+| `keeping` | the windows of a project that had no file, to move them | SQLite, as QGIS has them open |
+| `outputs` | a database that is to be written, to see whether others write it | SQLite |
+| `delivery_layers`, `mosaic_scans`, `swiped_layer`, `line_layers` | what the user chose, or was just written | QGIS |
+| `digests`, `scan_journal` | the bytes of inputs, for fingerprints | Python, of files alone |
 | `mark_tables` | the layers in a folder of marks | QGIS, after `is_layer_file` |
 | `record_store` | `.unsaved`, `.results`, `.scan`, which nobody chose | SQLite, of our own tables only |
 | `documents` | XML, JSON, rules, camera files | Python, after `is_endless`, up to a size |
@@ -25,7 +31,7 @@ import re
 import sqlite3
 import stat
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import closing, contextmanager, suppress
+from contextlib import AbstractContextManager, closing, contextmanager, suppress
 from enum import Enum
 from functools import lru_cache
 from pathlib import Path
@@ -101,12 +107,16 @@ def _is_special(path: str, mode: int) -> bool:
 
 _MOST_PARTS = 100_000  # of a VRT, and of those in it
 _MOST_BYTES = 100_000_000  # of a VRT's text
+_MOST_MARKS = 4_000_000  # < and = in it: what the time and memory of its reading go by
+_MOST_COLONS = 8  # in a name, of which each part between two of them may be a file's
 _MOST_READINGS = 300_000  # of files for one band, where VRTs name VRTs that name each file again and again
 _MOST_DEPTH = 1000  # of VRTs in VRTs; GDAL itself gives up long before
 _HEAD_BYTES = 1024  # by which GDAL's drivers know their files
 _ROOTS = (b"<VRTDataset", b"<OGRVRT", b"<PAMDataset", b"<GDALTileIndexDataset")
 """Documents that name files."""
 _AUXILIARY = ".aux.xml"
+_BESIDE = (_AUXILIARY, ".ovr", ".msk", ".aux")
+"""After a raster's name: metadata, overviews and masks, which GDAL opens with any driver."""
 _ADDRESS = re.compile(r"(?:https?|ftp)://", re.I)
 _LOOKED_AT = re.compile(r"\.(vrt|gti(\.\w+)?)(?=$|\?)", re.I)
 """Names over the network of what may lead elsewhere: of nothing else the first bytes are fetched to find out."""
@@ -134,7 +144,10 @@ class _PathLook(NamedTuple):
     bands: int = 1
     """Of a VRT, which names its parts once for each."""
     driver: str = ""
-    """GDAL's, where that is why."""
+    """GDAL's, which is why or by which an image is read."""
+    identity: tuple[int, ...] = ()
+    beside: tuple[str, ...] = ()
+    """What lies beside it in an archive, called like it."""
 
 
 def check_raster_path(path: str, name: str) -> None:
@@ -143,26 +156,27 @@ def check_raster_path(path: str, name: str) -> None:
     Each part is asked for what it is now; only what changed is looked at anew, as mosaics are opened for every window.
     """
     waiting: list[tuple[str, ...]] = [(path,)]
-    seen, virtual, folders = set[str](), dict[str, _PathLook](), dict[str, tuple[str, ...]]()
+    seen, virtual, folders = set[str](), dict[str, _PathLook](), dict[str, _Folder]()
+    waits = ""
     while waiting:
         for part in waiting.pop():
             if part in seen:
                 continue
             seen.add(part)
-            if odd := _odd_beside(part, folders):
-                raise RasterError(messages.NO_FILE_BESIDE(name=name, path=odd))
             look = _looked_at(part)
             if look.refused is not None:
-                raise RasterError(
-                    _refusal(look, name) if part == path else messages.VRT_LEADS_OUT(name=name, path=part)
-                )
-            if look.parts:
-                virtual[part] = look
-                waiting.append(look.parts)
-            if not part.endswith(_AUXILIARY) and os.path.exists(part + _AUXILIARY):
-                waiting.append((part + _AUXILIARY,))
+                leads_out = messages.VRT_LEADS_OUT if vrt_parts(path) else messages.LEADS_OUT
+                raise RasterError(_refusal(look, name) if part == path else leads_out(name=name, path=part))
+            odd, beside = _beside(part, folders)
+            waits = waits or odd
+            inside = _named_inside(part, look.driver, *look.identity) if look.driver and not odd else ()
+            if parts := (*look.parts, *beside, *look.beside, *inside):
+                virtual[part] = look._replace(parts=parts)
+                waiting.append(parts)
         if len(seen) > _MOST_PARTS:
             raise RasterError(messages.VRT_OF_TOO_MANY(name=name, most=_MOST_PARTS))
+    if waits:
+        raise RasterError(messages.NO_FILE_BESIDE(name=name, path=waits))
     if len(virtual) > 1 and _readings(path, virtual) > _MOST_READINGS:
         raise RasterError(messages.VRT_OF_TOO_MANY(name=name, most=_MOST_READINGS))
 
@@ -183,7 +197,7 @@ def _readings(path: str, virtual: Mapping[str, _PathLook]) -> float:
     for _ in range(_MOST_DEPTH):
         named: dict[str, float] = {}
         for one, count in counts.items():
-            for part in virtual[one].parts:
+            for part in virtual[one].parts if one in virtual else ():
                 named[part] = named.get(part, 0.0) + count / virtual[one].bands
         most = max(most, sum(named.values()))
         counts = {one: count for one, count in named.items() if one in virtual}
@@ -280,12 +294,14 @@ def _look_by_name(path: str) -> _PathLook:
         return _PathLook(None, (rest[2:].partition("?")[0],))
     if prefix.upper() == "GTI":
         return _PathLook(None, tuple(_indexed(rest)))
-    return _PathLook(None, tuple(_files_in(rest))) if prefix in _PARTS_OF_FILES else _PathLook(_Refused.SERVICE)
+    if prefix not in _PARTS_OF_FILES or rest.count(":") > _MOST_COLONS:
+        return _PathLook(_Refused.SERVICE)
+    return _PathLook(None, tuple(_files_in(rest)))
 
 
 def _files_in(text: str, folder: str = "") -> Iterator[str]:
     """The names between colons and quotes that are files, or may be some elsewhere."""
-    words = text.split(":")[:20]
+    words = text.split(":")
     for first in range(len(words)):
         for last in range(first + 1, len(words) + 1):
             name = os.path.join(folder, ":".join(words[first:last]).strip('"'))
@@ -338,12 +354,31 @@ def _look(path: str, file: str, mode: int, *identity: int) -> _PathLook:
             return _PathLook()
     if driver is not None and driver.ShortName not in ANYTHING.drivers:
         return _PathLook(_Refused.DRIVER, driver=driver.ShortName)
-    if len(content) > _MOST_BYTES:
+    if len(content) > _MOST_BYTES or content.count(b"<") + content.count(b"=") > _MOST_MARKS:
         return _PathLook(_Refused.TOO_MANY)
     if _INDEX.search(path):
         return _PathLook(None, tuple(_indexed(path)))
     folder = os.path.dirname(path if path.startswith("/vsi") else os.path.abspath(path))
-    return _named(content, folder) if content else _PathLook()
+    if content:
+        look = _named(content, folder)
+    else:
+        look = _PathLook(driver="" if driver is None else driver.ShortName, identity=identity)
+    return look._replace(beside=_in_archive(path))
+
+
+@lru_cache(_MOST_PARTS)
+def _named_inside(path: str, driver: str, *identity: int) -> tuple[str, ...]:
+    """What an image names without being a VRT: overviews in its metadata; the parts of an Erdas Imagine file."""
+    alone = gdal_settings(GDAL_DISABLE_READDIR_ON_OPEN="EMPTY_DIR", GDAL_PAM_ENABLED="NO")
+    with gdal_silenced(), alone:
+        try:
+            dataset = gdal.OpenEx(path, gdal.OF_RASTER, [driver])
+            overviews = dataset.GetMetadataItem("OVERVIEW_FILE", "OVERVIEWS") or ""
+            parts = dataset.GetFileList() or () if driver == "HFA" else ()
+        except (AttributeError, RuntimeError):  # it can't be opened
+            return ()
+    named = _places(overviews, os.path.dirname(path), False) if overviews else ()
+    return (*named, *(one for one in parts if one != path))
 
 
 def _indexed(path: str) -> Iterator[str]:
@@ -421,7 +456,7 @@ _BASE = ":::BASE:::"  # before names that are relative to the file they stand be
 def _places(text: str, folder: str, is_relative: bool) -> Iterator[str]:
     if text.startswith(_BASE):
         text, is_relative = text[len(_BASE) :], True
-    if not is_relative:
+    if not is_relative or text.count(":") > _MOST_COLONS:
         yield text
         return
     yield os.path.normpath(os.path.join(folder, text))
@@ -441,27 +476,63 @@ def _is_true(text: str) -> bool:
 # --- what lies beside -------------------------------------------------------------------------------------------
 
 
-def _odd_beside(path: str, folders: dict[str, tuple[str, ...]]) -> str:
-    """What is called like a file, lies beside it and has no end; empty where nothing is. GDAL would open it."""
+class _Folder(NamedTuple):
+    """What of a folder GDAL may open when it reads a raster in it."""
+
+    odd: str = ""
+    """A name of what is neither a file nor a folder: GDAL looks for metadata by many names."""
+    called_like: Mapping[str, tuple[str, ...]] = {}
+    """Names by that of the raster, in small letters, beside which they lie."""
+
+
+def _beside(path: str, folders: dict[str, _Folder]) -> tuple[str, tuple[str, ...]]:
+    """What has no end in a raster's folder, empty where nothing is, and what lies there called like the raster."""
     folder, name = os.path.split(path)
     if folder not in folders:
-        folders[folder] = ()
+        folders[folder] = _Folder()
         with suppress(OSError, ValueError):
-            folders[folder] = _odd_ones(folder, *_identity(os.stat(folder or ".")))
-    stem, odd_ones = os.path.splitext(name)[0].lower(), folders[folder]
-    return next((os.path.join(folder, odd) for odd in odd_ones if odd != name and odd.lower().startswith(stem)), "")
+            folders[folder] = _folder(folder, *_identity(os.stat(folder or ".")))
+    there = folders[folder]
+    beside = there.called_like.get(name.lower(), ())
+    return there.odd and os.path.join(folder, there.odd), tuple(os.path.join(folder, one) for one in beside)
 
 
 @lru_cache(1000)
-def _odd_ones(folder: str, *identity: int) -> tuple[str, ...]:
-    """Names in a folder of what is neither a file nor a folder."""
+def _folder(folder: str, *identity: int) -> _Folder:
     with os.scandir(folder or ".") as entries:
-        return tuple(one.name for one in entries if not (one.is_file() or one.is_dir() or not os.path.exists(one.path)))
+        found = list(entries)
+    odd = (one.name for one in found if not (one.is_file() or one.is_dir()) and _waits(one.path))
+    return _Folder(next(odd, ""), _called_like(one.name for one in found if one.is_file()))
+
+
+def _waits(path: str) -> bool:
+    """Whether opening what is no file may wait for ever, as a socket and a link that leads nowhere can't be opened."""
+    try:
+        return not stat.S_ISSOCK(os.stat(path).st_mode)
+    except OSError:
+        return False
+
+
+def _called_like(names: Iterable[str]) -> dict[str, tuple[str, ...]]:
+    found: dict[str, tuple[str, ...]] = {}
+    for name in names:
+        for ending in _BESIDE:
+            if name.lower().endswith(ending):
+                like = name.lower()[: -len(ending)]
+                found[like] = (*found.get(like, ()), name)
+    return found
+
+
+def _in_archive(path: str) -> tuple[str, ...]:
+    """What lies beside a raster in an archive or in memory, called like it."""
+    if not path.startswith("/vsi") or is_remote(path):
+        return ()
+    folder, name = os.path.split(path)
+    beside = _called_like(gdal.ReadDir(folder) or ()).get(name.lower(), ())
+    return tuple(f"{folder}/{one}" for one in beside)
 
 
 # --- calls --------------------------------------------------------------------------------------------------------
-
-_MASK_INSIDE, _REDUCED_JPEG = "GDAL_TIFF_INTERNAL_MASK", "GTIFF_IMPLICIT_JPEG_OVR"
 
 
 @contextmanager
@@ -494,33 +565,47 @@ tile of a TIFF there are none."""
 def gdal_pixels(call: Callable[[], Any], failure: Message, damage: Callable[[str], Message]) -> Any:
     """What a call that reads pixels returns. Raises RasterError with ``failure`` when it fails, and with ``damage``,
     which is given GDAL's words, when it goes on after a warning that pixels can't be decoded."""
-    said: list[str] = []
-    gdal.PushErrorHandler(lambda level, number, text: said.append(text))
+    said: list[tuple[int, str]] = []
+    gdal.PushErrorHandler(lambda level, number, text: said.append((level, text)))
     try:
         result = call()
     except RuntimeError:
         result = None
     finally:
         gdal.PopErrorHandler()
-    if result is None:
+    if result is None or any(level >= gdal.CE_Failure for level, _ in said):
         raise RasterError(failure)
-    for text in filter(_DAMAGE.search, said):
+    for text in filter(_DAMAGE.search, (text for _, text in said)):
         raise RasterError(damage(text.partition(" (this warning")[0]))
     return result
 
 
+def read_metadata(dataset: gdal.Dataset) -> None:
+    """Have GDAL read now what lies beside a raster, and leave out what of it is broken; else the first question about
+    the raster fails, whatever it is."""
+    with gdal_silenced(), suppress(RuntimeError):
+        dataset.GetGeoTransform()
+
+
 @contextmanager
-def whole_jpeg_tiles() -> Iterator[None]:
+def gdal_settings(**options: str) -> Iterator[None]:
+    """GDAL's options for this thread alone."""
+    before = {name: gdal.GetThreadLocalConfigOption(name) for name in options}
+    try:
+        for name, value in options.items():
+            gdal.SetThreadLocalConfigOption(name, value)
+        yield
+    finally:
+        for name in options:
+            gdal.SetThreadLocalConfigOption(name, before[name])
+
+
+def whole_jpeg_tiles() -> AbstractContextManager[None]:
     """Datasets opened here, in this thread, decode whole tiles of JPEG in TIFF for reduced pixels.
 
     Else libjpeg decodes a half to an eighth of a tile alone, where it takes sound tiles for cut off now and then.
     """
-    before = gdal.GetThreadLocalConfigOption(_REDUCED_JPEG)
-    gdal.SetThreadLocalConfigOption(_REDUCED_JPEG, "NO")
-    try:
-        yield
-    finally:
-        gdal.SetThreadLocalConfigOption(_REDUCED_JPEG, before)
+    return gdal_settings(GTIFF_IMPLICIT_JPEG_OVR="NO")
 
 
 @contextmanager
@@ -537,15 +622,9 @@ def gdal_writing(failure: Message) -> Iterator[None]:
         raise RasterError(failure)
 
 
-@contextmanager
-def gdal_masks_beside() -> Iterator[None]:
+def gdal_masks_beside() -> AbstractContextManager[None]:
     """A mask that this thread adds to a TIFF becomes a file beside it, as before GDAL 3.13."""
-    before = gdal.GetThreadLocalConfigOption(_MASK_INSIDE)
-    gdal.SetThreadLocalConfigOption(_MASK_INSIDE, "NO")
-    try:
-        yield
-    finally:
-        gdal.SetThreadLocalConfigOption(_MASK_INSIDE, before)
+    return gdal_settings(GDAL_TIFF_INTERNAL_MASK="NO")
 
 
 def drop_from_memory(path: str) -> None:

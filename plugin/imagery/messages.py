@@ -10,6 +10,7 @@ NOT_FOUND = Message("{path} does not exist; check the path.")
 NOT_A_RASTER = Message("{name} is not a raster that GDAL can read; check that the file is complete.")
 NOT_PERMITTED = Message("{name} may not be read; ask its owner for permission to read it, or copy it.")
 NOT_READABLE = Message("The pixels of {name} can't be read; the file may be truncated or damaged, so copy it anew.")
+MASK_NOT_READABLE = Message("The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both anew.")
 DAMAGED = Message(
     "{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it anew."
 )
@@ -18,8 +19,12 @@ SERVICE = Message("{name} is a service or a database, not a file; save the part 
 DRIVER_NOT_USED = Message(
     "{name} is read by GDAL's driver {driver}, which may lead to other files; save it as GeoTIFF."
 )
-NO_FILE_BESIDE = Message("{path} is called like a file of {name} and is a device or a pipe; remove it.")
+NO_FILE_BESIDE = Message("{path} lies beside {name} and is a device or a pipe, for which GDAL may wait; remove it.")
 VRT_LEADS_OUT = Message("{name} is a VRT that leads to {path}, which is not a file; mend the VRT.")
+LEADS_OUT = Message(
+    "{name} has metadata, overviews or a mask that lead to {path}, which is not a file; remove what lies beside it, or "
+    "save it anew."
+)
 VRT_OF_TOO_MANY = Message("{name} is a VRT of more than {most} files; make VRTs of parts of the block.")
 TOO_MANY_BANDS = Message("{name} has {count} bands and {most} are the most; take out those that are to be measured.")
 BLOCKS_TOO_LARGE = Message(

@@ -14,7 +14,15 @@ from osgeo import gdal, gdal_array
 
 from . import limits, messages
 from .errors import Message, RasterError
-from .gdal_calls import RASTERS, check_raster_path, gdal_call, gdal_pixels, open_dataset, whole_jpeg_tiles
+from .gdal_calls import (
+    RASTERS,
+    check_raster_path,
+    gdal_call,
+    gdal_pixels,
+    open_dataset,
+    read_metadata,
+    whole_jpeg_tiles,
+)
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
@@ -99,6 +107,7 @@ class OpenRaster:
             for part in ref.parts:
                 check_raster_path(part, ref.name)
             dataset = gdal_call(lambda: _opened(ref), failure)
+            read_metadata(dataset)
         if dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
         _check_amounts(dataset, ref.name)
@@ -144,7 +153,13 @@ class OpenRaster:
     @property
     def is_all_valid(self) -> bool:
         """Whether the file says nothing of pixels that are no measurements."""
-        return bool(self.dataset.GetRasterBand(1).GetMaskFlags() == gdal.GMF_ALL_VALID)
+        return self._mask_flags == gdal.GMF_ALL_VALID
+
+    @cached_property
+    def _mask_flags(self) -> int:
+        """GDAL's. Raises RasterError where the mask is damaged."""
+        failure = messages.MASK_NOT_READABLE(name=self.ref.name)
+        return int(gdal_pixels(self.dataset.GetRasterBand(1).GetMaskFlags, failure, lambda why: failure))
 
     def band_index(self, number: int) -> int:
         """Where a band of the file, from 1 on, stands among those that are measured.
@@ -174,8 +189,7 @@ class OpenRaster:
 
         data = self._pixels(lambda dataset: dataset.ReadAsArray(*inside, **options), window, size)
         mask = None
-        flags = gdal_call(self.dataset.GetRasterBand(1).GetMaskFlags, messages.NOT_READABLE(name=self.ref.name))
-        if flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
+        if self._mask_flags & (gdal.GMF_PER_DATASET | gdal.GMF_ALPHA) == gdal.GMF_PER_DATASET:
             mask = self._pixels(read_mask, window, size)
         return self._block(data.reshape(-1, rows, columns), mask)
 

@@ -14,7 +14,7 @@ from osgeo import gdal
 
 from . import messages
 from .errors import Message, RasterError
-from .gdal_calls import gdal_silenced, is_remote, readable_path, vrt_parts
+from .gdal_calls import gdal_settings, gdal_silenced, is_remote, readable_path, vrt_parts
 
 Result = TypeVar("Result")
 
@@ -80,16 +80,13 @@ def remote_parts(path: str) -> tuple[str, ...]:
 def remote_settings(more: Mapping[str, str]) -> Iterator[None]:
     """GDAL's options for remote files in this thread, but for those that the user set otherwise."""
     options = {**SETTINGS, **more}
-    before = {name: gdal.GetThreadLocalConfigOption(name) for name in options}
     # One that only this thread has is from a block around this one.
-    free = [name for name in options if before[name] is not None or gdal.GetConfigOption(name) is None]
-    try:
-        for name in free:
-            gdal.SetThreadLocalConfigOption(name, options[name])
+    free = {
+        name: value for name, value in options.items()
+        if gdal.GetThreadLocalConfigOption(name) is not None or gdal.GetConfigOption(name) is None
+    }
+    with gdal_settings(**free):
         yield
-    finally:
-        for name in free:
-            gdal.SetThreadLocalConfigOption(name, before[name])
 
 
 def persistently(path: str, name: str, read: Callable[[bool], Result]) -> Result:

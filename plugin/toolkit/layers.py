@@ -168,17 +168,20 @@ def extent(geometry: QgsGeometry) -> Extent:
 
 
 def outline_extent(feature: QgsFeature, transform: QgsCoordinateTransform | None = None) -> Extent | None:
-    """The bounding box of a feature, transformed where a transform is given; None when it has no outline.
+    """The bounding box of a feature, transformed where a transform is given; None when it has no outline, or one of
+    coordinates that are no numbers.
 
-    Raises WindowError when it can't be transformed, or its coordinates are no numbers.
+    Raises WindowError when it can't be transformed.
     """
     geometry = feature.geometry()
     if geometry.isEmpty():
         return None
     bounds = extent(geometry if transform is None else transformed(QgsGeometry(geometry), transform))
-    if not all(map(math.isfinite, bounds)):
-        raise WindowError(messages.WINDOW_EMPTY())
-    return bounds
+    if all(map(math.isfinite, bounds)):
+        return bounds
+    if transform is None:  # else they may have become so
+        return None
+    raise WindowError(messages.WINDOW_EMPTY())
 
 
 def rectangle(bounds: Extent) -> QgsGeometry:

@@ -8,7 +8,8 @@ from typing import Callable
 
 import numpy as np
 
-from ...imagery.errors import Message, PhotoError
+from ...imagery.errors import CancelledError, Message, PhotoError
+from ...imagery.messages import CANCELLED
 from . import limits, messages, scan_orientation
 from .camera_calibration import CameraCalibration, check_calibration
 from .finding_marks import MarkFinder, within
@@ -162,7 +163,7 @@ def orient_photo(
 ) -> PhotoOrientation:
     """Measure the marks of a photo and fit the transformation.
 
-    Raises PhotoError where nothing can be measured at all.
+    Raises PhotoError where nothing can be measured at all, CancelledError where marks were still looked for.
     """
     check_calibration(calibration, settings.model)
     _check_positions(photo, calibration, positions)
@@ -170,6 +171,8 @@ def orient_photo(
     found = FoundMarks(template=settings.template)
     if set(given) != set(calibration.marks):
         found = MarkFinder(photo, calibration, positions, settings, cancelled).found()
+        if cancelled():
+            raise CancelledError(CANCELLED())
     marks = _without_doubles([_mark(name, place, given, found) for name, place in calibration.marks.items()])
     marks = fail_misplaced_marks(marks)
     marks = _supported(marks, positions, found.template)

@@ -25,6 +25,7 @@ Sink = tuple[Optional[QgsFeatureSink], Optional[str]]
 
 _COUNTED = (".csv", ".fgb", ".geojson", ".gpkg", ".kml", ".shp", ".sqlite")  # formats that hold all that they are given
 _SPREADSHEETS = (".csv", ".ods", ".tsv", ".xlsx")
+_NOT_THERE = -1  # features: fewer than an empty layer has
 _OF_DATABASES = ("-wal", "-shm", "-journal")
 
 
@@ -52,9 +53,10 @@ class _OpenSink:
         return self.destination if self.place is None else self.place.path
 
     def count(self, has_closed: bool) -> int:
-        """How many features it holds, as far as that can be told; ``has_closed``: whether GDAL closed it well."""
+        """How many features it holds, as far as that can be told, ``_NOT_THERE`` without it; ``has_closed``: whether
+        GDAL closed it well."""
         if self.place is None or not self.place.path.lower().endswith(_COUNTED):
-            return self.written if has_closed and not self.has_failed else 0
+            return self.written if has_closed and not self.has_failed else _NOT_THERE
         return _count(self.place if self.file is None else DataPlace(str(self.file.written)))
 
 
@@ -126,9 +128,9 @@ class FeatureSinks:
 
     def _settle(self, of: _OpenSink, file: UnfinishedFile, held: int, is_part: bool) -> None:
         """Let a file with so many features take its place, or not."""
-        if held < of.written and (file.replaces or not held):
+        if held < of.written and (file.replaces or held <= 0):
             file.drop()
-            self._account(of, 0)
+            self._account(of, _NOT_THERE)
         elif is_part and file.replaces:
             self._keep_beside(of, file, lambda part: messages.LAYER_NOT_REPLACED(path=of.path, part=part))
         else:
@@ -146,7 +148,7 @@ class FeatureSinks:
             path = str(file.keep_beside())
         except OSError:
             file.drop()
-            self._account(of, 0)
+            self._account(of, _NOT_THERE)
             return
         self.beside[of.destination] = path, said(path)
         self.has_whole = True
@@ -155,7 +157,7 @@ class FeatureSinks:
         """Tell of a layer that holds so many features."""
         if held >= of.written:
             self.has_whole = True
-        elif held:
+        elif held > 0:
             self.lost[of.destination] = messages.LAYER_IN_PART(path=of.path, held=held, count=of.written)
         else:
             self.lost[of.destination] = messages.LAYER_NOT_WRITTEN(path=of.path)
@@ -184,10 +186,9 @@ def _why_not(place: DataPlace | None, said: str) -> str:
 
 
 def _count(place: DataPlace) -> int:
-    """How many features a file holds."""
+    """How many features a file holds; ``_NOT_THERE`` for one without the layer."""
     with gdal_silenced(), suppress(RuntimeError):
         dataset = open_dataset(place.path, FEATURES)
-        table = place.table
-        layer = dataset and (dataset.GetLayerByName(table) if table else dataset.GetLayer(0))
-        return int(layer.GetFeatureCount()) if layer else 0
-    return 0
+        layer = dataset and (dataset.GetLayerByName(place.table) if place.table else dataset.GetLayer(0))
+        return _NOT_THERE if layer is None else int(layer.GetFeatureCount())
+    return _NOT_THERE

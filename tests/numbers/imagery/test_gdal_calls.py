@@ -137,10 +137,68 @@ def test_sound_ways_to_a_raster_stay_open(tmp_path: Path) -> None:
 def test_a_pipe_beside_a_raster_is_not_opened(tmp_path: Path, ending: str) -> None:
     path = write_raster(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))
     os.mkfifo(f"{path}{ending}")
-    assert refusal(path).startswith(f"{path}{ending} is called like a file of a.tif and is a device or a pipe")
+    assert refusal(path).startswith(f"{path}{ending} lies beside a.tif and is a device or a pipe")
     whole = tmp_path / "b.vrt"
     whole.write_text(vrt(str(path)))
-    assert f"{path}{ending} is called like a file of b.vrt" in refusal(whole)
+    assert f"{path}{ending} lies beside b.vrt" in refusal(whole)
+
+
+def imagine(at: Path, option: str, value: str, ending: str) -> Path:
+    """An Erdas Imagine file whose other part is called differently, and is a pipe."""
+    write_raster(at / "a.tif", np.zeros((1, 512, 512), np.uint8))
+    with gdal_calls.gdal_settings(HFA_USE_RRD="YES"):
+        gdal.Translate(str(at / "a.img"), str(at / "a.tif"), format="HFA", creationOptions=[f"{option}={value}"])
+        gdal.Open(str(at / "a.img"), gdal.GA_Update).BuildOverviews("NEAREST", [2])
+    (at / f"a{ending}").unlink()
+    (at / "a.img").write_bytes((at / "a.img").read_bytes().replace(f"a{ending}".encode(), f"b{ending}".encode()))
+    os.mkfifo(at / f"b{ending}")
+    return at / "a.img"
+
+
+@pytest.mark.parametrize(("option", "value", "ending"), [("USE_SPILL", "YES", ".ige"), ("COMPRESSED", "NO", ".rrd")])
+def test_parts_of_an_imagine_file_have_an_end(tmp_path: Path, option: str, value: str, ending: str) -> None:
+    assert "is a device or a pipe" in refusal(imagine(tmp_path, option, value, ending))
+
+
+@pytest.mark.parametrize("name", ["summary.txt", "METADATA.DIM", "RPC-a.txt"])
+def test_metadata_of_other_names_has_an_end(tmp_path: Path, name: str) -> None:
+    """GDAL's readers of satellites' metadata look for some that are not called like the image."""
+    path = write_raster(tmp_path / "IMG-a.tif", np.zeros((1, 64, 64), np.uint8))
+    os.mkfifo(tmp_path / name)
+    assert refusal(path).startswith(f"{tmp_path / name} lies beside IMG-a.tif")
+
+
+@pytest.mark.parametrize("to", [MEMORY, "{pipe}"])
+@pytest.mark.parametrize("ending", [".ovr", ".OVR", ".msk", ".ovr.ovr", ".ovr.aux.xml"])
+@pytest.mark.parametrize("packed", [False, True])
+def test_what_lies_beside_leads_nowhere(tmp_path: Path, to: str, ending: str, packed: bool) -> None:
+    """Overviews, masks and metadata may be VRTs or name others, also beside each other and in an archive."""
+    pipe = tmp_path / "elsewhere" / "pipe"
+    pipe.parent.mkdir()
+    os.mkfifo(pipe)
+    path = write_raster(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))
+    named = to.format(pipe=pipe)
+    overview = f'<Metadata domain="OVERVIEWS"><MDI key="OVERVIEW_FILE">{named}</MDI></Metadata>'
+    text = f"<PAMDataset>{overview}</PAMDataset>" if ending.endswith(".xml") else vrt(named)
+    between = [Path(f"{path}.ovr")] if ending.count(".") > 1 else []
+    for one in between:
+        write_raster(one, np.zeros((1, 32, 32), np.uint8))
+    beside = Path(f"{path}{ending}")
+    beside.write_text(text)
+    if packed:
+        with zipfile.ZipFile(tmp_path / "a.zip", "w") as file:
+            for one in (path, beside, *between):
+                file.write(one, Path(one).name)
+    assert f"that lead to {named}" in refusal(f"/vsizip/{tmp_path}/a.zip/a.tif" if packed else path)
+
+
+def test_overviews_named_inside_an_image_lead_nowhere(tmp_path: Path) -> None:
+    pipe = tmp_path / "elsewhere" / "pipe"
+    pipe.parent.mkdir()
+    os.mkfifo(pipe)
+    path = write_raster(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))
+    gdal.Open(str(path), gdal.GA_Update).SetMetadataItem("OVERVIEW_FILE", str(pipe), "OVERVIEWS")
+    assert f"that lead to {pipe}" in refusal(path)
 
 
 @pytest.mark.parametrize("named", ["{pipe}", MEMORY, ":::BASE:::pipe"])
@@ -149,7 +207,7 @@ def test_auxiliary_data_name_no_overviews_that_never_end(tmp_path: Path, named: 
     os.mkfifo(tmp_path / "pipe")
     overview = f'<MDI key="OVERVIEW_FILE">{named.format(pipe=tmp_path / "pipe")}</MDI>'
     Path(f"{path}.aux.xml").write_text(f'<PAMDataset><Metadata domain="OVERVIEWS">{overview}</Metadata></PAMDataset>')
-    assert "is a VRT that leads to" in refusal(path)
+    assert "has metadata, overviews or a mask that lead to" in refusal(path)
 
 
 @pytest.mark.parametrize(("name", "text", "driver"), [
@@ -184,6 +242,19 @@ def test_what_is_looked_at_of_a_vrt_grows_with_its_size_alone(tmp_path: Path, mo
             vrt_parts(str(path))
             counts.append(len(steps))
         assert counts[1] in (0, 2 * counts[0])
+
+
+def test_a_vrt_of_very_many_elements_is_not_parsed(tmp_path: Path) -> None:
+    path = tmp_path / "a.vrt"
+    path.write_text(f"<VRTDataset>{'<a/>' * 4_000_001}</VRTDataset>")
+    assert "a.vrt is a VRT of more than" in refusal(path)
+
+
+def test_names_of_very_many_colons_are_no_files(tmp_path: Path) -> None:
+    """Any part between two of them may be a file's name."""
+    for name in ("ab:" * 1000, "GTIFF_DIR:1:" + "a:" * 1000):
+        (tmp_path / "a.vrt").write_text(vrt(name).replace("<SourceFilename>", "<SourceFilename relativeToVRT='1'>"))
+        assert "a.vrt is a VRT that leads to" in refusal(tmp_path / "a.vrt")
 
 
 def holding(path: Path, *statements: str) -> Path:
@@ -225,12 +296,18 @@ def test_files_of_marks_are_tables_and_lead_nowhere(tmp_path: Path) -> None:
 
 
 OPENING = re.compile(
-    r"\b(gdal\.Open(Ex)?|ogr\.Open|sqlite3\.connect|json\.loads?|XMLParser|fromstring|minidom)\(|expat\.P"
+    r"\b(gdal\.Open(Ex)?|gdal\.BuildVRT|ogr\.Open|sqlite3\.connect|json\.loads?|XMLParser|fromstring|minidom"
+    r"|QgsVectorLayer|QgsRasterLayer|mapLayerFromString)\(|expat\.P"
 )
 OPENED_BY = {
     "documents.py": {"json.loads", "expat.P"}, "gdal_calls.py": {"gdal.OpenEx", "sqlite3.connect"},
-    "record_store.py": {"sqlite3.connect"}, "window_layer.py": {"sqlite3.connect"}, "keeping.py": {"sqlite3.connect"},
-    "outputs.py": {"sqlite3.connect"}, "fit_files.py": {"json.loads"},
+    "record_store.py": {"sqlite3.connect"}, "window_layer.py": {"sqlite3.connect", "QgsVectorLayer"},
+    "keeping.py": {"sqlite3.connect"}, "outputs.py": {"sqlite3.connect", "mapLayerFromString"},
+    "fit_files.py": {"json.loads"}, "open_raster.py": {"gdal.BuildVRT"}, "delivered_files.py": {"gdal.BuildVRT"},
+    "layers.py": {"mapLayerFromString"}, "delivery_layers.py": {"mapLayerFromString", "QgsVectorLayer"},
+    "mark_tables.py": {"QgsVectorLayer"}, "line_layers.py": {"QgsVectorLayer"}, "swiped_layer.py": {"QgsRasterLayer"},
+    "mosaic_scans.py": {"QgsVectorLayer", "QgsRasterLayer"},
+    "sensor_parameters.py": {"QgsVectorLayer"}, "parameters.py": {"QgsRasterLayer"},  # empty ones in memory
 }  # fmt: skip
 
 

@@ -155,3 +155,24 @@ def test_a_file_that_may_not_be_read_is_not_called_damaged(
     monkeypatch.setattr(gdal, "OpenEx", lambda *asked: None)
     with pytest.raises(RasterError, match=r"a\.tif may not be read"):
         describe(RasterRef(path))
+
+
+@pytest.mark.parametrize("raises", [False, True])
+def test_metadata_that_leads_to_a_file_is_none(make_raster: MakeRaster, tmp_path: Path, raises: bool) -> None:
+    """Whether or not somebody has turned GDAL's exceptions on, which hold for all of QGIS."""
+    path = write_plain(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))
+    Path(f"{path}.aux.xml").write_text("<PAMDataset><SRS>/etc/passwd</SRS></PAMDataset>")
+    (gdal.UseExceptions if raises else gdal.DontUseExceptions)()
+    try:
+        assert describe(RasterRef(str(path))).wkt == ""
+    finally:
+        gdal.UseExceptions()
+
+
+def test_a_damaged_mask_is_told(tmp_path: Path) -> None:
+    path = write_raster(tmp_path / "a.tif", np.zeros((1, 64, 64), np.uint8))
+    write_raster(Path(f"{path}.msk"), np.zeros((3, 64, 64), np.uint8))
+    content = Path(f"{path}.msk").read_bytes()
+    Path(f"{path}.msk").write_bytes(content[:200] + content[:199:-1])
+    with pytest.raises(RasterError, match=r"The mask of a\.tif, inside it or in the file \.msk beside it, is damaged"):
+        OpenRaster(RasterRef(str(path))).read(PixelWindow(0, 0, 9, 9))

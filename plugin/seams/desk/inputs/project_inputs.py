@@ -69,12 +69,14 @@ def save_inputs(project: QgsProject, inputs: Inputs) -> None:
 
 
 Settings = TypeVar("Settings")
+_LARGEST = 2**31 - 1
 
 
 def read_settings(
     kind: type[Settings], stored: Mapping[str, Any], words: Mapping[str, Sequence[str]] = MappingProxyType({})
 ) -> Settings:
-    """A dataclass of plain values as JSON holds them; what is another kind of thing than its default is left out.
+    """A dataclass of plain values as JSON holds them; what is another kind of thing than its default is left out, and
+    numbers that no box of a form can show.
 
     ``words``: the only values that some fields can have.
     """
@@ -82,6 +84,8 @@ def read_settings(
     for one in fields(kind):  # type: ignore[arg-type]
         value: Any = stored.get(one.name)
         wanted = type(one.default)
+        if type(value) in (int, float) and not abs(value) <= _LARGEST:
+            continue
         if one.type == "float" and type(value) in (int, float):
             value, wanted = float(value), float
         elif wanted is tuple and isinstance(value, list):

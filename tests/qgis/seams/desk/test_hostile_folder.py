@@ -3,19 +3,23 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem
+from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsLineString, QgsPolygon, QgsProject
 from seam_inspector.plugin.imagery.record_store import RecordStore
 from seam_inspector.plugin.resolution.line_layers import create_bar_layer
+from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
+from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging
 from seam_inspector.plugin.seams.desk.mosaic_scans import _is_ours
 from seam_inspector.plugin.seams.desk.unsaved_windows import _KIND, left_by
 from seam_inspector.plugin.seams.desk.windows.windows_mosaic import KnownMosaic, _known
 from seam_inspector.plugin.seams.jobs import ScanFiles
 from seam_inspector.plugin.seams.tables.window_layer import free_path
 
+from tests.qgis.scenes import layer
 from tests.qgis.seams.desk.session_desk import Desk
 
 OUTSIDE = ("/etc/passwd", "../outside", "/vsicurl/http://127.0.0.1:9/x")
@@ -87,3 +91,18 @@ def test_a_scan_takes_no_names_that_are_taken(tmp_path: Path) -> None:
 def test_a_mosaic_that_somebody_else_noted_is_none(noted: bytes) -> None:
     assert _known(noted) is None
     assert _known(b'["a.tif", "b"]') == KnownMosaic("a.tif", "b")
+
+
+@pytest.mark.parametrize("value", [10**300, 10**390, -(10**390), 1e308, float("nan"), float("-inf")])
+def test_numbers_that_no_box_can_show_are_no_settings(qgis_app: object, value: float) -> None:
+    project = QgsProject()
+    for key, kind in (("inputs", Inputs), ("judging", JudgingSettings)):
+        project.writeEntry("SeamInspector", key, json.dumps(dict.fromkeys([one.name for one in fields(kind)], value)))
+    assert load_inputs(project) == Inputs()
+    assert load_judging(project) == JudgingSettings()
+
+
+def test_a_window_of_coordinates_that_are_no_numbers_has_no_outline(desk: Desk) -> None:
+    nowhere = QgsGeometry(QgsPolygon(QgsLineString([float("nan")] * 4, [float("nan")] * 4)))
+    desk.use(layer("Polygon", [nowhere]))
+    assert [row.extent for row in desk.rows().values()] == [None]
