@@ -89,8 +89,9 @@ help-pages: link ## Make anew what the guide has from the code (tables of the al
 	$(PYTHON) tools/keys_table.py
 	$(PYTHON) tools/help_pages.py
 
-pictures: link ## Make the pictures of the guide's first pages anew, of what `make demo` left
-	$(PYTHON) -m demo.guide --block output/demo/block --output docs/pictures
+pictures: link ## Make the guide's pictures of the plugin anew, of what `make demo` left and, by SEAM_INSPECTOR_DATA, of real data
+	$(PYTHON) -m demo.guide --block output/demo/block --output docs/pictures \
+		--brighton "$${SEAM_INSPECTOR_DATA:-../shared/data}/seams/brighton"
 
 check-links: link ## Follow the guide's links to other sites, by the network
 	$(PYTHON) -m sphinx -q -b linkcheck docs build/links
