@@ -24,7 +24,7 @@ export PYTHONPATH := $(CURDIR)/build/plugins
 ifndef SIDE_BY_SIDE_TARGETS
 .NOTPARALLEL:
 endif
-.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz soak translate package icon clean
+.PHONY: help install link lint check test mutants test-numbers test-qt6 test-in-qgis test-qgis test-desktop test-matrix guide help-pages check-links pictures demo demo-pictures benchmark speed benchmark-scan benchmark-detection benchmark-calibration fuzz soak translate package icon clean
 
 help: ## Show this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## /\1\t/p' Makefile | expand -t 22
@@ -94,16 +94,20 @@ help-pages: link ## Make anew what the guide has from the code (tables of the al
 	$(PYTHON) tools/keys_table.py
 	$(PYTHON) tools/help_pages.py
 
-pictures: link ## Make the pictures of the guide's first pages anew, of what `make demo` left
-	$(PYTHON) -m demo.guide --block output/demo/block --output docs/pictures
+pictures: link ## Make the guide's pictures of the plugin anew, of what `make demo` left and, by SEAM_INSPECTOR_DATA, of real data
+	$(PYTHON) -m demo.guide --block output/demo/block --output docs/pictures \
+		--brighton "$${SEAM_INSPECTOR_DATA:-../shared/data}/seams/brighton"
 
 check-links: link ## Follow the guide's links to other sites, by the network
 	$(PYTHON) -m sphinx -q -b linkcheck docs build/links
 
-demo: link ## Inspect a generated block, or with DATA=folder your own rasters; results in output/demo
-	QT_QPA_PLATFORM=offscreen $(PYTHON) -m demo.run --output output/demo $(if $(DATA),--data "$(DATA)") \
+demo: $(PACKAGE) ## Inspect a generated block, or with DATA=folder your own rasters; results in output/demo
+	@tools/install.sh demo
+	@QT_QPA_PLATFORM=offscreen /usr/bin/python3 -m demo.run --output output/demo $(if $(DATA),--data "$(DATA)") \
 		$(if $(SIDE),--side $(SIDE)) $(if $(SPACING),--spacing $(SPACING))
-	$(if $(DATA),,@$(PYTHON) -m demo.screenshot --block output/demo/block --output output/demo)
+
+demo-pictures: link demo ## Play the desk on the generated block in the real QGIS, for pictures of it in output/demo; takes some minutes
+	@$(PYTHON) -m demo.screenshot --block output/demo/block --output output/demo
 
 .PHONY: demo-data
 demo-data: link ## Make all data that the examples of docs/algorithms take, in output/demo

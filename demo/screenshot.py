@@ -1,4 +1,4 @@
-"""Pictures of the inspection desk in the real QGIS, with the demonstration block inspected: part of `make demo`.
+"""Pictures of the inspection desk in the real QGIS, with the demonstration block inspected: `make demo-pictures`.
 
     python -m demo.screenshot --block output/demo/block --output output/demo
 
@@ -20,7 +20,7 @@ from .desktop import REPOSITORY, play, why_not
 
 SCENARIO = REPOSITORY / "tests" / "desktop" / "scenarios" / "pictures.py"
 STARTS: dict[str, dict[str, Any]] = {
-    "": {"screen": "1500x950"},
+    "": {"screen": "1280x860"},
     "desk_small": {"screen": "1366x768"},
     "desk_dark": {"screen": "1366x850", "theme": "Night Mapping"},
     "desk_200": {"screen": "2800x1800", "scale": 2},
@@ -39,21 +39,30 @@ def main() -> int:
     parser.add_argument("--mosaic", default="mosaic", help="name of the mosaic in that folder (mosaic)")
     parser.add_argument("--side", type=float, default=50.0, help="window side in metres (50)")
     parser.add_argument("--small-side", type=float, default=12.8, help="the same where there are many (12.8)")
+    parser.add_argument("--piece", type=float, default=25.0, help="pieces of a scan in metres (25)")
     arguments = parser.parse_args()
     reason = why_not()
     if reason:
         print(f"No pictures of the desk: {reason}.")
         return 0
-    print("Playing the same in the real QGIS, for pictures of the desk; it takes some minutes")
-    arguments.output.mkdir(parents=True, exist_ok=True)
+    chosen = arguments
+    return draw(chosen.block, chosen.output, chosen.mosaic, chosen.side, chosen.small_side, chosen.piece)
+
+
+def draw(block: Path, output: Path, mosaic: str, side_m: float, small_side_m: float, piece_m: float) -> int:
+    """All pictures of the desk with a block; 1 where one could not be drawn."""
+    print("Playing the desk in the real QGIS; it takes some minutes")
+    output.mkdir(parents=True, exist_ok=True)
     parameters = {
-        "block": str(arguments.block.resolve()),
-        "mosaic": arguments.mosaic,
-        "side_m": arguments.side,
-        "spacing_m": 2 * arguments.side,
-        "small_side_m": arguments.small_side,
-        "screenshots": str(arguments.output.resolve()),
+        "block": str(block.resolve()),
+        "mosaic": mosaic,
+        "side_m": side_m,
+        "spacing_m": 2 * side_m,
+        "small_side_m": small_side_m,
+        "piece_m": piece_m,
+        "screenshots": str(output.resolve()),
     }
+    failed = 0
     for name, options in STARTS.items():
         with tempfile.TemporaryDirectory() as folder:
             run = play(SCENARIO, Path(folder), {**parameters, "name": name}, seconds=500, **options)
@@ -61,10 +70,11 @@ def main() -> int:
         for picture in pictures:
             shrink(picture)
         if run.status != "passed":
+            failed = 1
             print(f"Not all pictures of the desk: {run.status.strip().splitlines()[-1]}")
         else:
-            print(f"Pictures of the desk are in {arguments.output}: {', '.join(one.name for one in pictures)}")
-    return 0
+            print(f"Pictures of the desk are in {output}: {', '.join(one.name for one in pictures)}")
+    return failed
 
 
 def shrink(picture: Path) -> None:

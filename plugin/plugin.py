@@ -34,9 +34,10 @@ class SeamInspectorPlugin:
     def initGui(self) -> None:
         assert self._iface is not None
         self.initProcessing()
-        for make, icon, name, words, tooltip in (
+        for make, charts, icon, name, words, tooltip in (
             (
                 _inspection_dock,
+                False,
                 "seam_inspector",
                 "seamInspectorAction",
                 tr("Seam Inspector"),
@@ -44,6 +45,7 @@ class SeamInspectorPlugin:
             ),
             (
                 _bar_dock,
+                True,
                 "bar_group",
                 "seamInspectorBarAction",
                 tr("Bar groups"),
@@ -53,7 +55,7 @@ class SeamInspectorPlugin:
             action = QAction(QIcon(icon_path(icon)), words, self._iface.mainWindow())
             action.setObjectName(name)
             action.setToolTip(tooltip)
-            self._desks.append(Desk(self._iface, action, make))
+            self._desks.append(Desk(self._iface, action, make, charts))
         book = QgsApplication.getThemeIcon("/mActionHelpContents.svg")
         self._help = QAction(book, tr("Seam Inspector"), self._iface.mainWindow())
         self._help.setToolTip(tr("The first inspection in five minutes, and a page for every algorithm"))
@@ -80,8 +82,11 @@ class SeamInspectorPlugin:
 class Desk:
     """A button in the raster toolbar and menu, and its dock, made on first use: QGIS starts without what it needs."""
 
-    def __init__(self, iface: QgisInterface, action: QAction, make: Callable[[QgisInterface], QgsDockWidget]) -> None:
-        self._iface, self._make = iface, make
+    def __init__(
+        self, iface: QgisInterface, action: QAction, make: Callable[[QgisInterface], QgsDockWidget], charts: bool
+    ) -> None:
+        """With charts it needs what draws them in files, too."""
+        self._iface, self._make, self._charts = iface, make, charts
         self.action = action
         self.dock: QgsDockWidget | None = None
         action.setCheckable(True)
@@ -104,7 +109,7 @@ class Desk:
 
     def _show(self, shown: bool) -> None:
         if self.dock is None:
-            why_not = missing_packages_sentence(charts=True, pages=True)
+            why_not = missing_packages_sentence(charts=self._charts)
             if not why_not:
                 try:
                     self.dock = self._make(self._iface)

@@ -1,16 +1,19 @@
 #!/bin/sh
-# Installs what the Makefile's targets need, and nothing when it is all there:
+# install.sh [demo]: installs what the Makefile's targets need, or only what `make demo` needs; nothing when it is all there:
 # - QGIS and its tools from the system's packages (Debian 12 or Ubuntu 22.04, or newer)
-# - Python packages into .venv, which sees the system's ones: QGIS's bindings exist only there
+# - Python packages into .venv, which sees the system's ones: QGIS's bindings exist only there; the demo does without
 set -eu
 cd "$(dirname "$0")/.."
 
 PYTHON=/usr/bin/python3 # another python3 on the path would not see QGIS
-PACKAGES="git qgis python3-qgis python3-gdal gdal-bin python3-numpy python3-pywt python3-scipy python3-matplotlib
-    python3-jinja2 python3-yaml libopenblas0-pthread python3-venv python3-pip pyqt5-dev-tools qttools5-dev-tools
-    xvfb xauth libgl1-mesa-dri fonts-dejavu-core fonts-open-sans procps poppler-utils"
-# It prints the reports in a test, which is skipped without it: Ubuntu has it as a snap alone, not from apt-get
-grep -qs '^ID=ubuntu' /etc/os-release || PACKAGES="$PACKAGES chromium"
+PACKAGES="qgis python3-qgis python3-gdal python3-numpy python3-pywt python3-scipy python3-matplotlib python3-jinja2
+    python3-yaml"
+if [ "${1:-}" != demo ]; then
+    PACKAGES="$PACKAGES git gdal-bin libopenblas0-pthread python3-venv python3-pip pyqt5-dev-tools qttools5-dev-tools
+        xvfb xauth libgl1-mesa-dri fonts-dejavu-core fonts-open-sans procps poppler-utils"
+    # It prints the reports in a test, which is skipped without it: Ubuntu has it as a snap alone, not from apt-get
+    grep -qs '^ID=ubuntu' /etc/os-release || PACKAGES="$PACKAGES chromium"
+fi
 
 as_root() {
     if [ "$(id -u)" -eq 0 ]; then
@@ -45,6 +48,7 @@ if [ -n "$missing" ]; then
     # shellcheck disable=SC2086  # one word a package
     apt install -y --no-install-recommends $missing
 fi
+[ "${1:-}" != demo ] || exit 0
 
 # The stamp tells what .venv was made from: a changed requirement or a new system Python makes it anew.
 stamp=$(cat requirements*.txt && "$PYTHON" -c 'import numpy, sys; print(sys.version, numpy.__version__)')

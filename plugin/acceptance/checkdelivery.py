@@ -69,10 +69,10 @@ class CheckDelivery(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             common.real(PIXEL, tr("Pixel size (metres)"), None, 0.0, optional=True, decimals=4),
-            tr("To 1 %. Empty: as most sheets have it."),
+            tr("To 1 %. Empty: that of most sheets."),
         )
         self.addDescribed(
-            QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), tr("Empty: as most sheets have it.")
+            QgsProcessingParameterCrs(CRS, tr("Reference system"), optional=True), tr("Empty: that of most sheets.")
         )
         self.addDescribed(
             QgsProcessingParameterNumber(BANDS, tr("Bands"), whole, None, True, 1),
@@ -80,7 +80,7 @@ class CheckDelivery(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             common.choice(DATA_TYPE, tr("Type of the pixels"), DATA_TYPES, None, optional=True),
-            tr("8 bit is uint8, 16 bit uint16. Empty: as most sheets have it."),
+            tr("8 bit is uint8, 16 bit uint16. Empty: that of most sheets."),
         )
         self.addDescribed(
             common.real(MAX_NODATA, tr("Largest share without data (%)"), 0.0, 0.0),

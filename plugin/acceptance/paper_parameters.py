@@ -34,7 +34,7 @@ def add_paper(algorithm: SeamInspectorAlgorithm) -> None:
             common.SOURCES, tr("Sources"), QgsProcessing.SourceType.TypeRaster, optional=True
         ),
         tr(
-            "The orthoimages, for the proof: each failure is shown beside the two that meet there and their cut. "
+            "The orthoimages: the report shows each failure beside the two that meet there and their cut. "
             "Empty: those that the scan wrote into its picture of losses."
         ),
     )

@@ -84,7 +84,7 @@ class PlanInspection(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01),
-            tr("What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."),
+            tr("The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."),
         )
         self.addDescribed(
             common.real(PIECE, tr("Length of a piece (metres)"), limits.STANDARD_PIECE_M, 0.01),

@@ -182,7 +182,7 @@ def add_plan_parameters(algorithm: SeamInspectorAlgorithm) -> None:
     )
     algorithm.addDescribed(
         common.choice(AQL, tr("Acceptance quality limit (AQL)"), SHARE_AQLS, limits.STANDARD_AQL),
-        tr("The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it."),
+        tr("The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1."),
     )
     algorithm.addDescribed(
         common.choice(LQ, tr("Limiting quality (LQ)"), LIMITING_QUALITIES, DEFAULT_LQ),

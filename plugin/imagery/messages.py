@@ -55,7 +55,7 @@ EXTENT_NOT_TRANSFORMED = Message(
     "An extent can't be transformed to the mosaic's coordinate reference system; check the layers' systems."
 )
 POINTS_NOT_TRANSFORMED = Message(
-    "Some points have no place in another reference system; check the reference system of the points."
+    "Some points can't be transformed to another reference system; check the reference system of the points."
 )
 NO_GEOID_GRID = Message(
     "PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above "

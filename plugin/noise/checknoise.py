@@ -77,7 +77,7 @@ class CheckNoise(RasterListAlgorithm):
             QgsProcessingParameterField(
                 GROUP_FIELD, tr("Group windows by"), parentLayerParameterName=WINDOWS, optional=True
             ),
-            tr("A field of the windows, as land use, scale or film: chart and report compare its values."),
+            tr("A field of the windows, such as land use, scale or film: chart and report compare its values."),
         )
         self.addDescribed(*common.wavelet())
         self.addDescribed(*common.levels())

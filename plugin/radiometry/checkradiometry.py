@@ -68,7 +68,7 @@ class CheckRadiometry(RasterListAlgorithm):
             ),
         )
         self.addWindows(tr(
-            "Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows "
+            "Rectangles in any reference system; each is checked separately on all rasters under it. Without windows "
             "each raster is checked as a whole."
         ))
         self.addDescribed(

@@ -99,10 +99,10 @@ def by_mixture(found: Explanation | None) -> list[str]:
     if profile is None or profile.measure is not Measure.MIXTURE:
         return []
     if profile.by_energy is None:
-        return [tr("This is told by the mixture of the images, as there is too little unmixed ground around.")]
+        return [tr("This follows from the mixture of the images, since there is too little unmixed ground around.")]
     if profile.added_beside >= _MUCH_ADDED:
-        return [tr("This is told by the mixture of the images, as other detail was added along the seam.")]
-    return [tr("This is told by the mixture of the images, as the ground around is mixed too.")]
+        return [tr("This follows from the mixture of the images, since other detail was added along the seam.")]
+    return [tr("This follows from the mixture of the images, since the ground around is mixed too.")]
 
 
 def _in_the_whole(took: list[str], by_seam: float, sharpness: float) -> str:
@@ -135,9 +135,9 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
     elif Cause.OTHER_MIXTURE in causes:
         text = tr("images are mixed by another rule than weights")
         if width:
-            text = tr("images are mixed over {width} m by another rule than weights")
+            text = tr("images are mixed over {width} m, but not by weights")
         if apart:
-            text = tr("images {apart} px apart are mixed by another rule than weights")
+            text = tr("images {apart} px apart are mixed, but not by weights")
     elif Cause.FEATHERING in causes and apart:
         text = tr("images {apart} px apart are feathered over {width} m") if width else tr(
             "images {apart} px apart are feathered"
@@ -370,7 +370,7 @@ def by_the_paper(row: WindowRecord) -> list[str]:
             text = tr("the sources differ here: cut hard, the window would have no more than {percent} %")
             reasons.append(filled(text, percent=percent(content)))
     if has_other_tones and milder:
-        reasons.append(tr("it takes detail as a share of all variance, and the tones were changed"))
+        reasons.append(tr("it measures detail as a share of all variance, and the tones were changed"))
     if abs(change) > _APART and (change > 0) == (milder > 0) and milder:
         text = tr("it takes the window as a whole, which has {percent} % of the sharpness of its sources")
         reasons.append(filled(text, percent=percent(1 + change)))

@@ -162,7 +162,7 @@ CAUSES: dict[str, ShownCause] = {
     ),
     Cause.COLOUR_SHIFT.value: ShownCause(
         QT_TR_NOOP("colour shift"),
-        QT_TR_NOOP("The channels were corrected one by one, so that colours turned."),
+        QT_TR_NOOP("The channels were corrected one by one, so the colours shifted."),
         (QT_TR_NOOP("the colours are shifted"),),
         (QT_TR_NOOP("the colours are shifted, gains differ by a factor of {value}"),),
         lambda found: max((tone.colour_shift for tone in found.evidence.tones if tone.colour_shift), default=None),

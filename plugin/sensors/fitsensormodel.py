@@ -45,7 +45,7 @@ MODEL_TITLES = {
     "polynomial_3d": QT_TR_NOOP("polynomials of space, without physics"),
     "rational": QT_TR_NOOP("quotients of polynomials as in an RPC, without physics"),
     "rational_terms": QT_TR_NOOP(
-        "quotients of order 2 at most, with the terms left out that the points do not speak for"
+        "quotients of order 2 at most, without the terms that the points do not support"
     ),
     "dlt": QT_TR_NOOP("the direct linear transformation, without physics"),
     "pushbroom": QT_TR_NOOP("the parametric model of a line scanner"),

@@ -49,7 +49,7 @@ class PlanPoints(SensorAlgorithm):
         number, real = QgsProcessingParameterNumber, QgsProcessingParameterNumber.Type.Double
         self.addDescribed(
             common.choice(MODEL, tr("Model"), _MODELS, registry.PUSHBROOM.name),
-            tr("The sensor model that is going to be fitted, with its order or form. rpc_bias needs an RPC."),
+            tr("The sensor model to be fitted, with its order or form. rpc_bias needs an RPC."),
         )
         self.addDescribed(
             QgsProcessingParameterString(COUNTS, tr("Numbers of control points"), "6, 8, 10, 15, 20, 30"),
@@ -65,7 +65,7 @@ class PlanPoints(SensorAlgorithm):
         )
         self.addDescribed(
             number(SIGMA, tr("Standard deviation on the ground (metres)"), real, 0.5, minValue=0, maxValue=1000),
-            tr("Of each of a point's three ground coordinates, as they are going to be surveyed."),
+            tr("Of each ground coordinate of a point, as it will be surveyed."),
         )
         self.addDescribed(
             number(SIGMA_PX, tr("Standard deviation in the image (pixels)"), real, 0.5, minValue=0, maxValue=1000),
@@ -77,7 +77,7 @@ class PlanPoints(SensorAlgorithm):
         ):
             self.addDescribed(
                 number(name, label, real, default),
-                tr("Height above the ellipsoid. Every point lies anywhere between the lowest and the highest."),
+                tr("Height above the ellipsoid. Points lie anywhere between the lowest and the highest."),
             )
         self.addImage()
         self.addDescribed(

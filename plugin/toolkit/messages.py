@@ -16,7 +16,7 @@ WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangl
 WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
 WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it anew as a rectangle.")
 WINDOWS_RENUMBERED = Message(
-    "Windows without a number of their own: {count}; they were given the next free ones.", WARNING
+    "Windows without a number: {count}; they got the next free ones.", WARNING
 )
 WINDOWS_RESHAPED = Message(
     "The rectangle around the outline is measured where a window is not a rectangle along the mosaic's axes: {count}.",
@@ -25,7 +25,7 @@ WINDOWS_RESHAPED = Message(
 # numbers
 NOT_A_SYSTEM = Message("'{parameter}' is {value}, which is not a coordinate reference system; choose one.")
 NOT_A_NUMBER = Message("'{parameter}' is {value:g}; give a number.")
-NO_NUMBER = Message("'{parameter}' is '{value}', which is no number; write it with a point, as 0.7.")
+NO_NUMBER = Message("'{parameter}' is '{value}', which is no number; write it with a point, such as 0.7.")
 NUMBER_TOO_LARGE = Message("'{parameter}' is {value:g}; give a whole number between -{most} and {most}.")
 # lists of rasters
 NO_RASTERS = Message("No rasters are given; choose at least one.")

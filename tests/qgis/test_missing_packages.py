@@ -19,7 +19,7 @@ from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run
 from tests.qgis.scenes import Scene
 
 Told = list[tuple[str, Any]]
-NAMES = {"pywt": "PyWavelets", "matplotlib": "matplotlib", "jinja2": "Jinja2"}
+NAMES = {"pywt": "PyWavelets", "scipy": "scipy"}
 DRAWN = (
     ("acceptmosaic", "CHART"),
     ("acceptmosaic", "REPORT"),
@@ -99,6 +99,28 @@ def test_a_missing_package_is_named_once_and_used_after_a_restart(
     assert told == []
 
 
+@pytest.mark.parametrize(("module", "modules"), [("matplotlib", DRAWING), ("jinja2", WRITING)])
+def test_the_desk_opens_without_what_charts_in_files_and_reports_need(
+    start: Callable[[], Any], told: Told, monkeypatch: pytest.MonkeyPatch, module: str, modules: list[str]
+) -> None:
+    take_away(monkeypatch, module, modules)
+    plugin = start()
+    plugin.desk("seamInspectorAction").action.trigger()
+    assert plugin.desk("seamInspectorAction").dock is not None
+    assert told == []
+
+
+def test_the_bars_profile_needs_matplotlib(
+    start: Callable[[], Any], told: Told, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    take_away(monkeypatch, "matplotlib", [])
+    plugin = start()
+    plugin.desk("seamInspectorBarAction").action.trigger()
+    assert plugin.desk("seamInspectorBarAction").dock is None
+    ((text, _),) = told
+    assert_sentence(text, "the Python package.s. matplotlib.*then restart QGIS")
+
+
 def take_away(monkeypatch: pytest.MonkeyPatch, package: str, modules: list[str]) -> None:
     """A system where only one package is missing; our modules that need it can't be imported."""
     find = packages.find_spec
@@ -164,9 +186,9 @@ def test_every_file_with_charts_and_every_page_is_among_those_tested(
     ("platform", "has_apt", "words"),
     [
         ("linux", True, "'sudo apt install python3-pywt'"),
-        ("linux", False, "'python -m pip install PyWavelets' with the Python that QGIS uses.*requirements.txt"),
-        ("win32", False, "'python -m pip install PyWavelets' in the OSGeo4W shell"),
-        ("darwin", False, "requirements.txt"),
+        ("linux", False, "'python -m pip install PyWavelets' with the Python that QGIS uses.*QPIP.*requirements.txt"),
+        ("win32", False, "'python -m pip install PyWavelets' in the OSGeo4W shell.*QPIP.*requirements.txt"),
+        ("darwin", False, "'/.*/python3 -m pip install PyWavelets' in a terminal.*QPIP.*requirements.txt"),
     ],
 )
 def test_how_to_get_it_depends_on_the_system(
@@ -175,6 +197,14 @@ def test_how_to_get_it_depends_on_the_system(
     monkeypatch.setattr(packages, "find_spec", lambda name: None if name == "pywt" else object())
     monkeypatch.setattr(sys, "platform", platform)
     monkeypatch.setattr(shutil, "which", lambda _program: "/usr/bin/apt" if has_apt else None)
+    assert_sentence(packages.missing_packages_sentence(), words)
+
+
+def test_in_a_conda_environment_conda_gets_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    (tmp_path / "conda-meta").mkdir()
+    monkeypatch.setattr(packages, "find_spec", lambda name: None if name == "pywt" else object())
+    monkeypatch.setattr(sys, "prefix", str(tmp_path))
+    words = "'conda install -c conda-forge pywavelets' in QGIS's conda environment"
     assert_sentence(packages.missing_packages_sentence(), words)
 
 

@@ -14,7 +14,7 @@ FOR_QGIS_ON_QT6="libspatialindex8 libspatialite8t64 libsqlite3-mod-spatialite li
     libqt6openglwidgets6 libqt6positioning6 libqt6printsupport6 libqt6quickwidgets6 libqt6sql6-sqlite libqt6svg6
     libqt6svgwidgets6 libqt6uitools6 libqt6xml6 qt6-svg-plugins qt6-qpa-plugins python3-pyqt6 python3-pyqt6.qsci
     python3-pyqt6.qtmultimedia python3-pyqt6.qtpositioning python3-pyqt6.qtserialport python3-pyqt6.qtsvg python3-owslib
-    python3-psycopg2 zip"
+    python3-psycopg2 pyqt6-dev-tools zip"
 PACKAGES="gdal-bin python3-gdal python3-numpy python3-pywt python3-scipy python3-matplotlib
     python3-jinja2 python3-yaml python3-markdown-it python3-pytest python3-pytest-xdist python3-hypothesis python3-skimage
     python3-opencv python3-distributed python3-hatchling python3-venv python3-pip git xvfb xauth libgl1-mesa-dri fonts-dejavu-core
@@ -50,4 +50,8 @@ cp "$WHEELS"/*.whl "$ROOT/wheels/"
 [ -z "$QGIS" ] || [ -e "$ROOT/opt/qgis6/bin/qgis" ] || {
     mkdir -p "$ROOT/opt"
     if [ -d "$QGIS" ]; then cp -a "$QGIS" "$ROOT/opt/qgis6"; else tar xf "$QGIS" -C "$ROOT/opt"; fi
+    # found as Debian's is, by the linker, by Python and on the path
+    echo /opt/qgis6/lib >"$ROOT/etc/ld.so.conf.d/qgis6.conf"
+    printf '/opt/qgis6/share/qgis/python%s\n' "" /plugins >"$ROOT/usr/lib/python3/dist-packages/qgis6.pth"
+    "$HERE/in_chroot.sh" "$ROOT" sh -euc 'ldconfig; ln -sf /opt/qgis6/bin/* /usr/local/bin/'
 }

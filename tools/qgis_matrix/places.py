@@ -14,12 +14,6 @@ PICTURES = "output/matrix/pictures"
 """Where the tests leave theirs, in the checkout that ran."""
 DEBIAN_FOR_QT6 = "trixie"
 """Whose libraries a QGIS on Qt 6 is built against; no Debian has one."""
-_ON_QT6 = "/opt/qgis6"
-_OF_QT6 = {
-    "PATH": f"{_ON_QT6}/bin:/usr/local/bin:/usr/bin:/bin",
-    "LD_LIBRARY_PATH": f"{_ON_QT6}/lib",
-    "PYTHONPATH": f"/checkout/build/plugins:{_ON_QT6}/share/qgis/python:{_ON_QT6}/share/qgis/python/plugins",
-}
 
 
 class PlaceError(Exception):
@@ -131,7 +125,6 @@ class Chroot:
         """As ``Here.python``."""
         given = {
             "PYTHONPATH": "/checkout/build/plugins",
-            **(_OF_QT6 if self.qgis else {}),
             "QGIS_PLUGINPATH": "/checkout/build/plugins",
             **({"SEAM_INSPECTOR_DATA": "/data"} if self.data else {}),
             **variables,

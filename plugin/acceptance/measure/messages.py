@@ -37,7 +37,7 @@ LOT_SMALLER_THAN_GIVEN = Message(
     "given."
 )
 QUALITIES_CROSSED = Message(
-    "Lots with {good:g} % failing pieces are to be accepted and with {bad:g} % rejected; the first has to be smaller, "
+    "Lots with {good:g} % failing pieces should be accepted and with {bad:g} % rejected; the first has to be smaller, "
     "both between 0 and 100."
 )
 RISK_OUT_OF_RANGE = Message(
@@ -75,7 +75,7 @@ RISKS_NOT_KEPT = Message(
 SAMPLE_LARGER_THAN_GIVEN = Message(
     "The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.", WARNING
 )
-PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic tells the risks.", INFO)
+PLANNED_BY_COUNT = Message("{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.", INFO)
 # the decision: {why} and {also} are reasons from below
 ACCEPTED = Message("Accepted by '{rules}': {why}.", INFO)
 REJECTED = Message("Rejected by '{rules}': {why}.", INFO)
@@ -90,15 +90,15 @@ SHARE_OPEN = Message(
     "{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is "
     "not known", INFO
 )
-RUN_KEPT = Message("the longest failure without a break is {value:.1f} m and {limit:.1f} m may be", INFO)
-RUN_EXCEEDED = Message("the longest failure without a break is {value:.1f} m and only {limit:.1f} m may be", INFO)
+RUN_KEPT = Message("the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m", INFO)
+RUN_EXCEEDED = Message("the longest failure without a break is {value:.1f} m and the limit is only {limit:.1f} m", INFO)
 RUN_OPEN = Message(
-    "the longest failure without a break is {value:.1f} m and {limit:.1f} m may be, but it may be {low:.1f} to "
+    "the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to "
     "{high:.1f} m by the intervals of its pieces", INFO
 )
-MEASURED_ENOUGH = Message("{value:.1%} of the metres were measured and {limit:.1%} have to be", INFO)
+MEASURED_ENOUGH = Message("{value:.1%} of the metres were measured and {limit:.1%} are required", INFO)
 MEASURED_TOO_LITTLE = Message(
-    "only {value:.1%} of the metres were measured and {limit:.1%} have to be, so it can't be decided", INFO
+    "only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can't be decided", INFO
 )
 NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", INFO)
 MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may", INFO)
@@ -263,7 +263,7 @@ LENGTHS_DIFFER = Message(
     "The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m "
     "along the line); the field counts, so check whether it holds metres.", WARNING
 )
-PLACES_IN = Message("The layers are in degrees; places and lengths are told in {system}.", INFO)
+PLACES_IN = Message("The layers are in degrees; places and lengths are given in {system}.", INFO)
 NOT_TRANSFORMED = Message(
     "{name} can't be transformed to the reference system of the first layer; check the systems of both."
 )

@@ -160,7 +160,7 @@ def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
         found = [(one.name, "; ".join(one.findings)) for one in delivery.outlines if one.findings]
         yield QualityElement(
             USABILITY, "files", tr("completeness and form of the files"),
-            tr("Sheets that are missing, not whole, or of another form than most or than was ordered."),
+            tr("Sheets that are missing, incomplete, or differ from most sheets or from the order."),
             Evaluation(FULL, tr("The files of all sheets ('Check a delivery').")), (Quantity((len(found),), ONE),),
             Conformance(tr("form of the delivery"), _each_said(found) or tr("No findings"), not found),
         )
@@ -172,7 +172,7 @@ def _checked_beside(record: InspectionRecord) -> Iterator[QualityElement]:
         said = [(one.name, "; ".join((outcome_title(one.outcome), *one.failed_by))) for one in open_]
         yield QualityElement(
             ACCURACY, "radiometry", tr("radiometry"),
-            tr("Images that do not keep the limits of radiometry, and those of which it can't be told."),
+            tr("Images beyond the limits of radiometry, and those for which it is unknown."),
             Evaluation(FULL, tr("All pixels of each image ('Check radiometry').")),
             (Quantity(counts, ONE, tr("images rejected; images undecided")),),
             Conformance(

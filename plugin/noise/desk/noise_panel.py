@@ -65,7 +65,7 @@ class FieldBox(QgsFieldComboBox):
         self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.setMinimumContentsLength(8)
         self.setToolTip(rich_tip(tr(
-            "Field that windows are grouped by, as land use or scale: the range of all windows with the selected "
+            "Field that windows are grouped by, such as land use or scale: the range of all windows with the selected "
             "window's value stands behind its curves. Empty: no groups."
         )))  # fmt: skip
 

@@ -11,7 +11,7 @@ RULES_BAND_BAD = Message(
     "{place} in {name}: 'band' has to be luminosity, each, or the name of a band such as red, nir or band_4."
 )
 RULES_RANGE_BAD = Message("{place} in {name}: 'value_range' has to be two numbers, the smaller one first.")
-VALUE_RANGE_BAD = Message("The range of values has to be two numbers, the smaller one first, as 0,4095.")
+VALUE_RANGE_BAD = Message("The range of values has to be two numbers, the smaller one first, such as 0,4095.")
 SHEETS_WITHOUT_FILES = Message(
     "{name} has no field '{field}'; give the sheets that 'Check a delivery' wrote, or an index that gdaltindex made."
 )

@@ -48,7 +48,7 @@ class PlaceWindows(SeamInspectorAlgorithm):
         self.addDescribed(*common.mosaic())
         self.addDescribed(
             common.real(SIDE, tr("Window side (metres)"), imagery_limits.STANDARD_SIDE_M, 0.01),
-            tr("What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."),
+            tr("The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m."),
         )
         self.addDescribed(
             common.real(SPACING, tr("Spacing (metres)"), limits.STANDARD_SPACING_M, 0.01),

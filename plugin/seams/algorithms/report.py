@@ -48,7 +48,7 @@ class Report(SeamInspectorAlgorithm):
         table = QgsProcessing.SourceType.TypeVector
         self.addDescribed(
             QgsProcessingParameterFeatureSource(WINDOWS, tr("Inspected windows"), [table]),
-            tr("The windows as 'Inspect windows' leaves them, judged by an observer or not."),
+            tr("The windows that 'Inspect windows' wrote, judged by an observer or not."),
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSource(CURVES, tr("Curves"), [table], optional=True),
@@ -56,7 +56,7 @@ class Report(SeamInspectorAlgorithm):
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSource(PAIRS, tr("Pairs"), [table], optional=True),
-            tr("The table of pairs of the same windows: it tells absolute contrast, and which sources are shown."),
+            tr("The table of pairs of the same windows: it gives absolute contrast, and which sources are shown."),
         )
         self.addDescribed(
             QgsProcessingParameterFeatureSource(PROFILES, tr("Seam profiles"), [table], optional=True),

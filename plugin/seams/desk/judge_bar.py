@@ -424,7 +424,7 @@ class JudgeBar(QWidget):
 
     def _judging_button(self, text: str, icon: str, word: str, tip: str) -> QPushButton:
         more = tr("Then the next window comes. Click again to take it back.")
-        seamlines = tr("The key S takes the seamlines and a scan's layers off the map, and puts them back.")
+        seamlines = tr("The key S hides the seamlines and a scan's layers, and shows them again.")
         button = self._push_button(text, icon, partial(self._clicked, word), f"{tip} {more} {seamlines}")
         button.setCheckable(True)
         return button

@@ -220,7 +220,7 @@ def agreement_sentences(found: Agreement) -> list[str]:
         ),
     ]
     if found.kappa is None:
-        return [*said, tr("One of them gave one verdict only, so agreement can't be told from chance.")]
+        return [*said, tr("One of them gave one verdict only, so agreement can't be distinguished from chance.")]
     kappa = tr("Cohen's kappa: {value} (95 % interval {low} to {high}), {word}.")
     values = (shown_number(value) for value in (found.kappa.value, found.kappa.low, found.kappa.high))
     value, low, high = values

@@ -13,6 +13,7 @@ from qgis.PyQt.QtWidgets import QFileDialog, QWidget
 from ...imagery.errors import Message, SeamInspectorError
 from ...toolkit.background_tasks import BackgroundTasks
 from ...toolkit.desk.message_bar import bar_level
+from ...toolkit.packages import missing_packages_sentence
 from ...toolkit.translation import filled, sentence, tr
 
 if TYPE_CHECKING:
@@ -41,7 +42,11 @@ class ReportWriter(QObject):
         return any(row.verdict for row in self._session.windows()) and not self._background.is_under_way(_KEY)
 
     def ask(self) -> None:
-        """Ask for the file, then write it."""
+        """Ask for the file, then write it; say so where what reports need is missing."""
+        missing = missing_packages_sentence(pages=True)
+        if missing:
+            self.told.emit(escape(missing, quote=False), int(Qgis.MessageLevel.Warning))
+            return
         home = self._folder if self._folder.parts else Path(QgsProject.instance().homePath() or Path.home())
         kind = tr("HTML files (*.html)")
         chosen, _ = QFileDialog.getSaveFileName(

@@ -46,7 +46,7 @@ SEAMS_TINY = Message("Seams shorter than {shortest:.2f} m, too short to matter i
 SEAMS_OUTSIDE = Message("Seams outside the mosaic: {count}.", WARNING)
 WINDOWS_PLACED = Message("Windows placed along the seams: {count}. Inspect them when you are ready.", INFO)
 WINDOWS_PLACED_IN_PART = Message(
-    "Windows placed along the seams: {count}; some places are left without one, as the log messages tell.", INFO
+    "Windows placed along the seams: {count}; some places have none, and the log messages say why.", INFO
 )
 WINDOWS_PLACED_BESIDES = Message(
     "Windows placed along the seams: {count}; places that had theirs already: {there}. Inspect them when you are "
@@ -178,12 +178,12 @@ NO_BETTER_THAN_CHANCE = Message(
     "{high:.2f}, and 0.5 is a guess. Judge more windows before you rely on a threshold.", WARNING
 )
 VERDICTS_FULLY_APART = Message(
-    "{measure} tells every window with a visible loss from any other, so resampling has no error to show; the interval "
+    "{measure} separates every visible loss from the other windows, so resampling shows no error; the interval "
     "is the score interval.", WARNING
 )
 VERDICTS_IN_ONE_PLACE = Message(
-    "{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do "
-    "with another and are too narrow; judge windows elsewhere too.", WARNING
+    "{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the "
+    "intervals are too narrow; judge windows elsewhere too.", WARNING
 )
 VERDICTS_WITHOUT_OUTLINE = Message(
     "Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too "

@@ -105,7 +105,8 @@ TOO_MANY_BLUNDERS = Message(
 )
 # points that determine a model badly
 BLUNDERS_FOUND = Message(
-    "Blunders found and left out of the errors: {count} ({names}); check those points and measure them again.", WARNING
+    "Blunders found and left out of fit and errors: {count} ({names}); check those points and measure them "
+    "again.", WARNING
 )
 CONTROL_ON_A_LINE = Message(
     "The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add "
@@ -116,7 +117,7 @@ CONTROL_IN_A_CORNER = Message(
     "points towards the image's corners.", WARNING
 )
 BLUNDERS_POSSIBLE = Message(
-    "{count} points miss the model by far more than the others ({names}); check them, or let blunders be looked for "
+    "{count} points miss the model by far more than the others ({names}); check them, or look for blunders "
     "(ROBUST).", WARNING
 )
 CHECK_POINTS_MISSING = Message(
@@ -141,8 +142,8 @@ LINE_NOT_FOUND = Message(
     "No scan line of the image sees one of the points; check the points' places, heights and reference system."
 )
 PUSHBROOM_DIVERGED = Message(
-    "The parametric model can't be fitted to these points; check for interchanged coordinates or wrong heights, or let "
-    "blunders be looked for."
+    "The parametric model can't be fitted to these points; check for interchanged coordinates or wrong heights, or "
+    "look for blunders (ROBUST)."
 )
 NOT_INVERTED = Message(
     "The model can't be inverted over the image, so it is unsound away from its points; choose a lower order or add "
@@ -191,7 +192,8 @@ YAML_MISSING = Message(
     "{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML."
 )
 PIXELS_NOT_SQUARE = Message(
-    "By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor's sides are interchanged."
+    "According to {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor's sides are "
+    "interchanged."
 )
 ANGLES_PERHAPS_RADIANS = Message(
     "All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the "
@@ -201,7 +203,8 @@ ANGLES_PERHAPS_GON = Message(
     "Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.", WARNING
 )
 ROTATION_TAKEN = Message(
-    "The rotation of {name} is taken as {way} commonly has it, which no file says; check how the orthoimage lies.", INFO
+    "The rotation of {name} is read as {way} usually writes it, since no file says so; check how the orthoimage "
+    "lies.", INFO
 )
 PLANE_TAKEN = Message(
     "{name} is taken as in the plane that touches the Earth at its reference, as OpenSfM writes it. One that "

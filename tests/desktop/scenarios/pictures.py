@@ -1,7 +1,8 @@
-"""Pictures of the desk for its page in docs and for `make demo`; nothing is measured here.
+"""Pictures of the desk for its page in docs and for `make demo-pictures`; nothing is measured here.
 
 Parameters: ``block`` (folder), ``mosaic`` (its name), ``side_m``, ``spacing_m``, ``small_side_m`` (of dense windows),
-``screenshots`` (folder), ``name``: empty for all pictures, else the one of the desk as it looks in this QGIS.
+``piece_m`` (of a scan), ``screenshots`` (folder), ``name``: empty for all pictures, else the one of the desk as it
+looks in this QGIS.
 """
 from __future__ import annotations
 
@@ -12,7 +13,7 @@ from osgeo import gdal
 from qgis.core import QgsApplication, QgsRectangle
 from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QWidget
+from qgis.PyQt.QtWidgets import QApplication, QPushButton, QToolBar, QWidget
 from qgis.utils import iface
 
 from demo.desk import Desk
@@ -41,6 +42,7 @@ def play(desk: Desk) -> None:
     swipe(desk, shots)
     judge(desk, shots)
     dense(desk, shots)
+    scan(desk, shots)
     desk.new_project()
     desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
 
@@ -194,11 +196,38 @@ def dense(desk: Desk, shots: Path) -> None:
     desk.screenshot(shots / "desk_dense.png")
 
 
+def scan(desk: Desk, shots: Path) -> None:
+    """The whole mosaic, its seams found from the pixels; then the worst places, by the button of the message."""
+    desk.new_project()
+    set_up(desk, WIDE_PX)
+    desk.project.removeMapLayer(desk.session.inputs.seamlines)
+    piece_m = float(desk.parameters["piece_m"])
+    desk.session.set_inputs(replace(desk.session.inputs, seamlines="", piece_m=piece_m))
+    desk.wait(lambda: desk.session.mosaic_grid() is not None, 20, "mosaic open")
+    found: list[object] = []
+    desk.dock.scans.found.connect(found.append)
+    desk.dock.scan.trigger()
+    desk.wait(lambda: found, 400, "the scan's end")
+    desk.rest_mouse()
+    desk.wait_for_map()
+    desk.screenshot(shots / "scan.png")
+    messages = (item for item in iface.messageBar().items())
+    buttons = [button for item in messages for button in item.findChildren(QPushButton)]
+    next(button for button in buttons if button.text().startswith("Judge")).click()
+    desk.wait(lambda: desk.session.windows() and all(row.verdict for row in desk.session.windows()), 200, "verdicts")
+    desk.wait_for_work()
+    desk.rest_mouse()
+    desk.wait_for_map()
+    desk.screenshot(shots / "scan_worst.png")
+
+
 # What all of them need
 
 
 def arrange(desk: Desk, width: int) -> None:
-    """The dock at the right, the list of layers no wider than it has to be."""
+    """The dock at the right, the list of layers no wider than it has to be; QGIS's own toolbars are no part of it."""
+    for bar in desk.window.findChildren(QToolBar, options=Qt.FindChildOption.FindDirectChildrenOnly):
+        bar.hide()
     layers = desk.window.findChild(QWidget, "Layers")
     desk.window.resizeDocks([layers, desk.dock], [200, width], Qt.Orientation.Horizontal)
     desk.pause(0.5)

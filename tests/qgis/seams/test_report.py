@@ -180,7 +180,7 @@ def test_what_later_tables_hold_is_told(inspected: Run, tmp_path: Path) -> None:
     assert ["hard-cut composite", "0.040", "0.090", "0.870"] in [row[-4:] for row in page.rows]
     assert [row[0] for row in page.rows if len(row) == 11] == ["made", "mosaic.tif", "other.tif"]  # by mosaic
     assert len(page.pictures("svg+xml")) == 2
-    meaning = "The channels were corrected one by one, so that colours turned."
+    meaning = "The channels were corrected one by one, so the colours shifted."
     found = [row for row in page.rows if "colour shift" in row]
     assert found == [["other.tif", "colour shift", "1", "1", "1", meaning]]
 

@@ -72,7 +72,7 @@ def test_fit_keeps_its_contract(project: QgsProject, tmp_path: Path) -> None:
         assert results[f"CHECK_RMSE_{axis}"] == pytest.approx(np.sqrt(np.mean(residuals**2)))
         assert results[f"CHECK_MAX_{axis}"] == pytest.approx(np.abs(residuals).max())
     assert set(NUMBERS) | {"CONTROL_COUNT", "CONDITION"} <= set(results)
-    assert any("Blunders found and left out of the errors" in one for one in outcome.log.warnings)
+    assert any("Blunders found and left out of fit and errors" in one for one in outcome.log.warnings)
     document = json.loads(files["MODEL_FILE"].read_text())
     assert (document["version"], document["model"], "p7" in document["facts"]["blunders"]) == (1, "rational", True)
     gdal.GetDriverByName("GTiff").Create(str(tmp_path / "image.tif"), 4, 4, 1).FlushCache()

@@ -140,7 +140,7 @@ class ImagesBar(QWidget):
             (Stretch.COMMON, tr("One stretch"),
              tr("More contrast: the mosaic's darkest and brightest 2 % cut off, the same in all windows")),
             (Stretch.WINDOW, tr("Each window"),
-             tr("Most contrast: each window's darkest and brightest 2 % cut off. Windows look unlike each other, "
+             tr("Most contrast: each window's darkest and brightest 2 % are cut off. Windows can't be compared, "
                 "and grey may look coloured.")),
         ):  # fmt: skip
             box.addItem(words, stretch.value)

@@ -50,8 +50,8 @@ COPY_AMONG_SOURCES = Message(
     "hide every loss and is left out of the sources.", WARNING
 )
 ONE_IMAGE_IN_PARTS = Message(
-    "{name} and {count} more show the same pixels where they overlap: they are parts of one image, and taken as one.",
-    INFO
+    "{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated "
+    "as one.", INFO
 )
 OVERVIEW_AMONG_SOURCES = Message(
     "{name} is the mosaic with larger pixels, an overview of it, and left out of the sources.", WARNING

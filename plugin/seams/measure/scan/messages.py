@@ -52,8 +52,8 @@ SEAMS_UNNAMED = Message(
     "given, the mosaic itself tells which it follows.", INFO
 )
 SEAMS_NAMED_BY_DATE = Message(
-    "The seamline layer names no orthoimages; what lies beside its seams is called by its dates, of the field "
-    "'{field}'.", INFO
+    "The seamline layer names no orthoimages; the sides of its seams are named by the dates in the "
+    "field '{field}'.", INFO
 )
 SEAM_FEATURES_BROKEN = Message(
     "Features of the seamline layer whose geometry can't be read, left out: {count}; repair the layer with 'Fix "

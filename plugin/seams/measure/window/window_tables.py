@@ -185,7 +185,7 @@ MEASURED = (
     WindowField(
         "visibility", "real", lambda result: result.visibility, heading=QT_TR_NOOP("visibility"), shown="tenths",
         help=QT_TR_NOOP(
-            "How many times more was lost along the seam than an eye just sees side by side at 2x (just "
+            "How many times more was lost along the seam than an eye just notices side by side at 2x (just "
             "noticeable differences, JND)."
         ),
     ),
