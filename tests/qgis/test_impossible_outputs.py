@@ -159,16 +159,16 @@ def test_a_full_disk_keeps_what_was_there(
 
 
 def test_an_empty_layer_that_is_not_there_is_no_result(scene: Scene, tmp_path: Path) -> None:
-    """Without sources there is no profile: of a disk that is full, nothing is left to go on with."""
+    """These windows are too small for a profile: of a disk that is full, nothing is left to go on with."""
     with full_disk(1):
-        found = inspected(scene, SOURCES=[], OUTPUT=str(tmp_path / "a.gpkg"), PROFILES=str(tmp_path / "b.gpkg"))
+        found = inspected(scene, OUTPUT=str(tmp_path / "a.gpkg"), PROFILES=str(tmp_path / "b.gpkg"))
     assert_sentence(found.complaint, "can't be written")
     assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize("ending", ["gpkg", "shp", "geojson", "csv", "kml", "fgb", "sqlite", "ods", "gml"])
 def test_an_empty_layer_is_a_result(scene: Scene, tmp_path: Path, ending: str) -> None:
-    found = inspected(scene, SOURCES=[], OUTPUT="TEMPORARY_OUTPUT", PROFILES=str(tmp_path / f"empty.{ending}"))
+    found = inspected(scene, OUTPUT="TEMPORARY_OUTPUT", PROFILES=str(tmp_path / f"empty.{ending}"))
     assert found.complaint is None
     assert not found.log.errors
 

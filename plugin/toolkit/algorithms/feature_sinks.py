@@ -55,7 +55,7 @@ class _OpenSink:
     def count(self, has_closed: bool) -> int:
         """How many features it holds, as far as that can be told, ``_NOT_THERE`` without it; ``has_closed``: whether
         GDAL closed it well."""
-        if self.place is None or not self.place.path.lower().endswith(_COUNTED):
+        if not self.written or self.place is None or not self.place.path.lower().endswith(_COUNTED):
             return self.written if has_closed and not self.has_failed else _NOT_THERE
         return _count(self.place if self.file is None else DataPlace(str(self.file.written)))
 
