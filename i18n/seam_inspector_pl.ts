@@ -44,7 +44,7 @@
         <translation>Adres schedulera Dask (tcp://host:8786), którego procesy robocze widzą rastry pod tymi samymi ścieżkami. Puste pole: wszystkie rdzenie tego komputera.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="90"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="91"/>
         <source>Inspected windows</source>
         <translation>Skontrolowane okna</translation>
     </message>
@@ -84,7 +84,7 @@
         <translation>Kontrola linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/feature_sinks.py" line="106"/>
+        <location filename="../plugin/toolkit/algorithms/feature_sinks.py" line="108"/>
         <source>A result can&apos;t be written; is the disk full?</source>
         <translation>Nie można zapisać wyniku; sprawdź, czy na dysku jest wolne miejsce.</translation>
     </message>
@@ -164,11 +164,6 @@
         <translation>Bok okna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="87"/>
-        <source>What a window spans at least: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
-        <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/algorithms/placewindows.py" line="54"/>
         <source>Spacing (metres)</source>
         <translation>Odstęp okien (metry)</translation>
@@ -189,72 +184,72 @@
         <translation>Rozmieszczono {windows} {windows:okno|okna|okien} wzdłuż {seams} {seams:linii|linii|linii} mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="60"/>
+        <location filename="../plugin/imagery/messages.py" line="65"/>
         <source>The window side is {side} m; give a positive number of metres.</source>
         <translation>Bok okna wynosi {side} m; podaj dodatnią liczbę metrów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="61"/>
+        <location filename="../plugin/imagery/messages.py" line="66"/>
         <source>The window lies outside the mosaic; draw it on the mosaic.</source>
         <translation>Okno leży poza ortofotomapą; narysuj je na ortofotomapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="63"/>
+        <location filename="../plugin/imagery/messages.py" line="68"/>
         <source>The window covers {width} x {height} px of the mosaic; a side needs at least {fewest} px, so draw it larger.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a bok musi mieć co najmniej {fewest} px; narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="69"/>
+        <location filename="../plugin/imagery/messages.py" line="74"/>
         <source>{levels} levels need a window of at least {fewest} px a side and this one has {width} x {height} px; use fewer levels or draw it larger.</source>
         <translation>{levels} {levels:poziom wymaga|poziomy wymagają|poziomów wymaga} okna o boku co najmniej {fewest} px, a to okno ma {width} × {height} px; zmniejsz liczbę poziomów albo narysuj większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="83"/>
+        <location filename="../plugin/imagery/messages.py" line="88"/>
         <source>PyWavelets has no discrete wavelet &apos;{wavelet}&apos;; use an orthogonal one such as coif3.</source>
         <translation>Biblioteka PyWavelets nie zawiera falki dyskretnej „{wavelet}”; użyj falki ortogonalnej, np. coif3.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="85"/>
+        <location filename="../plugin/imagery/messages.py" line="90"/>
         <source>The wavelet &apos;{wavelet}&apos; is not orthogonal, so the shares of its components do not add up to the clip&apos;s variance; use an orthogonal one such as coif3, db4 or sym8.</source>
         <translation>Falka „{wavelet}” nie jest ortogonalna, więc udziały jej komponentów nie sumują się do wariancji wycinka; użyj falki ortogonalnej, np. coif3, db4 lub sym8.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="88"/>
+        <location filename="../plugin/imagery/messages.py" line="93"/>
         <source>{levels} levels were asked for; give {least} to {most}.</source>
         <translation>Podano liczbę poziomów {levels}, a dekompozycja może ich mieć od {least} do {most}; podaj liczbę z tego zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="90"/>
+        <location filename="../plugin/imagery/messages.py" line="95"/>
         <source>The seamline layer is empty; choose a layer with lines or polygons of the mosaic&apos;s seams.</source>
         <translation>Warstwa linii mozaikowania jest pusta; wybierz warstwę z liniami lub poligonami, które wyznaczają linie mozaikowania ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="92"/>
+        <location filename="../plugin/imagery/messages.py" line="97"/>
         <source>The seamline layer holds no line and no polygon; choose the layer of the mosaic&apos;s seamlines or of its source polygons.</source>
         <translation>Warstwa linii mozaikowania nie zawiera linii ani poligonów; wybierz warstwę linii mozaikowania ortofotomapy albo poligonów jej ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="96"/>
+        <location filename="../plugin/imagery/messages.py" line="101"/>
         <source>No two polygons of the seamline layer share a border; snap them to each other (gaps and overlaps up to half a pixel are bridged), or give the seams as lines.</source>
         <translation>Żadne dwa poligony warstwy linii mozaikowania nie mają wspólnej granicy; dociągnij je do siebie (szczeliny i nakładki do pół piksela są tolerowane) albo podaj linie mozaikowania jako linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="100"/>
+        <location filename="../plugin/imagery/messages.py" line="105"/>
         <source>The lines of the seamline layer are shorter than a pixel of the mosaic; check the reference systems of both.</source>
         <translation>Linie w warstwie linii mozaikowania są krótsze niż piksel ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="103"/>
+        <location filename="../plugin/imagery/messages.py" line="108"/>
         <source>The seamline layer spans {width} x {height} px of the mosaic; check the reference systems of both.</source>
         <translation>Warstwa linii mozaikowania rozciąga się na {width} × {height} px ortofotomapy; sprawdź układy współrzędnych warstwy i ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="106"/>
+        <location filename="../plugin/imagery/messages.py" line="111"/>
         <source>The geometry of feature {feature} in the seamline layer can&apos;t be read; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Nie można odczytać geometrii obiektu {feature} w warstwie linii mozaikowania; napraw warstwę algorytmem „Napraw geometrie”.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="109"/>
+        <location filename="../plugin/imagery/messages.py" line="114"/>
         <source>The seamline layer holds coordinates that are no numbers; repair it with &apos;Fix geometries&apos;.</source>
         <translation>Warstwa linii mozaikowania zawiera współrzędne, które nie są liczbami; napraw ją algorytmem „Napraw geometrie”.</translation>
     </message>
@@ -309,42 +304,42 @@
         <translation>Nie można odczytać pikseli rastra {name}; plik może być niepełny lub uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="33"/>
+        <location filename="../plugin/imagery/messages.py" line="38"/>
         <source>{name} has no bands of its own; choose one of its subdatasets.</source>
         <translation>Raster {name} nie ma własnych kanałów; wybierz jeden z jego podzbiorów danych (subdatasets).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="34"/>
+        <location filename="../plugin/imagery/messages.py" line="39"/>
         <source>{name} holds complex values; convert them to magnitudes first.</source>
         <translation>Raster {name} zawiera wartości zespolone; najpierw zamień je na moduły.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="36"/>
+        <location filename="../plugin/imagery/messages.py" line="41"/>
         <source>{name} has no position on the map; georeference or orthorectify it first.</source>
         <translation>Raster {name} nie ma położenia na mapie; najpierw nadaj mu georeferencję lub wykonaj ortorektyfikację.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="38"/>
+        <location filename="../plugin/imagery/messages.py" line="43"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties or write it into the file.</source>
         <translation>Raster {name} nie ma układu współrzędnych; ustaw go we właściwościach warstwy albo zapisz w pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="40"/>
+        <location filename="../plugin/imagery/messages.py" line="45"/>
         <source>{name} is rotated, mirrored or south-up; warp it to a north-up grid first.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe; najpierw przepróbkuj go do siatki pikseli zorientowanej na północ.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="76"/>
+        <location filename="../plugin/imagery/messages.py" line="81"/>
         <source>{name} does not cover the whole window.</source>
         <translation>Raster {name} nie pokrywa całego okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="78"/>
+        <location filename="../plugin/imagery/messages.py" line="83"/>
         <source>{share:.2%} of the pixels of {name} are invalid in the window and {most:.1%} are allowed; move the window.</source>
         <translation>Udział pikseli bez danych w oknie wynosi w rastrze {name} {share:.2%}, a dopuszczalne jest {most:.1%}; przesuń okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="50"/>
+        <location filename="../plugin/imagery/messages.py" line="55"/>
         <source>An extent can&apos;t be transformed to the mosaic&apos;s coordinate reference system; check the layers&apos; systems.</source>
         <translation>Nie można przeliczyć zasięgu do układu współrzędnych ortofotomapy; sprawdź układy współrzędnych warstw.</translation>
     </message>
@@ -364,7 +359,7 @@
         <translation>Raster {name} to sama ortofotomapa, więc nie zalicza się do ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="47"/>
+        <location filename="../plugin/imagery/messages.py" line="52"/>
         <source>{name} is left out: {why}</source>
         <translation>Pominięto raster {name}: {why}</translation>
     </message>
@@ -399,7 +394,7 @@
         <translation>Raster {name} nie ma kanału „{band}” (jego kanały: {bands}); wybierz ortoobrazy źródłowe o takich samych kanałach jak ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="66"/>
+        <location filename="../plugin/imagery/messages.py" line="71"/>
         <source>The window covers {width} x {height} px of the mosaic and {most} million px are the most; draw it smaller.</source>
         <translation>Okno obejmuje {width} × {height} px ortofotomapy, a może mieć najwyżej {most} mln px; narysuj mniejsze okno.</translation>
     </message>
@@ -479,12 +474,12 @@
         <translation>wariancja względna</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="58"/>
+        <location filename="../plugin/plugin.py" line="60"/>
         <source>Seam Inspector</source>
         <translation>Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="43"/>
+        <location filename="../plugin/plugin.py" line="44"/>
         <source>Inspect how much detail a mosaic kept along its seams</source>
         <translation>Kontrola zachowania detali ortofotomapy wzdłuż linii mozaikowania</translation>
     </message>
@@ -519,7 +514,7 @@
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="122"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -754,52 +749,52 @@
         <translation>Jeszcze nieskontrolowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="134"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="140"/>
         <source>Visible (V)</source>
         <translation>Widać (V)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="138"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="144"/>
         <source>Invisible (I)</source>
         <translation>Nie widać (I)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="145"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="151"/>
         <source>Next (N)</source>
         <translation>Dalej (N)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="311"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="317"/>
         <source>Judge visible</source>
         <translation>Strata widoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="313"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="319"/>
         <source>Judge invisible</source>
         <translation>Strata niewidoczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="267"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="313"/>
         <source>Select a window to judge it.</source>
         <translation>Zaznacz okno, aby wydać opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="271"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="326"/>
         <source>{place} of {count}</source>
         <translation>{place} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="249"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="255"/>
         <source>{shown} of {count}</source>
         <translation>{shown} z {count}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="252"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="258"/>
         <source>No window matches the filter.</source>
         <translation>Żadne okno nie pasuje do filtra.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="250"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="256"/>
         <source>Draw a window on the map, or place windows along the seamlines.</source>
         <translation>Narysuj okno na mapie albo rozmieść okna wzdłuż linii mozaikowania.</translation>
     </message>
@@ -809,32 +804,32 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="230"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="150"/>
         <source>not judged</source>
         <translation>bez opinii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="137"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="152"/>
         <source>changed</source>
         <translation>zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="135"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="150"/>
         <source>Windows that no observer has judged.</source>
         <translation>Okna bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="137"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="152"/>
         <source>Windows to be inspected again.</source>
         <translation>Okna do ponownej kontroli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="125"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="140"/>
         <source>Which windows are shown.</source>
         <translation>Które okna są pokazane.</translation>
     </message>
@@ -844,52 +839,52 @@
         <translation>Ile okien jest pokazanych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="307"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="313"/>
         <source>Zoom to window</source>
         <translation>Powiększ do okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="308"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="314"/>
         <source>Shows the window with one image pixel on 2 x 2 pixels of the screen.</source>
         <translation>Pokazuje okno tak, że piksel obrazu zajmuje 2 × 2 piksele ekranu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="309"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="315"/>
         <source>Inspect again</source>
         <translation>Skontroluj ponownie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="309"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="315"/>
         <source>Measures the selected windows anew.</source>
         <translation>Mierzy zaznaczone okna od nowa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="135"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="141"/>
         <source>The loss of detail can be seen at 2x magnification.</source>
         <translation>Strata detali jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="139"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="145"/>
         <source>The loss of detail can&apos;t be seen at 2x magnification.</source>
         <translation>Strata detali nie jest widoczna w powiększeniu 2×.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="317"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="323"/>
         <source>Take judgement back</source>
         <translation>Wycofaj opinię</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="318"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="324"/>
         <source>Marks the selected windows as not judged.</source>
         <translation>Zaznaczone okna pozostają bez opinii obserwatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="325"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="331"/>
         <source>Remove</source>
         <translation>Usuń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="326"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="332"/>
         <source>Removes the selected windows; undo brings them back.</source>
         <translation>Usuwa zaznaczone okna; cofnięcie je przywraca.</translation>
     </message>
@@ -899,42 +894,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="141"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="141"/>
+        <location filename="../plugin/seams/desk/dock.py" line="153"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="144"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="144"/>
+        <location filename="../plugin/seams/desk/dock.py" line="156"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="174"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="162"/>
+        <location filename="../plugin/seams/desk/dock.py" line="174"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="165"/>
+        <location filename="../plugin/seams/desk/dock.py" line="177"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="165"/>
+        <location filename="../plugin/seams/desk/dock.py" line="177"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -949,7 +944,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="268"/>
+        <location filename="../plugin/seams/desk/dock.py" line="306"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -1284,32 +1279,32 @@
         <translation>Usuń okna</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="135"/>
+        <location filename="../plugin/toolkit/translation.py" line="142"/>
         <source>luminance</source>
         <translation>luminancja</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="136"/>
+        <location filename="../plugin/toolkit/translation.py" line="143"/>
         <source>red</source>
         <translation>czerwony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="137"/>
+        <location filename="../plugin/toolkit/translation.py" line="144"/>
         <source>green</source>
         <translation>zielony</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="138"/>
+        <location filename="../plugin/toolkit/translation.py" line="145"/>
         <source>blue</source>
         <translation>niebieski</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="139"/>
+        <location filename="../plugin/toolkit/translation.py" line="146"/>
         <source>near infrared</source>
         <translation>bliska podczerwień</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/translation.py" line="141"/>
+        <location filename="../plugin/toolkit/translation.py" line="148"/>
         <source>band {number}</source>
         <translation>kanał {number}</translation>
     </message>
@@ -1354,12 +1349,12 @@
         <translation>Zapisz jako PNG...</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="49"/>
+        <location filename="../plugin/plugin.py" line="51"/>
         <source>Bar groups</source>
         <translation>Grupy pasków</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="50"/>
+        <location filename="../plugin/plugin.py" line="52"/>
         <source>Draw lines across the groups of a bar target and watch their profiles</source>
         <translation>Rysuj linie w poprzek grup testu paskowego i oglądaj ich profile</translation>
     </message>
@@ -1389,7 +1384,7 @@
         <translation>nie można użyć</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="101"/>
+        <location filename="../plugin/seams/desk/inputs/block_cache.py" line="108"/>
         <source>Open the mosaic</source>
         <translation>Otwórz ortofotomapę</translation>
     </message>
@@ -1429,27 +1424,27 @@
         <translation>Pliki HTML (*.html)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
         <source>Save report</source>
         <translation>Zapisz raport</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="48"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="53"/>
         <source>seam_inspection.html</source>
         <translation>kontrola_linii.html</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="73"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="78"/>
         <source>Write the report</source>
         <translation>Zapisz raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="81"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="86"/>
         <source>Report of {count} windows: {link}.</source>
         <translation>Raport z {count} {count:okna|okien|okien}: {link}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/report_writer.py" line="84"/>
+        <location filename="../plugin/seams/desk/report_writer.py" line="89"/>
         <source>{count} of them have no curves in it, as these are not kept with the project; inspect them again to have them.</source>
         <translation>{count} z nich nie ma w nim krzywych, bo projekt ich nie przechowuje; skontroluj je ponownie, aby je mieć.</translation>
     </message>
@@ -1574,7 +1569,7 @@
         <translation>Obraz z jednej matrycy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="26"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="23"/>
         <source>Compare sensor models</source>
         <translation>Porównaj modele sensora</translation>
     </message>
@@ -1589,17 +1584,17 @@
         <translation>Wysokości punktów</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="97"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="80"/>
         <source>Heights of the terrain model</source>
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="38"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="35"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="39"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="36"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
@@ -1609,22 +1604,22 @@
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="42"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="39"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="44"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="41"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="45"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="42"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="46"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="43"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
@@ -1684,19 +1679,9 @@
         <translation>Raport z kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="51"/>
-        <source>The windows as &apos;Inspect windows&apos; leaves them, judged by an observer or not.</source>
-        <translation>Okna takie, jakie zostawia „Skontroluj okna”, ocenione przez obserwatora lub nie.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/algorithms/report.py" line="55"/>
         <source>The table of curves of the same windows; without it there are no relative variances and no charts.</source>
         <translation>Tabela krzywych tych samych okien; bez niej nie ma wariancji względnych ani wykresów.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/algorithms/report.py" line="59"/>
-        <source>The table of pairs of the same windows: it tells absolute contrast, and which sources are shown.</source>
-        <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/algorithms/report.py" line="67"/>
@@ -1709,7 +1694,7 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="18"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
@@ -2289,7 +2274,7 @@
         <translation>Obrazy satelitarne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/sensor_parameters.py" line="203"/>
+        <location filename="../plugin/sensors/sensor_parameters.py" line="201"/>
         <source>the points</source>
         <translation>punkty</translation>
     </message>
@@ -2374,7 +2359,7 @@
         <translation>Model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="237"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="235"/>
         <source>{model}: {title}; needs at least {fewest} control points.</source>
         <translation>{model}: {title}; wymaga co najmniej {fewest} fotopunktów.</translation>
     </message>
@@ -2484,17 +2469,17 @@
         <translation>Wskaźnik uwarunkowania</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="241"/>
         <source>Check points</source>
         <translation>Punkty kontrolne</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="241"/>
         <source>Control points</source>
         <translation>Fotopunkty</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="245"/>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="243"/>
         <source>{name}: {count}, root mean square X {x:.3f} m, Y {y:.3f} m, largest X {max_x:.3f} m, Y {max_y:.3f} m</source>
         <translation>{name}: {count}, błąd średniokwadratowy X {x:.3f} m, Y {y:.3f} m, największy X {max_x:.3f} m, Y {max_y:.3f} m</translation>
     </message>
@@ -2509,12 +2494,7 @@
         <translation>Sprawdzane obrazy, każdy z osobna.</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="71"/>
-        <source>Rectangles in any reference system; each is checked for itself on all rasters under it. Without windows each raster is checked as a whole.</source>
-        <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="83"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="84"/>
         <source>Rules</source>
         <translation>Reguły</translation>
     </message>
@@ -2549,32 +2529,32 @@
         <translation>Wartości, których nie można zmierzyć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="41"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="137"/>
         <source>Orthorectify</source>
         <translation>Ortorektyfikuj</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="52"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="148"/>
         <source>As Fit sensor model writes it.</source>
         <translation>W postaci zapisanej przez algorytm „Dopasuj model sensora”.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="55"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="151"/>
         <source>RPC file</source>
         <translation>Plik RPC</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="96"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="160"/>
         <source>Terrain heights under the whole image, in any reference system.</source>
         <translation>Wysokości terenu pod całym obrazem, w dowolnym układzie współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="102"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="82"/>
         <source>Constant height (metres)</source>
         <translation>Stała wysokość (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="104"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="83"/>
         <source>Above the ellipsoid, instead of a terrain model: only where the terrain is flat.</source>
         <translation>Nad elipsoidą, zamiast NMT: tylko tam, gdzie teren jest płaski.</translation>
     </message>
@@ -2584,77 +2564,77 @@
         <translation>Układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="108"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="162"/>
         <source>Of the orthoimage. Empty: that of the extent, or the UTM zone of the image&apos;s centre.</source>
         <translation>Układ ortoobrazu. Puste: układ zasięgu albo strefa UTM środka obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="112"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="90"/>
         <source>Pixel size</source>
         <translation>Wielkość piksela</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="114"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="91"/>
         <source>In units of the reference system. Empty: that of the image on the ground.</source>
         <translation>W jednostkach układu współrzędnych. Puste pole: terenowy wymiar piksela obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="117"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="164"/>
         <source>Extent</source>
         <translation>Zasięg</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="118"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="165"/>
         <source>Empty: the whole image. It is widened to whole pixels.</source>
         <translation>Puste pole: cały obraz. Zasięg jest poszerzany do całych pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="121"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="94"/>
         <source>Resampling</source>
         <translation>Przepróbkowanie</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="121"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="94"/>
         <source>How pixels are interpolated.</source>
         <translation>Sposób interpolacji pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="124"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="97"/>
         <source>Format</source>
         <translation>Format</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="125"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="98"/>
         <source>GeoTIFF, or cloud optimised GeoTIFF with overviews.</source>
         <translation>GeoTIFF albo GeoTIFF zoptymalizowany dla chmury (COG) z piramidami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="128"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="168"/>
         <source>Orthoimage</source>
         <translation>Ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="129"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="169"/>
         <source>A GeoTIFF; empty where the image or the terrain model ends.</source>
         <translation>Plik GeoTIFF; pusty tam, gdzie kończy się obraz lub NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="133"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="173"/>
         <source>Root mean square against the exact model (px)</source>
         <translation>Błąd średniokwadratowy względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="134"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="174"/>
         <source>Largest error against the exact model (px)</source>
         <translation>Największy błąd względem modelu dokładnego (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="135"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="175"/>
         <source>Share of the image without terrain heights</source>
         <translation>Część obrazu bez wysokości terenu</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="186"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="239"/>
         <source>{columns} x {rows} px of {size:g}; against the exact model {rms:.2g} px, at most {most:.2g} px.</source>
         <translation>{columns} × {rows} px o wielkości {size:g}; względem modelu dokładnego {rms:.2g} px, najwyżej {most:.2g} px.</translation>
     </message>
@@ -2754,7 +2734,7 @@
         <translation>{name} nie jest plikiem PNG, SVG ani PDF; nadaj wykresowi nazwę z jednym z tych rozszerzeń.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="114"/>
+        <location filename="../plugin/imagery/messages.py" line="119"/>
         <source>{path} can&apos;t be written ({error}); choose another folder.</source>
         <translation>Nie można zapisać {path} ({error}); wybierz inny katalog.</translation>
     </message>
@@ -2787,11 +2767,6 @@
         <location filename="../plugin/seams/measure/messages.py" line="189"/>
         <source>Judged windows without an outline: {count}. Each counts as if no other lay near it, so the intervals may be too narrow; use the window layer itself.</source>
         <translation>Ocenione okna bez obrysu: {count}. Każde liczy się tak, jakby w pobliżu nie było innego, więc przedziały mogą być za wąskie; użyj samej warstwy okien.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="185"/>
-        <source>{measure}: the verdicts of a kind lie in one neighbourhood, so the intervals take windows as if none had to do with another and are too narrow; judge windows elsewhere too.</source>
-        <translation>{measure}: opinie jednego rodzaju leżą w jednym sąsiedztwie, więc przedziały traktują okna tak, jakby żadne nie miało związku z innym, i są za wąskie; oceń okna także w innych miejscach.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/measure/messages.py" line="177"/>
@@ -2829,7 +2804,7 @@
         <translation>Nie podano pliku raportu; wybierz, gdzie ma być zapisany.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="80"/>
+        <location filename="../plugin/imagery/messages.py" line="85"/>
         <source>No window could be measured: {why}</source>
         <translation>Nie udało się zmierzyć żadnego okna: {why}</translation>
     </message>
@@ -2869,17 +2844,17 @@
         <translation>Detale nie maleją z poziomu 1 na 2, lecz dalej: szum grubszy niż piksel (ziarno, przepróbkowanie, kompresja) albo tekstura tej wielkości; obejrzyj okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="73"/>
+        <location filename="../plugin/imagery/messages.py" line="78"/>
         <source>Window {window} lies on none of the rasters; draw it on one of them.</source>
         <translation>Okno {window} nie leży na żadnym z rastrów; narysuj je na jednym z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="74"/>
+        <location filename="../plugin/imagery/messages.py" line="79"/>
         <source>Window {window} is left out on {name}: {why}</source>
         <translation>Okno {window} pominięto na rastrze {name}: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="72"/>
+        <location filename="../plugin/imagery/messages.py" line="77"/>
         <source>{name} is rotated, mirrored or south-up, so windows can&apos;t be placed on it on the map.</source>
         <translation>Raster {name} jest obrócony, odbity lustrzanie lub zorientowany na południe, więc nie można rozłożyć na nim okien według mapy.</translation>
     </message>
@@ -2909,22 +2884,22 @@
         <translation>Wielkości pikseli różnią się ({first} i {second}), więc poziom nie oznacza w obu grupach tej samej wielkości w terenie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="135"/>
+        <location filename="../plugin/imagery/messages.py" line="140"/>
         <source>The rules in {name} can&apos;t be read ({error}); give a JSON file with rules.</source>
         <translation>Nie można odczytać reguł w pliku {name} ({error}); podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="138"/>
+        <location filename="../plugin/imagery/messages.py" line="143"/>
         <source>{name} holds no rules; it has to be an object {{&quot;name&quot;: ..., &quot;rules&quot;: [...]}}.</source>
         <translation>Plik {name} nie zawiera reguł; musi być obiektem {{„name”: ..., „rules”: [...]}}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="140"/>
+        <location filename="../plugin/imagery/messages.py" line="145"/>
         <source>{place} in {name} has the unknown key &apos;{key}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznany klucz „{key}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="143"/>
+        <location filename="../plugin/imagery/messages.py" line="148"/>
         <source>{place} in {name}: &apos;least&apos; is larger than &apos;most&apos;.</source>
         <translation>{place} w pliku {name}: „least” jest większe niż „most”.</translation>
     </message>
@@ -2934,17 +2909,17 @@
         <translation>{place} w pliku {name}: „values” stosuje się tylko do clipped_low i clipped_high.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="146"/>
+        <location filename="../plugin/imagery/messages.py" line="151"/>
         <source>{place} in {name} has no &apos;source&apos;; say in words where the limit comes from.</source>
         <translation>{place} w pliku {name}: brak „source”; podaj słownie, skąd pochodzi granica.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="147"/>
+        <location filename="../plugin/imagery/messages.py" line="152"/>
         <source>Rule {number}</source>
         <translation>Reguła {number}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="148"/>
+        <location filename="../plugin/imagery/messages.py" line="153"/>
         <source>The object</source>
         <translation>Obiekt</translation>
     </message>
@@ -3009,7 +2984,7 @@
         <translation>Profil jest uśredniany na {width} px po obu stronach; podaj liczbę od 0 do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="35"/>
+        <location filename="../plugin/imagery/messages.py" line="40"/>
         <source>{name} has no band {band} to measure; give 1 to {count}, or 0 for every band.</source>
         <translation>Raster {name} nie ma kanału {band}; podaj numer od 1 do {count} albo 0 dla wszystkich kanałów.</translation>
     </message>
@@ -3429,14 +3404,9 @@
         <translation>Odchylenie standardowe filtra Gaussa wynosi {size:g} px; podaj wartość większą niż 0 i najwyżej {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="113"/>
+        <location filename="../plugin/imagery/messages.py" line="118"/>
         <source>{path} can&apos;t be written; choose another folder, or make room on the disk.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog albo zwolnij miejsce na dysku.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="53"/>
-        <source>Some points have no place in another reference system; check the reference system of the points.</source>
-        <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="10"/>
@@ -3519,202 +3489,192 @@
         <translation>{count} {count:fotopunkt jest sprzeczny|fotopunkty są sprzeczne|fotopunktów jest sprzecznych} z innymi, a pozostałych jest za mało, aby dopasować model {model}; sprawdź punkty, a przede wszystkim, czy nie zamieniono kolumn z wierszami.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="108"/>
-        <source>Blunders found and left out of the errors: {count} ({names}); check those points and measure them again.</source>
-        <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="111"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="112"/>
         <source>The control points lie nearly on a line: {share:.0%} of the image is outside their outline and extrapolated; add points to both sides.</source>
         <translation>Fotopunkty leżą niemal na prostej: {share:.0%} obrazu jest poza ich obrysem i jest ekstrapolowane; dodaj punkty po obu jej stronach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="115"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="116"/>
         <source>The control points leave {share:.0%} of the image outside their outline; what lies there is extrapolated, so add points towards the image&apos;s corners.</source>
         <translation>Fotopunkty pozostawiają {share:.0%} obrazu poza swoim obrysem; to, co tam leży, jest ekstrapolowane, więc dodaj punkty bliżej narożników obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="123"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="124"/>
         <source>There are no check points, so the errors given are those of the fit on its own points; set roles or a share of check points.</source>
         <translation>Nie ma punktów kontrolnych, więc podane błędy są błędami dopasowania na jego własnych punktach; ustaw role albo udział punktów kontrolnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="128"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="129"/>
         <source>The fit did not settle within {iterations} iterations, so the points are too few or too noisy for it; add points or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie nie ustaliło się w ciągu {iterations} iteracji, więc punktów jest za mało albo są zbyt niedokładne; dodaj punkty albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="132"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="133"/>
         <source>The points hardly determine the model (condition {condition:.0e}): between them it may swing, so trust the check points only or choose a lower order.</source>
         <translation>Punkty słabo wyznaczają model (uwarunkowanie {condition:.0e}): może on między nimi falować, więc ufaj tylko punktom kontrolnym albo wybierz niższy stopień.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="141"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="142"/>
         <source>No scan line of the image sees one of the points; check the points&apos; places, heights and reference system.</source>
         <translation>Żadna linia obrazu nie widzi jednego z punktów; sprawdź położenia punktów, ich wysokości i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="144"/>
-        <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or let blunders be looked for.</source>
-        <translation>Nie można dopasować modelu parametrycznego do tych punktów; sprawdź, czy współrzędne nie są zamienione lub wysokości błędne, albo włącz szukanie błędów grubych.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="148"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="149"/>
         <source>The model can&apos;t be inverted over the image, so it is unsound away from its points; choose a lower order or add points.</source>
         <translation>Modelu nie można odwrócić na całym obrazie, więc poza swoimi punktami jest niewiarygodny; wybierz niższy stopień albo dodaj punkty.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="159"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="160"/>
         <source>The model polynomial_2d knows no heights and can&apos;t be written as RPC or used for orthorectification; fit a model in space.</source>
         <translation>Model polynomial_2d nie uwzględnia wysokości i nie można go zapisać jako RPC ani użyć do ortorektyfikacji; dopasuj model przestrzenny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="152"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="153"/>
         <source>The image has no RPC of its own; give the file that came with it, or choose a model that needs none.</source>
         <translation>Obraz nie ma własnego RPC; podaj plik dostarczony z obrazem albo wybierz model, który go nie wymaga.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="153"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="154"/>
         <source>{name} holds no complete RPC; get the file anew from the image&apos;s vendor.</source>
         <translation>Plik {name} nie zawiera kompletnego RPC; pobierz go ponownie od dostawcy obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="162"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="163"/>
         <source>No RPC is written: {why}</source>
         <translation>Nie zapisano RPC: {why}</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="164"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="165"/>
         <source>The RPC follows the model to {rms:.2g} px (root mean square) and {largest:.2g} px at most, over the whole image and heights of {low:.0f} to {high:.0f} m.</source>
         <translation>RPC odtwarza model z dokładnością do {rms:.2g} px (błąd średniokwadratowy) i najwyżej {largest:.2g} px, na całym obrazie i dla wysokości od {low:.0f} do {high:.0f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="167"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="168"/>
         <source>The RPC is the model itself.</source>
         <translation>RPC jest samym modelem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="172"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="173"/>
         <source>The image is taken as a part of the scene that the RPC describes, from column {column:.0f} and row {row:.0f} on.</source>
         <translation>Obraz przyjęto jako część sceny opisanej przez RPC, od kolumny {column:.0f} i wiersza {row:.0f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="176"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="177"/>
         <source>{name} is not a sensor model file; choose one that Fit sensor model has written.</source>
         <translation>{name} nie jest plikiem modelu sensora; wybierz plik zapisany przez fitsensormodel.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="178"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="179"/>
         <source>{name} is of version {version}, which this version of Seam Inspector does not read; fit the model anew.</source>
         <translation>Plik {name} ma wersję {version}, której ta wersja wtyczki Seam Inspector nie odczytuje; dopasuj model ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="56"/>
+        <location filename="../plugin/imagery/messages.py" line="61"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; install it (projsync) or give heights above the ellipsoid.</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="294"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="282"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="298"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="286"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="302"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="269"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="285"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="287"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="180"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="181"/>
         <source>Both a model file and an RPC file are given; choose one of them.</source>
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="302"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="318"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="303"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="319"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="304"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="320"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="305"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="321"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="306"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="322"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="112"/>
+        <location filename="../plugin/imagery/messages.py" line="117"/>
         <source>The work was cancelled; nothing was written.</source>
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="323"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="339"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="327"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="343"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="331"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="347"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="335"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="351"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="339"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="355"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m), ale wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="343"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="359"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="347"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="363"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -3933,11 +3893,6 @@
         <translation>Światła lub cienie doprowadzono do granic zakresu.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="165"/>
-        <source>The channels were corrected one by one, so that colours turned.</source>
-        <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/words.py" line="242"/>
         <source>No step of production was found that took contrast away.</source>
         <translation>Nie znaleziono etapu produkcji, który odebrał kontrast.</translation>
@@ -4097,7 +4052,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="239"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="262"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -4182,12 +4137,12 @@
         <translation>kontrast przy liniach mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="121"/>
         <source>passed</source>
         <translation>spełnione</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/words.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/words.py" line="121"/>
         <source>failed</source>
         <translation>niespełnione</translation>
     </message>
@@ -4684,29 +4639,24 @@
         <translation>okno {number}: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/packages.py" line="34"/>
+        <location filename="../plugin/toolkit/packages.py" line="36"/>
         <source>Seam Inspector needs the Python package(s) {packages}.</source>
         <translation>Seam Inspector wymaga pakietów Pythona: {packages}.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/packages.py" line="43"/>
+        <location filename="../plugin/toolkit/packages.py" line="45"/>
         <source>The Python package {package} can&apos;t be loaded ({error}).</source>
         <translation>Nie można wczytać pakietu Pythona {package} ({error}).</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/packages.py" line="50"/>
+        <location filename="../plugin/toolkit/packages.py" line="59"/>
         <source>Run &apos;{command}&apos; in the OSGeo4W shell, then restart QGIS.</source>
         <translation>Uruchom „{command}” w powłoce OSGeo4W, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/packages.py" line="53"/>
+        <location filename="../plugin/toolkit/packages.py" line="52"/>
         <source>Run &apos;{command}&apos; in a terminal, then restart QGIS.</source>
         <translation>Uruchom „{command}” w terminalu, a potem uruchom ponownie QGIS.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/toolkit/packages.py" line="56"/>
-        <source>Run &apos;{command}&apos; with the Python that QGIS uses, or install what requirements.txt in the plugin&apos;s folder names, then restart QGIS.</source>
-        <translation>Uruchom „{command}” w Pythonie, którego używa QGIS, albo zainstaluj to, co wymienia requirements.txt w katalogu wtyczki, a potem uruchom ponownie QGIS.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/charts/chart_curves.py" line="197"/>
@@ -4734,7 +4684,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="167"/>
+        <location filename="../plugin/seams/desk/dock.py" line="179"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -4799,7 +4749,7 @@
         <translation>Żaden ortoobraz nie wyjaśnia tu drobnych detali ortofotomapy, więc ich kompozycja nie jest odniesieniem; dodaj ortoobrazy, z których powstała, albo oceniaj względem ortoobrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="81"/>
+        <location filename="../plugin/imagery/messages.py" line="86"/>
         <source>{what}: {why}</source>
         <translation>{what}: {why}</translation>
     </message>
@@ -5220,57 +5170,57 @@
         <translation>W Pythonie procesów roboczych schedulera Dask pod adresem {address} brakuje: {packages}; zainstaluj to tam, np. poleceniem „pip install .” w katalogu wtyczki (GDAL jako osgeo pochodzi z systemu), albo pozostaw pole schedulera puste.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="116"/>
+        <location filename="../plugin/imagery/messages.py" line="121"/>
         <source>{name} is not on its server (HTTP {code}); check its address.</source>
         <translation>Pliku {name} nie ma na serwerze (HTTP {code}); sprawdź jego adres.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="117"/>
+        <location filename="../plugin/imagery/messages.py" line="122"/>
         <source>The server of {name} refuses it (HTTP {code}); give GDAL the credentials, or ask for access.</source>
         <translation>Serwer odmawia dostępu do pliku {name} (HTTP {code}); podaj bibliotece GDAL dane logowania albo poproś o dostęp.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="118"/>
+        <location filename="../plugin/imagery/messages.py" line="123"/>
         <source>The server of {name} fails (HTTP {code}); try again later.</source>
         <translation>Serwer pliku {name} zgłasza błąd (HTTP {code}); spróbuj ponownie później.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="119"/>
+        <location filename="../plugin/imagery/messages.py" line="124"/>
         <source>The server of {name} does not answer ({why}); check the network, and try again.</source>
         <translation>Serwer pliku {name} nie odpowiada ({why}); sprawdź połączenie z siecią i spróbuj ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="124"/>
+        <location filename="../plugin/imagery/messages.py" line="129"/>
         <source>The server of {name} sends whole files only; copy it to a local disk, or to a server that knows Range requests.</source>
         <translation>Serwer pliku {name} wysyła tylko całe pliki; skopiuj go na dysk lokalny albo na serwer, który obsługuje żądania zakresu (Range).</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="127"/>
+        <location filename="../plugin/imagery/messages.py" line="132"/>
         <source>{name} came over the network only in part, also when asked again; check that it is complete on its server.</source>
         <translation>Plik {name} dociera przez sieć tylko w części, także po ponownych próbach; sprawdź, czy na serwerze jest kompletny.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="129"/>
+        <location filename="../plugin/imagery/messages.py" line="134"/>
         <source>{name} can&apos;t be read over the network ({why}); check its address and GDAL&apos;s settings.</source>
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="148"/>
+        <location filename="../plugin/seams/desk/dock.py" line="160"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="148"/>
+        <location filename="../plugin/seams/desk/dock.py" line="160"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="165"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="165"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -5290,17 +5240,17 @@
         <translation>Obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="131"/>
         <source>Source cells</source>
         <translation>Komórki ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="61"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="62"/>
         <source>Seams</source>
         <translation>Odcinki linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="139"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="135"/>
         <source>Worst places</source>
         <translation>Najgorsze miejsca</translation>
     </message>
@@ -5540,11 +5490,6 @@
         <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów po obu stronach linii, na przykład w polu „source”; gdy podano ortoobrazy, o tym, z którego z nich pochodzi dana część, mówi sama ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/scan/messages.py" line="55"/>
-        <source>The seamline layer names no orthoimages; what lies beside its seams is called by its dates, of the field &apos;{field}&apos;.</source>
-        <translation>Warstwa linii mozaikowania nie podaje nazw ortoobrazów; to, co leży po obu stronach linii, jest nazywane według dat z pola „{field}”.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/measure/scan/messages.py" line="59"/>
         <source>Features of the seamline layer whose geometry can&apos;t be read, left out: {count}; repair the layer with &apos;Fix geometries&apos;.</source>
         <translation>Pominięte obiekty warstwy linii mozaikowania, których geometrii nie można odczytać: {count}; napraw warstwę algorytmem „Napraw geometrie”.</translation>
@@ -5650,92 +5595,92 @@
         <translation>Ten odcinek ma {length:.1f} m długości, a do pomiaru potrzeba {needed:.1f} m; ustaw dłuższe odcinki albo oceń go okiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="54"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="50"/>
         <source>Scan a whole mosaic</source>
         <translation>Zbadaj całą ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="71"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="67"/>
         <source>Lines, or polygons of which each is filled from one orthoimage. Without them seams are found from the pixels. Needed where there are no orthoimages.</source>
         <translation>Linie albo poligony, z których każdy jest wypełniony jednym ortoobrazem. Bez nich linie mozaikowania są znajdowane na podstawie pikseli. Wymagane, gdy nie ma ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="77"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="73"/>
         <source>Field with the orthoimage&apos;s name</source>
         <translation>Pole z nazwą ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="77"/>
         <source>Of seamlines that are polygons. Empty: the first of the fields that producers use, such as source, CLICHE, image or imageSourceReference.</source>
         <translation>Dla linii mozaikowania podanych jako poligony. Puste: pierwsze z pól używanych przez producentów, takich jak source, CLICHE, image lub imageSourceReference.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="83"/>
         <source>Corridor (metres)</source>
         <translation>Korytarz (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="84"/>
         <source>What is read on either side of the seamlines; 0: the whole mosaic.</source>
         <translation>Szerokość pasa odczytywanego po każdej stronie linii mozaikowania; 0: cała ortofotomapa.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="91"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="87"/>
         <source>Density</source>
         <translation>Gęstość pomiaru</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="89"/>
         <source>seams: every pixel along the seams, samples elsewhere; takes about as long as reading the files. full: every pixel everywhere.</source>
         <translation>seams: każdy piksel wzdłuż linii mozaikowania, a poza nimi próbki; trwa mniej więcej tyle, co odczyt plików. full: wszędzie każdy piksel.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="94"/>
         <source>Length of a piece of seam (metres)</source>
         <translation>Długość odcinka linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="95"/>
         <source>Seams are measured and judged in pieces of about this length.</source>
         <translation>Linie mozaikowania są mierzone i oceniane w odcinkach mniej więcej tej długości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="102"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="98"/>
         <source>Cell of the picture (pixels)</source>
         <translation>Komórka obrazu strat (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="99"/>
         <source>Side of a pixel of the picture of losses, in pixels of the mosaic: 16, 32, 64, 128 or 256.</source>
         <translation>Bok piksela obrazu strat w pikselach ortofotomapy: 16, 32, 64, 128 lub 256.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="108"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="104"/>
         <source>Windows of the worst places</source>
         <translation>Liczba okien najgorszych miejsc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="110"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="106"/>
         <source>How many windows are placed where least was kept.</source>
         <translation>Ile okien jest umieszczanych tam, gdzie zachowano najmniej.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="121"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="117"/>
         <source>A GeoTIFF with the bands kept_1, contrast_1, added_1, source and mixture. What was not measured is nodata.</source>
         <translation>Plik GeoTIFF z kanałami kept_1, contrast_1, added_1, source i mixture. To, czego nie zmierzono, ma wartość braku danych (nodata).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="132"/>
         <source>Polygons that say in the field &apos;source&apos; which orthoimage each part of the mosaic came from.</source>
         <translation>Poligony, które w polu „source” podają, z którego ortoobrazu pochodzi każda część ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="111"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="112"/>
         <source>Length of all seams (metres)</source>
         <translation>Długość wszystkich linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="145"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="141"/>
         <source>Least share kept by a piece</source>
         <translation>Najmniejsza część zachowana przez odcinek</translation>
     </message>
@@ -5785,12 +5730,12 @@
         <translation>Wariancja względna detali według poziomów, od najdrobniejszego 1. Oceniana jest tylko gruba krzywa. Czerwony słupek na danym poziomie sięga tak wysoko, jak gruba krzywa jeden poziom wcześniej: w obrazie o małym szumie krzywa wznosi się ponad niego. Gdzie gruba krzywa leży w czerwieni, poniżej słupka, szum podniósł drobniejszy poziom.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="131"/>
+        <location filename="../plugin/imagery/messages.py" line="136"/>
         <source>another QGIS has it open</source>
         <translation>plik jest otwarty w innym QGIS</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="132"/>
+        <location filename="../plugin/imagery/messages.py" line="137"/>
         <source>the file there is something else</source>
         <translation>plik w tym miejscu jest czymś innym</translation>
     </message>
@@ -5840,7 +5785,7 @@
         <translation>Według reguły z artykułu: {verdict}, z {percent} % detali ortoobrazu, który ma ich najmniej</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="136"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="151"/>
         <source>not sure</source>
         <translation>niepewna</translation>
     </message>
@@ -5865,52 +5810,52 @@
         <translation>Piksele, w których żadne źródło wyraźnie nie przeważa: {percent} %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="258"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="291"/>
         <source>Swipe</source>
         <translation>Kurtyna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="260"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="293"/>
         <source>Compare the mosaic with a source on the map: drag the handle, X swaps the sides, Esc ends</source>
         <translation>Porównaj na mapie ortofotomapę z ortoobrazem: przeciągnij uchwyt, X zamienia strony, Esc kończy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="356"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="382"/>
         <source>Compare the mosaic with {name}</source>
         <translation>Porównaj ortofotomapę z {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="360"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="386"/>
         <source>No source here</source>
         <translation>Nie ma tu ortoobrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="362"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="388"/>
         <source>Swap the sides (X)</source>
         <translation>Zamień strony (X)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="364"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="390"/>
         <source>Horizontal handle</source>
         <translation>Uchwyt poziomy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="365"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="391"/>
         <source>Compare above and below instead of left and right</source>
         <translation>Porównuje górę z dołem zamiast lewej strony z prawą</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="91"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="104"/>
         <source>Open {name}</source>
         <translation>Otwórz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="233"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="256"/>
         <source>{name} (its own stretch)</source>
         <translation>{name} (własne rozciągnięcie)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="237"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_action.py" line="260"/>
         <source>{name}: reading ...</source>
         <translation>{name}: wczytywanie...</translation>
     </message>
@@ -5940,222 +5885,217 @@
         <translation>Uwaga:</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="57"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="60"/>
         <source>First operator</source>
         <translation>Pierwszy operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="57"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="60"/>
         <source>Verdicts go to the field &apos;observer&apos;.</source>
         <translation>Opinia trafia do pola „observer”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="58"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="163"/>
         <source>Second operator</source>
         <translation>Drugi operator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="58"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="61"/>
         <source>Verdicts go to the field &apos;observer_2&apos;, beside the first operator&apos;s.</source>
         <translation>Opinia trafia do pola „observer_2”, obok opinii pierwszego operatora.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="65"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="68"/>
         <source>Blind</source>
         <translation>W ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="66"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="69"/>
         <source>Hides what the tool found, and what the other operator said: in the table, in words, charts and on the map.</source>
         <translation>Ukrywa to, co znalazło narzędzie, i opinię drugiego operatora: w tabeli, w opisach, na wykresach i na mapie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="70"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="73"/>
         <source>Agreement of both ...</source>
         <translation>Zgodność obu...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="71"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="74"/>
         <source>How often both operators agree, and how much of that is beyond chance.</source>
         <translation>Jak często obaj operatorzy są zgodni i ile z tego nie jest przypadkiem.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="86"/>
         <source>2nd</source>
         <translation>Op. 2</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="83"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="86"/>
         <source>1st</source>
         <translation>Op. 1</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="84"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="87"/>
         <source>{operator}, blind</source>
         <translation>{operator}, w ciemno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="85"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="88"/>
         <source>Choose the operator, judge blind, and see how well both agree.</source>
         <translation>Kto wydaje opinię: pierwszy czy drugi operator; w ciemno czy nie; jak bardzo obaj są zgodni.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="142"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="148"/>
         <source>Not sure (U)</source>
         <translation>Niepewna (U)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="142"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="148"/>
         <source>You can&apos;t tell. The window counts as not judged in all results.</source>
         <translation>Nie da się powiedzieć. We wszystkich wynikach okno liczy się jako okno bez opinii.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="146"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="152"/>
         <source>Goes on without judging: to the next compared window that is not judged yet, or the next one (N).</source>
         <translation>Idzie dalej bez wydania opinii: do następnego porównanego okna bez opinii, a jeśli go nie ma, do następnego (N).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="148"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="154"/>
         <source>The window before this (P).</source>
         <translation>Poprzednie okno (P).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="151"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="157"/>
         <source>The window after this.</source>
         <translation>Następne okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="253"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="299"/>
         <source>Window {numbers}. What was found is hidden.</source>
         <translation>Okno {numbers}. Wynik jest ukryty.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="356"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="426"/>
         <source>Then the next window comes. Click again to take it back.</source>
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="211"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="212"/>
         <source>No window was judged by both operators yet; &apos;not sure&apos; does not count.</source>
         <translation>Żadne okno nie ma jeszcze opinii obu operatorów; niepewna się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="214"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="215"/>
         <source>Both judged {count} windows and agreed on {agreed} ({percent} %).</source>
         <translation>Obaj ocenili {count} {count:okno|okna|okien}, zgodnie {agreed} ({percent} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="217"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="218"/>
         <source>Only the first saw a loss: {first}. Only the second: {second}.</source>
         <translation>Stratę widział tylko pierwszy: {first}. Tylko drugi: {second}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="222"/>
-        <source>One of them gave one verdict only, so agreement can&apos;t be told from chance.</source>
-        <translation>Jeden z nich wyraził wszędzie tę samą opinię, więc zgodności nie da się odróżnić od przypadku.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="223"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="224"/>
         <source>Cohen&apos;s kappa: {value} (95 % interval {low} to {high}), {word}.</source>
         <translation>Kappa Cohena: {value} (od {low} do {high} z ufnością 95 %), {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="231"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
         <source>slight agreement</source>
         <translation>zgodność znikoma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="231"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
         <source>fair agreement</source>
         <translation>zgodność słaba</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="231"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
         <source>moderate agreement</source>
         <translation>zgodność umiarkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
         <source>substantial agreement</source>
         <translation>zgodność znaczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="235"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="236"/>
         <source>no more than chance</source>
         <translation>zgodność nie większa niż przypadkowa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="236"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="237"/>
         <source>almost perfect agreement</source>
         <translation>zgodność prawie pełna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="241"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="242"/>
         <source>Agreement of both operators</source>
         <translation>Zgodność obu operatorów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="245"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="246"/>
         <source>Show where they differ</source>
         <translation>Pokaż, gdzie się różnią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="316"/>
+        <location filename="../plugin/seams/desk/judging.py" line="336"/>
         <source>Write this into {count} windows?</source>
         <translation>Wpisać to do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="324"/>
+        <location filename="../plugin/seams/desk/judging.py" line="344"/>
         <source>Judge {count} windows as {word}?</source>
         <translation>Wpisać opinię „{word}” do {count} {count:okna|okien|okien}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging.py" line="326"/>
+        <location filename="../plugin/seams/desk/judging.py" line="346"/>
         <source>Take back the verdicts on {count} windows?</source>
         <translation>Wycofać opinie o {count} {count:oknie|oknach|oknach}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="62"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="72"/>
         <source>as sorted</source>
         <translation>jak w tabeli</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="63"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="73"/>
         <source>As the table is sorted by one of its columns.</source>
         <translation>Według kolumny, po której posortowano tabelę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="67"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="77"/>
         <source>along the seam</source>
         <translation>wzdłuż linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="68"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="78"/>
         <source>Seam by seam, in the order in which the windows were placed.</source>
         <translation>Linia po linii i wzdłuż każdej z nich, tak jak rozmieszczono okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="71"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="81"/>
         <source>worst first</source>
         <translation>najgorsze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="76"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="91"/>
         <source>tool differs</source>
         <translation>inna ocena</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="77"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="92"/>
         <source>Starts with the windows where the tool and an observer disagree.</source>
         <translation>Najpierw okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="81"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="96"/>
         <source>operators differ</source>
         <translation>różne opinie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="82"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="97"/>
         <source>Starts with the windows where the two operators disagree.</source>
         <translation>Najpierw okna, w których opinie obu operatorów się różnią.</translation>
     </message>
@@ -6170,12 +6110,12 @@
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="166"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="167"/>
         <source>judged</source>
         <translation>z opinią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="170"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="171"/>
         <source>to be judged</source>
         <translation>do oceny</translation>
     </message>
@@ -6255,11 +6195,6 @@
         <translation>Każde okno</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/images_panel.py" line="143"/>
-        <source>Most contrast: each window&apos;s darkest and brightest 2 % cut off. Windows look unlike each other, and grey may look coloured.</source>
-        <translation>Największy kontrast: bez 2 % najciemniejszych i najjaśniejszych pikseli każdego okna. Okna wyglądają różnie, a szarość może wydawać się barwna.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/desk/images/images_panel.py" line="148"/>
         <source>How grey values are shown; never band by band, so that colours stay as they are</source>
         <translation>Jak wyświetlane są odcienie; nigdy kanał po kanale, więc barwy pozostają bez zmian</translation>
@@ -6275,52 +6210,52 @@
         <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="76"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="79"/>
         <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="76"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="79"/>
         <source>&gt; {near} m: {kept} %</source>
         <translation>&gt; {near} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="78"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="81"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="79"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="82"/>
         <source>{near} to {far} m: {kept} %</source>
         <translation>od {near} do {far} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="96"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="99"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="96"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="99"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="98"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="108"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="206"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="216"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="214"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="224"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="216"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="226"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -6350,52 +6285,52 @@
         <translation>Zapisano profil linii mozaikowania w {path}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="98"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="101"/>
         <source>Seam profile</source>
         <translation>Profil linii</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="100"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="103"/>
         <source>How much of the finest detail is kept, by the distance from the seam, relative to the ground around</source>
         <translation>Ile najdrobniejszych detali zachowano w zależności od odległości od linii mozaikowania, w odniesieniu do terenu wokół</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="123"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="126"/>
         <source>Show level {level}; 1 is the finest. The finest that is shown has its 95 % interval.</source>
         <translation>Pokaż poziom {level}; 1 jest najdrobniejszy. Najdrobniejszy z pokazanych ma przedział ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="154"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="157"/>
         <source>Select one window to see its seam profile.</source>
         <translation>Zaznacz jedno okno, aby zobaczyć profil jego linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="160"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="163"/>
         <source>The profile is not at hand. Inspect again to see it.</source>
         <translation>Nie ma profilu pod ręką. Aby go zobaczyć, skontroluj okno ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="165"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="168"/>
         <source>There is no seam in the window.</source>
         <translation>W oknie nie ma linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="166"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="169"/>
         <source>There is too little ground around the seam to compare with. Take a larger window.</source>
         <translation>Wokół linii mozaikowania jest za mało terenu do porównania. Weź większe okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="187"/>
+        <location filename="../plugin/seams/desk/charts/profile_panel.py" line="190"/>
         <source>Live: </source>
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="389"/>
+        <location filename="../plugin/seams/desk/dock.py" line="449"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="390"/>
+        <location filename="../plugin/seams/desk/dock.py" line="450"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
@@ -6405,22 +6340,22 @@
         <translation>Przywróć okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="64"/>
+        <location filename="../plugin/seams/desk/dock.py" line="66"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="247"/>
+        <location filename="../plugin/seams/desk/dock.py" line="283"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="253"/>
+        <location filename="../plugin/seams/desk/dock.py" line="292"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="257"/>
+        <location filename="../plugin/seams/desk/dock.py" line="289"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -6670,57 +6605,57 @@
         <translation>Jak daleko wzdłuż swojej linii mozaikowania leży okno.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="279"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="285"/>
         <source>Save the windows</source>
         <translation>Zapisz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="279"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="285"/>
         <source>CSV files (*.csv)</source>
         <translation>Pliki CSV (*.csv)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="136"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="151"/>
         <source>Windows where the observer was not sure.</source>
         <translation>Okna, których obserwator nie był pewien.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="139"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="154"/>
         <source>Windows where the tool and an observer disagree.</source>
         <translation>Okna, w których ocena narzędzia i opinia obserwatora się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="141"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="156"/>
         <source>Windows where the two operators disagree.</source>
         <translation>Okna, w których opinie obu operatorów się różnią.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="183"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="198"/>
         <source>In which order windows are shown and judged.</source>
         <translation>W jakiej kolejności okna są pokazywane i oceniane.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="315"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="321"/>
         <source>Judge not sure</source>
         <translation>Strata niepewna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="320"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="326"/>
         <source>Copy rows</source>
         <translation>Kopiuj wiersze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="321"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="327"/>
         <source>The selected rows with their headings, for a spreadsheet.</source>
         <translation>Zaznaczone wiersze z nagłówkami, do arkusza kalkulacyjnego.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="322"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="328"/>
         <source>Save as CSV ...</source>
         <translation>Zapisz jako CSV...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="323"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="329"/>
         <source>All windows that are shown, with all of their numbers.</source>
         <translation>Wszystkie pokazane okna, ze wszystkimi ich liczbami.</translation>
     </message>
@@ -7012,11 +6947,6 @@
         <translation>Część najdrobniejszych detali zachowana wzdłuż linii mozaikowania, w odniesieniu do terenu wokół niej. Puste, gdy nie ona była podstawą oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="373"/>
-        <source>it takes detail as a share of all variance, and the tones were changed</source>
-        <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="375"/>
         <source>it takes the window as a whole, which has {percent} % of the sharpness of its sources</source>
         <translation>bierze ona okno jako całość, a ta ma {percent} % ostrości ortoobrazów źródłowych</translation>
@@ -7027,22 +6957,17 @@
         <translation>Plik {name} obok tego projektu zawiera {count} {count:okno, którego|okna, których|okien, których} projekt nie zna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="385"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="455"/>
         <source>Window {number}: {percent} % sure</source>
         <translation>Okno {number}: {percent} % pewności</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="265"/>
-        <source>No window is left to judge. Select one to judge it again.</source>
-        <translation>Nie ma już okien do oceny. Wybierz okno, aby ocenić je ponownie.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="292"/>
+        <location filename="../plugin/seams/desk/windows/windows_panel.py" line="298"/>
         <source>Remove {count} windows, {judged} of them judged?</source>
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="212"/>
+        <location filename="../plugin/seams/desk/dock.py" line="246"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -7072,12 +6997,12 @@
         <translation>Taki sam jak ortofotomapa wszędzie, gdzie je porównano: znów ortofotomapa albo jedyny ortoobraz, z którego powstała; zaznacz go, jeśli to ten ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -7127,11 +7052,6 @@
         <translation>Grupuj okna według</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="80"/>
-        <source>A field of the windows, as land use, scale or film: chart and report compare its values.</source>
-        <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
-    </message>
-    <message>
         <location filename="../plugin/noise/checknoise.py" line="101"/>
         <source>Windows whose texture could hide grain</source>
         <translation>Okna, których tekstura może skrywać ziarno</translation>
@@ -7140,11 +7060,6 @@
         <location filename="../plugin/noise/checknoise.py" line="193"/>
         <source>group {group}</source>
         <translation>grupa {group}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/desk/noise_panel.py" line="68"/>
-        <source>Field that windows are grouped by, as land use or scale: the range of all windows with the selected window&apos;s value stands behind its curves. Empty: no groups.</source>
-        <translation>Pole, według którego grupowane są okna, np. użytkowanie terenu lub skala: za krzywymi zaznaczonego okna widać zakres wszystkich okien z tą samą wartością. Puste pole: bez grup.</translation>
     </message>
     <message>
         <location filename="../plugin/noise/desk/noise_panel.py" line="153"/>
@@ -7257,11 +7172,6 @@
         <translation>około {size:.3g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
-        <source>quotients of order 2 at most, with the terms left out that the points do not speak for</source>
-        <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
-    </message>
-    <message>
         <location filename="../plugin/sensors/report.py" line="123"/>
         <source>reference system of the points</source>
         <translation>układ współrzędnych punktów</translation>
@@ -7342,162 +7252,152 @@
         <translation>Udział punktów kontrolnych wynosi {share:g}; podaj liczbę od 0 do {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="119"/>
-        <source>{count} points miss the model by far more than the others ({names}); check them, or let blunders be looked for (ROBUST).</source>
-        <translation>Punkty odbiegające od modelu znacznie bardziej niż pozostałe: {count} ({names}); sprawdź je albo włącz szukanie błędów grubych (ROBUST).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="135"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="136"/>
         <source>Terms kept, numerator / denominator of scaled coordinates: {terms}.</source>
         <translation>Zachowane wyrazy, licznik / mianownik współrzędnych przeskalowanych: {terms}.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="137"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="138"/>
         <source>The fit diverges from all of these points; check for interchanged coordinates, or choose a model with fewer unknowns.</source>
         <translation>Dopasowanie oddala się od wszystkich tych punktów; sprawdź, czy współrzędne nie są zamienione, albo wybierz model o mniejszej liczbie niewiadomych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="155"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="156"/>
         <source>The RPC is off by {columns:.2f} columns and {rows:.2f} rows in the middle of the image, by {most:.2f} px where it is worst; the model corrects that.</source>
         <translation>RPC jest przesunięte w środku obrazu o {columns:.2f} kolumny i {rows:.2f} wiersza, a w najgorszym miejscu o {most:.2f} px; model to koryguje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="169"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="170"/>
         <source>No image with the RPC is written, as there is no image to copy; choose the image.</source>
         <translation>Nie zapisano obrazu z RPC: nie ma obrazu do skopiowania; wybierz go.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="187"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="188"/>
         <source>The camera of {name} has {width} x {height} pixels and the image {columns} x {rows}, which is another shape; choose the camera&apos;s own image, uncropped and not turned.</source>
         <translation>Kamera z pliku {name} ma {width} × {height} pikseli, a obraz {columns} × {rows}, czyli inny kształt; wybierz obraz tej kamery, nieprzycięty i nieobrócony.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="194"/>
-        <source>By {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
-        <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="197"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="199"/>
         <source>All angles of {name} are below 3.15, as if they were in radians; they are taken as degrees, so check how the orthoimage lies.</source>
         <translation>Wszystkie kąty w {name} są mniejsze od 3,15, jak gdyby były w radianach; przyjęto je jako stopnie, sprawdź więc, jak leży ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="207"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="219"/>
         <source>{name} holds several cameras ({names}) and the exterior orientation names none of them; leave one in the file.</source>
         <translation>Plik {name} zawiera kilka kamer ({names}), a orientacja zewnętrzna żadnej z nich nie wymienia; zostaw w pliku jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="218"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="230"/>
         <source>{name} does not name the image {image} just once; it names {names}. Choose the file of this image.</source>
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="223"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="239"/>
         <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
         <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="225"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="241"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="228"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
         <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="232"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="240"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
         <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="247"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="258"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="262"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
         <source>{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="265"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="281"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="266"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="282"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="283"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="272"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="288"/>
         <source>The constant height is {height:.6g} m, which no place on earth has; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
         <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="306"/>
         <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="294"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="310"/>
         <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="298"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="314"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="309"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="325"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="312"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="328"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="315"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="331"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="318"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="334"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="320"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="336"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
@@ -7510,11 +7410,6 @@
         <location filename="../plugin/sensors/planpoints.py" line="42"/>
         <source>Predicts the accuracy from the number, quality and spread of control points before they are measured. For every number of points 50 sets with random errors are drawn on an image whose geometry is known, its RPC or that of a nominal line scanner; the model is fitted to each and judged all over the image. This is a planning figure; your own check points tell how accurate the image became.</source>
         <translation>Mówi, jakiej dokładności oczekiwać po liczbie, jakości i rozmieszczeniu fotopunktów, zanim zostaną pomierzone. Dla każdej liczby punktów losuje się 50 zestawów z błędami przypadkowymi na obrazie o znanej geometrii: według jego RPC albo nominalnego skanera liniowego; model dopasowuje się do każdego i ocenia na całym obrazie. To liczba do planowania: o uzyskanej dokładności mówią dopiero własne punkty kontrolne.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/planpoints.py" line="52"/>
-        <source>The sensor model that is going to be fitted, with its order or form. rpc_bias needs an RPC.</source>
-        <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/planpoints.py" line="55"/>
@@ -7552,11 +7447,6 @@
         <translation>Odchylenie standardowe w terenie (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/planpoints.py" line="68"/>
-        <source>Of each of a point&apos;s three ground coordinates, as they are going to be surveyed.</source>
-        <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
-    </message>
-    <message>
         <location filename="../plugin/sensors/planpoints.py" line="71"/>
         <source>Standard deviation in the image (pixels)</source>
         <translation>Odchylenie standardowe na obrazie (piksele)</translation>
@@ -7575,11 +7465,6 @@
         <location filename="../plugin/sensors/planpoints.py" line="76"/>
         <source>Highest terrain (metres)</source>
         <translation>Najwyższy teren (metry)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/planpoints.py" line="80"/>
-        <source>Height above the ellipsoid. Every point lies anywhere between the lowest and the highest.</source>
-        <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/planpoints.py" line="85"/>
@@ -7732,57 +7617,57 @@
         <translation>Poprawka RPC w środku obrazu, wiersze (px)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="43"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="139"/>
         <source>Puts an image on the map over a terrain model: a satellite image by a model file of Fit sensor model, an RPC file or its own RPC, an aerial photo by its interior and exterior orientation. GDAL&apos;s warper does it with all cores; how far it is from the exact model is measured on a grid and reported. Heights above sea level are brought to the ellipsoid, as RPCs want them.</source>
         <translation>Umieszcza obraz na mapie z użyciem NMT: obraz satelitarny według pliku modelu z algorytmu „Dopasuj model sensora”, pliku RPC albo własnego RPC, zdjęcie lotnicze według orientacji wewnętrznej i zewnętrznej. Przepróbkowanie wykonuje GDAL na wszystkich rdzeniach; odległość od modelu dokładnego jest mierzona na siatce i podawana. Wysokości nad poziomem morza są sprowadzane do elipsoidy, jak wymagają tego RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="71"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="48"/>
         <source>Exterior orientation</source>
         <translation>Orientacja zewnętrzna</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="81"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="63"/>
         <source>Reference system of the exterior orientation</source>
         <translation>Układ współrzędnych orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="82"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="64"/>
         <source>Projected, in metres. Empty: what its file says, else the image&apos;s own.</source>
         <translation>Płaski prostokątny, w metrach. Puste pole: ten, który podaje jej plik, a w przeciwnym razie układ obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="86"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="68"/>
         <source>Heights of the exterior orientation</source>
         <translation>Wysokości orientacji zewnętrznej</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="87"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="69"/>
         <source>as_terrain: they refer to what the terrain model&apos;s heights refer to, and nothing is converted.</source>
         <translation>as_terrain: odnoszą się do tego, do czego odnoszą się wysokości NMT, i nic nie jest przeliczane.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="139"/>
+        <location filename="../plugin/imagery/messages.py" line="144"/>
         <source>{name} has &apos;{key}&apos; twice in one object; keep one.</source>
         <translation>W pliku {name} klucz „{key}” występuje dwa razy w jednym obiekcie; zostaw jeden.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="141"/>
+        <location filename="../plugin/imagery/messages.py" line="146"/>
         <source>{place} in {name} has the unknown {key} &apos;{value}&apos;; known are {known}.</source>
         <translation>{place} w pliku {name}: nieznana wartość „{value}” klucza {key}; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="142"/>
+        <location filename="../plugin/imagery/messages.py" line="147"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a number of {least:g} or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą nie mniejszą niż {least:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="144"/>
+        <location filename="../plugin/imagery/messages.py" line="149"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be a whole number of 1 or more.</source>
         <translation>{place} w pliku {name}: „{key}” musi być liczbą całkowitą nie mniejszą niż 1.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="145"/>
+        <location filename="../plugin/imagery/messages.py" line="150"/>
         <source>{place} in {name}: &apos;{key}&apos; has to be true or false.</source>
         <translation>{place} w pliku {name}: „{key}” musi mieć wartość true lub false.</translation>
     </message>
@@ -8092,7 +7977,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="115"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -8167,7 +8052,7 @@
         <translation>Sprawdza obrazy względem granic specyfikacji, domyślnie specyfikacji JRC dla ortoobrazów LPIS: obcięte krańce histogramu, położenie maksimum histogramu i kontrast jasności, stosunek sygnału do szumu na jednorodnych obszarach o średnich tonach, balans barw na podanych szarych obszarach, a przy podanych liniach mozaikowania także skok tonalny na nich. Całe rastry są czytane blokami. Czego nie można zmierzyć, jest podawane z przyczyną; nic nie jest przyjmowane na domysł.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="79"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
         <source>Ready rules</source>
         <translation>Gotowe reguły</translation>
     </message>
@@ -8250,11 +8135,6 @@
         <location filename="../plugin/radiometry/measure/messages.py" line="13"/>
         <source>{place} in {name}: &apos;value_range&apos; has to be two numbers, the smaller one first.</source>
         <translation>{place} w pliku {name}: „value_range” muszą tworzyć dwie liczby, najpierw mniejsza.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/radiometry/measure/messages.py" line="14"/>
-        <source>The range of values has to be two numbers, the smaller one first, as 0,4095.</source>
-        <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
     <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="22"/>
@@ -8392,42 +8272,42 @@
         <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="286"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="289"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="288"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="295"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
         <source>{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s SEAMLINES to measure all of them.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="303"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
@@ -8512,7 +8392,7 @@
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="359"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="382"/>
         <source>can&apos;t be told</source>
         <translation>nie da się określić</translation>
     </message>
@@ -8527,192 +8407,192 @@
         <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="110"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="111"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="111"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="116"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="117"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="119"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="147"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="120"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="123"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="141"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="168"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="147"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="170"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="209"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="232"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="234"/>
         <source>what the operator saw</source>
         <translation>co widział operator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="234"/>
         <source>no loss in the window of a piece</source>
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="261"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="261"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="285"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="308"/>
         <source>{kept} kept</source>
         <translation>zachowano {kept}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="317"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
         <source>{across} across.</source>
         <translation>Szerokość {across}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="318"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="341"/>
         <source>Left: {across} across</source>
         <translation>Po lewej: szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="319"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
         <source>Left: a part of it, {across} across</source>
         <translation>Po lewej: jego część, szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="321"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="344"/>
         <source>{first}; right: where least is kept, {detail} across in full size.</source>
         <translation>{first}; z prawej: miejsce, gdzie zachowano najmniej, szerokość {detail}, w pełnej wielkości.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="329"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="352"/>
         <source>plan</source>
         <translation>plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="330"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="353"/>
         <source>code letter</source>
         <translation>znak literowy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="354"/>
         <source>lot</source>
         <translation>partia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="331"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="354"/>
         <source>{count} pieces of seam</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="332"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="355"/>
         <source>sample</source>
         <translation>próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="332"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="355"/>
         <source>{count} pieces of seam, of which {measured} were measured</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="357"/>
         <source>accepted up to</source>
         <translation>przyjęcie do</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="334"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="357"/>
         <source>{count} failed pieces in the sample</source>
         <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="335"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="358"/>
         <source>found</source>
         <translation>stwierdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="336"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="359"/>
         <source>producer&apos;s risk</source>
         <translation>ryzyko dostawcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="338"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
         <source>consumer&apos;s risk</source>
         <translation>ryzyko odbiorcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
         <source>seed of the drawing</source>
         <translation>ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="349"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
         <source>first and second observer</source>
         <translation>pierwszy i drugi obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="349"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
         <source>first observer and tool</source>
         <translation>pierwszy obserwator i narzędzie</translation>
     </message>
@@ -8872,457 +8752,417 @@
         <translation>W żadnym arkuszu nie leży ani jeden odcinek linii mozaikowania; wybierz skorowidz tej dostawy i sprawdź jego układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="14"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="15"/>
         <source>{count} pieces of seam lie in none of the sheets and keep their layer&apos;s name.</source>
         <translation>Odcinki linii mozaikowania, które nie leżą w żadnym z arkuszy i zachowują nazwę swojej warstwy: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="17"/>
         <source>{name} has two rules for &apos;{check}&apos; ({place} is the second); keep one.</source>
         <translation>Plik {name} zawiera dwie reguły dla „{check}” ({place} to druga); zostaw jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="17"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="18"/>
         <source>{name} does not say what a piece must keep; add a rule with the check &apos;kept&apos;.</source>
         <translation>W pliku {name} nie ma nic o tym, ile odcinek musi zachować; dodaj regułę z kontrolą „kept”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="19"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="20"/>
         <source>{name} has nothing to decide by; add a rule &apos;failed_share&apos;, &apos;longest_failure&apos; or &apos;sampling&apos;.</source>
         <translation>W pliku {name} nie ma niczego, według czego można zdecydować; dodaj regułę „failed_share”, „longest_failure” lub „sampling”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="21"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
         <source>{place} in {name}: the check &apos;{check}&apos; needs &apos;{key}&apos;; give it.</source>
         <translation>{place} w pliku {name}: kontrola „{check}” wymaga „{key}”; podaj tę wartość.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="23"/>
         <source>{place} in {name}: &apos;{key}&apos; is {limit:g} and a share is at most 1; write 2 % as 0.02.</source>
         <translation>{place} w pliku {name}: „{key}” wynosi {limit:g}, a część to najwyżej 1; zapisz 2 % jako 0.02.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="27"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="28"/>
         <source>{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.</source>
         <translation>{parameter} wynosi {value}, a reguły w pliku {name} podają: {ruled}; wpisz tę wartość do pliku albo nie podawaj pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="29"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
         <source>Both the ready rules &apos;{ready}&apos; and the rules in {name} are given; choose one of them.</source>
         <translation>Podano gotowe reguły „{ready}” i reguły z pliku {name}; zostaw jedne z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="31"/>
         <source>nothing of it</source>
         <translation>nic o tym</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="32"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
         <source>There are no pieces of seam to plan an inspection of; choose layers with lines.</source>
         <translation>Brak odcinków linii mozaikowania, dla których można by zaplanować kontrolę; wybierz warstwy z liniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="34"/>
         <source>The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.</source>
         <translation>Liczność partii wynosi {size}, a plan kontroli wymaga co najmniej 2; skontroluj całą partię.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="36"/>
         <source>The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is given.</source>
         <translation>Liczność partii wynosi {size}, a liczba odcinków w warstwach {given}; podaj liczność całej partii albo 0, aby wziąć to, co podano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="39"/>
-        <source>Lots with {good:g} % failing pieces are to be accepted and with {bad:g} % rejected; the first has to be smaller, both between 0 and 100.</source>
-        <translation>Partie z {good:g} % niezgodnych odcinków mają być przyjmowane, a z {bad:g} % odrzucane; pierwsza liczba musi być mniejsza, a obie między 0 a 100.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="43"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="44"/>
         <source>The producer&apos;s risk is {producers:g} % and the consumer&apos;s {consumers:g} %; both have to lie between 0 and 100.</source>
         <translation>Ryzyko dostawcy wynosi {producers:g} %, a odbiorcy {consumers:g} %; oba muszą leżeć między 0 a 100.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="47"/>
         <source>No plan tells {good:g} % from {bad:g} % with these risks; set them farther apart, or allow larger risks.</source>
         <translation>Żaden plan nie odróżni {good:g} % od {bad:g} % przy tych ryzykach; podaj wartości bardziej od siebie odległe albo większe ryzyka.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="48"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="49"/>
         <source>A sample of {count} pieces was asked for; give 1 or more.</source>
         <translation>Podano próbę o liczności {count}; podaj 1 lub więcej odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="49"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="50"/>
         <source>Windows are placed on the mosaic&apos;s pixels; give MOSAIC, or take pieces as the unit.</source>
         <translation>Okna są rozmieszczane na pikselach ortofotomapy; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
         <source>The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.</source>
         <translation>Ortofotomapa jest mniejsza niż okno o boku {pixels} px, potędze dwójki, która obejmuje {side:g} m; podaj krótszy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
         <source>A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.</source>
         <translation>Okno o boku {side:g} m ma {pixels} px, a potrzeba co najmniej {least}; podaj dłuższy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="56"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
         <source>No layer of seams has the field {field}; choose one that says which sheet it is.</source>
         <translation>Żadna warstwa linii nie ma pola {field}; wybierz takie, które mówi, jaki to arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
         <source>{count} pieces do not lie on the mosaic and are no part of the lot.</source>
         <translation>Odcinki, które nie leżą na ortofotomapie i nie należą do partii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="59"/>
         <source>None of the seams lies on the mosaic; check the reference systems of both.</source>
         <translation>Żadna z linii mozaikowania nie leży na ortofotomapie; sprawdź układy współrzędnych obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
         <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail: with {good:.2%} failing pieces a lot is rejected with {producers:.1%}, with {bad:.2%} accepted with {consumers:.1%}.</source>
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance}: partia z {good:.2%} niezgodnych jest odrzucana z prawdopodobieństwem {producers:.1%}, a partia z {bad:.2%} przyjmowana z prawdopodobieństwem {consumers:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="67"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="68"/>
         <source>Pieces of one seam are correlated ({correlation:.2f}), which makes the sample {effect:.2f} times as large; the risks are those of a production that such lots come from.</source>
         <translation>Podobieństwo odcinków jednej linii wynosi {correlation:.2f}, co powiększa próbę {effect:.2f} razy; ryzyka dotyczą produkcji, z której pochodzą takie partie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="71"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="72"/>
         <source>The lot is too small for risks of {producers:.1%} and {consumers:.1%}: not even all {lot} pieces keep both, since pieces of one seam are alike and there are few seams; plan for more seams at once, or take larger risks.</source>
         <translation>Partia jest za mała na ryzyka {producers:.1%} i {consumers:.1%}: nawet wszystkie odcinki ({lot}) nie zapewniają obu, bo odcinki jednej linii są podobne, a linii jest mało; zaplanuj więcej linii naraz albo przyjmij większe ryzyka.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="75"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
         <source>The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.</source>
         <translation>Plan wymaga odcinków w liczbie {size}, a warstwy zawierają {drawn}; wylosuj pozostałe z reszty partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="77"/>
-        <source>{size} of {lot} pieces are drawn; the log of acceptmosaic tells the risks.</source>
-        <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="79"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
         <source>Accepted by &apos;{rules}&apos;: {why}.</source>
         <translation>Przyjęto według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
         <source>Rejected by &apos;{rules}&apos;: {why}.</source>
         <translation>Odrzucono według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
         <source>{why}; {also}</source>
         <translation>{why}; {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
         <source>{value:.2%} of the measured metres failed and only {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się tylko {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="92"/>
-        <source>the longest failure without a break is {value:.1f} m and {limit:.1f} m may be</source>
-        <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
-        <source>the longest failure without a break is {value:.1f} m and only {limit:.1f} m may be</source>
-        <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest tylko {limit:.1f} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
-        <source>{value:.1%} of the metres were measured and {limit:.1%} have to be</source>
-        <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="100"/>
-        <source>only {value:.1%} of the metres were measured and {limit:.1%} have to be, so it can&apos;t be decided</source>
-        <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="102"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
         <source>nothing was measured, so it can&apos;t be decided</source>
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
         <source>As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is accepted, and the next one is inspected normally.</source>
         <translation>Liczba niezgodnych odcinków leży między Ac {acceptance} a Re {rejection} kontroli ulgowej: ta partia jest przyjęta, a następna podlega kontroli normalnej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="125"/>
-        <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}, 95 % interval {low:.2%} to {high:.2%} for seams made in the same way.</source>
-        <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}, przedział ufności 95 % od {low:.2%} do {high:.2%} dla linii mozaikowania wykonanych w ten sam sposób.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="129"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="132"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
         <source>{metres:.1f} m can&apos;t be told apart from the limit of {limit:g}: their 95 % intervals hold it.</source>
         <translation>Odcinki o łącznej długości {metres:.1f} m nie dają się odróżnić od granicy {limit:g}: zawierają ją ich przedziały ufności 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="185"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
         <source>A piece fails when it keeps less than 0, which none can, so every measured piece passes.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
         <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="200"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="199"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="200"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
         <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="211"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
         <source>The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
         <source>Both operators judged {count} windows and agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="223"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="226"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="233"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
         <source>The layers of seams are empty; choose those of a scan that found seams.</source>
         <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="245"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
         <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="260"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
         <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
-        <source>The layers are in degrees; places and lengths are told in {system}.</source>
-        <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="265"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="267"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="48"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="49"/>
         <source>Accept or reject a delivery</source>
         <translation>Przyjmij lub odrzuć dostawę</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="63"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="64"/>
         <source>The layers &apos;Seams&apos; of the scans of one delivery, a sheet each, or a sample that &apos;Plan an inspection&apos; drew of them.</source>
         <translation>Warstwy „Odcinki linii mozaikowania” z badań jednej dostawy, po jednej na arkusz, albo próba wylosowana z nich przez algorytm „Zaplanuj kontrolę”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="70"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="71"/>
         <source>Plan</source>
         <translation>Plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="80"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="81"/>
         <source>Rules that come with the plugin, instead of the limits above; leave those as they are.</source>
         <translation>Reguły dostarczane z wtyczką, zamiast powyższych granic, które wtedy pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="85"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="86"/>
         <source>A JSON file of your own with limits and where they come from, instead of the limits above; leave those as they are. The documentation shows one.</source>
         <translation>Własny plik JSON z granicami i ich pochodzeniem, zamiast powyższych granic, które wtedy pozostają bez zmian. Przykład jest w dokumentacji.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="92"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="93"/>
         <source>Inspected windows, judged or not: their causes and remarks go to the failures in them, and the log says how well operators and tool agree.</source>
         <translation>Okna skontrolowane, ewentualnie z opiniami: ich przyczyny i uwagi trafiają do usterek, które w nich leżą, a zgodność operatorów i narzędzia jest podawana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="97"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="98"/>
         <source>Who judges</source>
         <translation>Kto ocenia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="99"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="100"/>
         <source>tool: a piece fails by what it kept. observer: by what the operator saw in the window over it; what nobody judged counts as not measured.</source>
         <translation>tool: o niezgodności odcinka decyduje to, co zachował. observer: decyduje to, co operator widział w oknie na odcinku; czego nikt nie ocenił, liczy się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="106"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="107"/>
         <source>The plan&apos;s operating characteristic; without a plan, how many metres kept how much.</source>
         <translation>Krzywa operacyjno-charakterystyczna planu; bez planu: ile metrów zachowało ile detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="112"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="113"/>
         <source>Length that was measured (metres)</source>
         <translation>Długość zmierzona (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="113"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="114"/>
         <source>Length that failed (metres)</source>
         <translation>Długość niezgodna (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="114"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="115"/>
         <source>Share of the measured length that failed (%)</source>
         <translation>Udział niezgodnych w zmierzonej długości (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="115"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="116"/>
         <source>Longest failure without a break (metres)</source>
         <translation>Najdłuższa nieprzerwana usterka (metry)</translation>
     </message>
@@ -9437,62 +9277,62 @@
         <translation>Znak literowy planu</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="149"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="153"/>
         <source>Of the plan &apos;risk&apos;, in percent of the pieces.</source>
         <translation>Dla planu „risk”, w procentach odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="150"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="154"/>
         <source>Good: failing pieces (%)</source>
         <translation>Dobra: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="152"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="156"/>
         <source>Producer&apos;s risk (%)</source>
         <translation>Ryzyko dostawcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="153"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="157"/>
         <source>How often a lot that is good may be rejected.</source>
         <translation>Jak często może być odrzucona partia, która jest dobra.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="156"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="160"/>
         <source>Bad: failing pieces (%)</source>
         <translation>Zła: odcinki niezgodne (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="158"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="162"/>
         <source>Consumer&apos;s risk (%)</source>
         <translation>Ryzyko odbiorcy (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="159"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="163"/>
         <source>How often a lot that is bad may be accepted.</source>
         <translation>Jak często może być przyjęta partia, która jest zła.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="163"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="167"/>
         <source>Correlation along a seam</source>
         <translation>Podobieństwo wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="165"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="169"/>
         <source>Intraclass correlation of the pieces of one seam, 0 to 1; the sample grows with it. Empty: as a scan&apos;s kept_1 says, or 0.3 without one.</source>
         <translation>Jak bardzo odcinki jednej linii mozaikowania są do siebie podobne, od 0 do 1 (korelacja wewnątrzklasowa); próba rośnie wraz z nią. Puste pole: według kept_1 z badania albo 0,3, gdy badania nie ma.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planinspection.py" line="172"/>
+        <location filename="../plugin/acceptance/planinspection.py" line="176"/>
         <source>What counts as failed where the correlation along seams is taken from a scan.</source>
         <translation>Co liczy się jako niezgodne, gdy podobieństwo odcinków wzdłuż linii mozaikowania jest brane z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="218"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="214"/>
         <source>Sample (windows)</source>
         <translation>Próba (okna)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/planned_sample.py" line="218"/>
+        <location filename="../plugin/acceptance/planned_sample.py" line="214"/>
         <source>Sample (pieces)</source>
         <translation>Próba (odcinki)</translation>
     </message>
@@ -9510,11 +9350,6 @@
         <location filename="../plugin/acceptance/stated_rules.py" line="184"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="185"/>
-        <source>The percentage of failing pieces up to which lots should be accepted nearly always, as ISO 2859-1 has it.</source>
-        <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/stated_rules.py" line="195"/>
@@ -9817,7 +9652,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="67"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="70"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -9881,10 +9716,6 @@
     <message>
         <source>Shares are of the metres that were measured. The longest failure of a sheet ends at its edge.</source>
         <translation>Udziały odnoszą się do zmierzonych metrów. Najdłuższa usterka arkusza kończy się na jego brzegu.</translation>
-    </message>
-    <message>
-        <source>Unclear: pieces measured too roughly to say surely on which side of the limit they are; they are counted by their value.</source>
-        <translation>Niejasne: odcinki zmierzone zbyt zgrubnie, aby na pewno powiedzieć, po której stronie granicy leżą; liczą się według swojej wartości.</translation>
     </message>
     <message>
         <source>no.</source>
@@ -10154,7 +9985,7 @@
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="338"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
         <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
@@ -10301,57 +10132,57 @@
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="16"/>
+        <location filename="../plugin/imagery/messages.py" line="17"/>
         <source>{name} is a device, a pipe or memory, not a file; copy its data to a file.</source>
         <translation>{name} jest urządzeniem, potokiem albo pamięcią, a nie plikiem; skopiuj dane do pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="22"/>
+        <location filename="../plugin/imagery/messages.py" line="23"/>
         <source>{name} is a VRT that leads to {path}, which is not a file; mend the VRT.</source>
         <translation>{name} jest plikiem VRT, który prowadzi do {path}, a to nie jest plik; popraw plik VRT.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="23"/>
+        <location filename="../plugin/imagery/messages.py" line="28"/>
         <source>{name} is a VRT of more than {most} files; make VRTs of parts of the block.</source>
         <translation>{name} jest plikiem VRT złożonym z więcej niż {most} plików; utwórz pliki VRT z części bloku.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="24"/>
+        <location filename="../plugin/imagery/messages.py" line="29"/>
         <source>{name} has {count} bands and {most} are the most; take out those that are to be measured.</source>
         <translation>Raster {name} ma {count} {count:kanał|kanały|kanałów}, a może mieć najwyżej {most}; wydziel te, które mają być mierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="26"/>
+        <location filename="../plugin/imagery/messages.py" line="31"/>
         <source>{name} is stored in blocks of {width} x {height} px, which are too large to be read; save it anew in tiles.</source>
         <translation>Raster {name} jest zapisany w blokach {width} × {height} px, zbyt dużych do odczytu; zapisz go ponownie w kaflach.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="28"/>
+        <location filename="../plugin/imagery/messages.py" line="33"/>
         <source>{name} claims {columns} x {rows} px, which no raster has; the file is damaged, so copy it anew.</source>
         <translation>Raster {name} ma mieć {columns} × {rows} px, jakich nie ma żaden raster; plik jest uszkodzony, więc skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="30"/>
+        <location filename="../plugin/imagery/messages.py" line="35"/>
         <source>{width} x {height} px of {name} are too many to be read at once; cut out the part that is needed.</source>
         <translation>{width} × {height} px rastra {name} to za dużo, aby odczytać je naraz; wytnij potrzebną część.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="32"/>
+        <location filename="../plugin/imagery/messages.py" line="37"/>
         <source>{name} is {columns} px wide and {most} are the most; cut it into sheets first.</source>
         <translation>Raster {name} ma szerokość {columns} px, a największa dopuszczalna to {most} px; podziel go najpierw na arkusze.</translation>
     </message>
     <message>
-        <location filename="../plugin/plugin.py" line="59"/>
+        <location filename="../plugin/plugin.py" line="61"/>
         <source>The first inspection in five minutes, and a page for every algorithm</source>
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="171"/>
+        <location filename="../plugin/seams/desk/dock.py" line="183"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="171"/>
+        <location filename="../plugin/seams/desk/dock.py" line="183"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -10381,14 +10212,9 @@
         <translation>W pliku {path} jest {held} z {count} obiektów, ponieważ reszty nie można zapisać; zwolnij miejsce na dysku i uruchom narzędzie ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="72"/>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="82"/>
         <source>Significant losses first; within a verdict the greatest loss.</source>
         <translation>Najpierw straty istotne; w obrębie oceny największa strata.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="357"/>
-        <source>The key S takes the seamlines and a scan&apos;s layers off the map, and puts them back.</source>
-        <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judging.py" line="76"/>
@@ -10411,12 +10237,12 @@
         <translation>nie podano: wartość domyślna programu ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="136"/>
+        <location filename="../plugin/imagery/messages.py" line="141"/>
         <source>The rules in {name} are no text in UTF-8; give a JSON file with rules.</source>
         <translation>Reguły w pliku {name} nie są tekstem w UTF-8; podaj plik JSON z regułami.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="137"/>
+        <location filename="../plugin/imagery/messages.py" line="142"/>
         <source>The rules in {name} are no JSON (see line {line}); mend the file.</source>
         <translation>Reguły w pliku {name} nie są poprawnym JSON (zob. wiersz {line}); popraw plik.</translation>
     </message>
@@ -10714,12 +10540,12 @@
         <translation>ortoobrazów źródłowych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="13"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="14"/>
         <source>The outline of the sheet {name} has coordinates that are no numbers; draw it again.</source>
         <translation>Obrys arkusza {name} ma współrzędne, które nie są liczbami; należy narysować go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="42"/>
+        <location filename="../plugin/imagery/messages.py" line="47"/>
         <source>{name} lies beyond what its coordinate reference system describes; give it the system of its coordinates.</source>
         <translation>{name} leży poza tym, co opisuje jego układ współrzędnych; należy mu nadać układ, w którym są jego współrzędne.</translation>
     </message>
@@ -10764,72 +10590,72 @@
         <translation>Pliku {name} nie wolno czytać; poproś właściciela o prawo odczytu albo o kopię.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="151"/>
+        <location filename="../plugin/imagery/messages.py" line="156"/>
         <source>Permission denied</source>
         <translation>brak dostępu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="162"/>
+        <location filename="../plugin/imagery/messages.py" line="167"/>
         <source>Operation not permitted</source>
         <translation>operacja niedozwolona</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="159"/>
+        <location filename="../plugin/imagery/messages.py" line="164"/>
         <source>No such file or directory</source>
         <translation>nie ma takiego pliku ani katalogu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="156"/>
+        <location filename="../plugin/imagery/messages.py" line="161"/>
         <source>Is a directory</source>
         <translation>jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="161"/>
+        <location filename="../plugin/imagery/messages.py" line="166"/>
         <source>Not a directory</source>
         <translation>nie jest katalogiem</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="153"/>
+        <location filename="../plugin/imagery/messages.py" line="158"/>
         <source>File exists</source>
         <translation>plik już istnieje</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="157"/>
+        <location filename="../plugin/imagery/messages.py" line="162"/>
         <source>Too many levels of symbolic links</source>
         <translation>zbyt wiele poziomów dowiązań symbolicznych</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="158"/>
+        <location filename="../plugin/imagery/messages.py" line="163"/>
         <source>File name too long</source>
         <translation>zbyt długa nazwa pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="160"/>
+        <location filename="../plugin/imagery/messages.py" line="165"/>
         <source>No space left on device</source>
         <translation>brak miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="152"/>
+        <location filename="../plugin/imagery/messages.py" line="157"/>
         <source>Disk quota exceeded</source>
         <translation>przekroczony limit miejsca na dysku</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="163"/>
+        <location filename="../plugin/imagery/messages.py" line="168"/>
         <source>Read-only file system</source>
         <translation>system plików tylko do odczytu</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="155"/>
+        <location filename="../plugin/imagery/messages.py" line="160"/>
         <source>Input/output error</source>
         <translation>błąd wejścia/wyjścia</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="154"/>
+        <location filename="../plugin/imagery/messages.py" line="159"/>
         <source>Invalid argument</source>
         <translation>nieprawidłowy argument</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="45"/>
+        <location filename="../plugin/imagery/messages.py" line="50"/>
         <source>{name} has pixels {times:.0f} times finer than the mosaic&apos;s, too many to average; resample it to those first.</source>
         <translation>{name} ma piksele {times:.0f} razy drobniejsze niż ortofotomapa, zbyt wiele do uśrednienia; najpierw należy go przepróbkować do piksela ortofotomapy.</translation>
     </message>
@@ -10844,7 +10670,7 @@
         <translation>Prostokąty w zmierzonych granicach, z oceną, z tym, co zachowano wzdłuż linii mozaikowania, z tym, na ile oko widzi stratę w powiększeniu 2× („visibility”, 1 to strata ledwie widoczna), i ze stosunkami wariancji: największymi spośród wszystkich ortoobrazów źródłowych.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="130"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="126"/>
         <source>Each piece of seam with what it kept, the 95 % interval, the width of its band, how far an eye sees the loss at 2x, and the verdict.</source>
         <translation>Każdy odcinek linii mozaikowania z tym, co zachował, przedziałem ufności 95 %, szerokością pasa, tym, na ile oko widzi stratę w powiększeniu 2×, i oceną.</translation>
     </message>
@@ -10852,16 +10678,6 @@
         <location filename="../plugin/seams/measure/window/window_tables.py" line="186"/>
         <source>visibility</source>
         <translation>widoczność</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/window/window_tables.py" line="188"/>
-        <source>How many times more was lost along the seam than an eye just sees side by side at 2x (just noticeable differences, JND).</source>
-        <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/messages.py" line="181"/>
-        <source>{measure} tells every window with a visible loss from any other, so resampling has no error to show; the interval is the score interval.</source>
-        <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
     </message>
     <message>
         <location filename="../plugin/seams/report/window_words.py" line="109"/>
@@ -10934,22 +10750,22 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="82"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="85"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="234"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="244"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="236"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="246"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="101"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="111"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
     </message>
@@ -10989,39 +10805,14 @@
         <translation>Nie da się powiedzieć, czy strata jest istotna, gdyż mogło zostać od {low:.0f} do {high:.0f} %; zmierz dłuższy odcinek linii mozaikowania albo obejrzyj ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="105"/>
-        <source>This is told by the mixture of the images, as the ground around is mixed too.</source>
-        <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="134"/>
         <source>the mosaic is softened along the seam</source>
         <translation>ortofotomapa jest zmiękczona wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="102"/>
-        <source>This is told by the mixture of the images, as there is too little unmixed ground around.</source>
-        <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="104"/>
-        <source>This is told by the mixture of the images, as other detail was added along the seam.</source>
-        <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="169"/>
         <source>Besides: {others}.</source>
         <translation>Poza tym: {others}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="138"/>
-        <source>images are mixed over {width} m by another rule than weights</source>
-        <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/window_summary.py" line="140"/>
-        <source>images {apart} px apart are mixed by another rule than weights</source>
-        <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
         <location filename="../plugin/seams/window_summary.py" line="142"/>
@@ -11108,7 +10899,7 @@
         <translation>Plik {path} jest otwarty w innym programie i nie można go zastąpić; nowa warstwa to {part}.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="133"/>
+        <location filename="../plugin/imagery/messages.py" line="138"/>
         <source>the file there is damaged</source>
         <translation>istniejący plik jest uszkodzony</translation>
     </message>
@@ -11118,22 +10909,17 @@
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/inputs/messages.py" line="53"/>
-        <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image, and taken as one.</source>
-        <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="28"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="25"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Of the models whose errors differ by no more than chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
         <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia go na punktach, których nie użyto do dopasowania: na punktach kontrolnych albo, gdy jest ich mniej niż pięć, przewidując każdy punkt z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Z modeli, których błędy różnią się tylko przypadkowo, zalecany jest ten o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="236"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
         <source>The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the model.</source>
         <translation>Ortoobraz leży do {most:.1f} px od miejsca, w którym widzi go dokładny model, bo model zastępuje RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
         <source>The distortion of the camera shows no view at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
@@ -11158,12 +10944,12 @@
         <translation>Linii mozaikowania w terenie z detalami. Gdy zmierzono mniej, dostawa nie jest przyjmowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="108"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="109"/>
         <source>accepted, rejected or undecided</source>
         <translation>przyjęto, odrzucono lub nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="110"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="111"/>
         <source>Accepted (1), rejected (0), or nothing where it is undecided</source>
         <translation>Przyjęto (1), odrzucono (0) lub puste, gdy nie rozstrzygnięto</translation>
     </message>
@@ -11193,24 +10979,9 @@
         <translation>Jak mają się nazywać pliki, ze znakami * i ?, np. ortho_????_??.tif. Puste: dowolnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="72"/>
-        <source>To 1 %. Empty: as most sheets have it.</source>
-        <translation>Z dokładnością do 1 %. Puste: tak jak w większości arkuszy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="75"/>
-        <source>Empty: as most sheets have it.</source>
-        <translation>Puste: tak jak w większości arkuszy.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="79"/>
         <source>How many, without alpha. Empty: as most sheets have.</source>
         <translation>Ile, bez kanału alfa. Puste: tyle, ile w większości arkuszy.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/checkdelivery.py" line="83"/>
-        <source>8 bit is uint8, 16 bit uint16. Empty: as most sheets have it.</source>
-        <translation>8 bitów to uint8, 16 bitów to uint16. Puste: tak jak w większości arkuszy.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/checkdelivery.py" line="87"/>
@@ -11283,287 +11054,272 @@
         <translation>Kompletna (1) lub nie (0)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
         <source>Undecided by &apos;{rules}&apos;: {why}.</source>
         <translation>Nie rozstrzygnięto według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>Accepted by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
         <translation>Przyjęto na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
         <source>Rejected by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
         <translation>Odrzucono na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
         <source>Undecided by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
         <translation>Nie rozstrzygnięto na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is not known</source>
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
-        <source>the longest failure without a break is {value:.1f} m and {limit:.1f} m may be, but it may be {low:.1f} to {high:.1f} m by the intervals of its pieces</source>
-        <translation>najdłuższa usterka bez przerwy ma {value:.1f} m, a dopuszcza się {limit:.1f} m, lecz według przedziałów jej odcinków może to być od {low:.1f} do {high:.1f} m</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="104"/>
         <source>{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may</source>
         <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="104"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
         <source>the layers lack {metres:.0f} m of seam</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="140"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, scan with a longer PIECE, or judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki z co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy obok nich, skanuj z dłuższym PIECE albo oceń tam okna wzrokowo (JUDGE observer); pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="150"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="153"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
         <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({count} pieces, {metres:.0f} m). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.</source>
         <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają wartość graniczną (odcinków: {count}, {metres:.0f} m). Oceń okna na nich wzrokowo albo skanuj z dłuższym PIECE, które daje węższe przedziały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="156"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="162"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
         <source>What would decide it: the layers of seams as their scans wrote them, without features taken away.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, bez usuniętych obiektów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
         <source>Layers of seams that were changed since their scan: {count} ({names}); the decision is on what they hold now.</source>
         <translation>Warstwy linii mozaikowania zmienione po skanowaniu: {count} ({names}); decyzja dotyczy tego, co zawierają teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
         <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="182"/>
-        <source>{name} lacks {metres:.0f} m of seam: what its scan had, or what lies between the stations of its pieces.</source>
-        <translation>W warstwie {name} brakuje {metres:.0f} m linii mozaikowania: tego, co miało skanowanie, albo tego, co leży między stacjami jej odcinków.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="305"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
         <source>The run was stopped: there is neither report nor XML.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="307"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="310"/>
         <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="310"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
         <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="313"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
         <source>the file does not say where it lies</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
         <source>its pixels are {pixel:.4g} m instead of {wanted:.4g} m</source>
         <translation>piksel ma {pixel:.4g} m zamiast {wanted:.4g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
         <source>its reference system is another one</source>
         <translation>ma inny układ odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
         <source>whether it has data everywhere can&apos;t be told</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="135"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="154"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="177"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
         <source>No seams</source>
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="239"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="262"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="310"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="333"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
-        <source>of what was measured failed (95 % interval: {low} to {high})</source>
-        <translation>zmierzonych metrów niezgodne (przedział 95 %: od {low} do {high})</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="156"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="179"/>
         <source>detail kept along the seams</source>
         <translation>szczegóły zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="159"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="160"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="161"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="163"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="297"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="320"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="297"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="320"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Te same ortoobrazy, cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="251"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="274"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -11583,59 +11339,54 @@
         <translation>lista ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="18"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
         <source>Of the report; empty: Acceptance of an orthophoto mosaic.</source>
         <translation>Raportu; puste: Odbiór ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="19"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="23"/>
         <source>Contract</source>
         <translation>Umowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="19"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="23"/>
         <source>Number of the order or contract that the delivery belongs to.</source>
         <translation>Numer zamówienia lub umowy, do której należy dostawa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="20"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
         <source>Producer</source>
         <translation>Wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="20"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
         <source>Who made the delivery.</source>
         <translation>Kto wykonał dostawę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="21"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Client</source>
         <translation>Zamawiający</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="21"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Who ordered the delivery and decides on it.</source>
         <translation>Kto zamówił dostawę i o niej decyduje.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Delivery</source>
         <translation>Dostawa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>What the delivery is called.</source>
         <translation>Nazwa dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>Date of the delivery</source>
         <translation>Data dostawy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
-        <source>As it should appear in the report, such as 2026-11-23.</source>
-        <translation>Tak, jak ma stać na papierze, np. 2026-11-23.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="234"/>
@@ -11658,11 +11409,6 @@
         <translation>Nie rozstrzygnięto</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper_parameters.py" line="37"/>
-        <source>The orthoimages, for the proof: each failure is shown beside the two that meet there and their cut. Empty: those that the scan wrote into its picture of losses.</source>
-        <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowanie zapisało w obrazie strat.</translation>
-    </message>
-    <message>
         <location filename="../plugin/acceptance/paper_parameters.py" line="47"/>
         <source>As the scan wrote it, one for each sheet where these were scanned apart, in the order of SEAMS: the XML refers to it. It also says from which orthoimages the seams were measured, and how, where their layer does not.</source>
         <translation>Taki, jak zapisało go skanowanie; po jednym na arkusz, jeżeli skanowano je osobno, w kolejności SEAMS: odwołuje się do niego XML, a on mówi, z jakich ortoobrazów zmierzono linie mozaikowania, oraz jak, jeżeli nie mówi tego ich warstwa.</translation>
@@ -11683,17 +11429,17 @@
         <translation>Ocenione arkusze</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="144"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
         <source>Length of the pieces that keep less than 70 % (metres)</source>
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="157"/>
+        <location filename="../plugin/seams/desk/dock.py" line="169"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="158"/>
+        <location filename="../plugin/seams/desk/dock.py" line="170"/>
         <source>Accept or reject the delivery: by its last scan, or all the way from its files</source>
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
@@ -11713,12 +11459,12 @@
         <translation>{asked} m to za dużo dla tej ortofotomapy: {side} m, co {spacing} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="126"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="130"/>
         <source>Why?</source>
         <translation>Dlaczego?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judge_bar.py" line="129"/>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="133"/>
         <source>What the sentence rests on: intervals, what an eye sees, all causes with their figures, the paper&apos;s rule.</source>
         <translation>Na czym opiera się to zdanie: przedziały, co widzi oko, wszystkie przyczyny z liczbami, reguła z publikacji.</translation>
     </message>
@@ -11863,11 +11609,6 @@
         <translation>Słabiej rozciągnij wartości szarości.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/words.py" line="177"/>
-        <source>Register the two images before you blend them.</source>
-        <translation>Dopasuj oba obrazy, zanim zostaną zmieszane.</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/words.py" line="200"/>
         <source>Keep the orthoimages on their own pixel grid.</source>
         <translation>Pozostaw piksele ortoobrazów na ich miejscu.</translation>
@@ -11930,10 +11671,6 @@
     <message>
         <source>visible loss</source>
         <translation>widoczna strata</translation>
-    </message>
-    <message>
-        <source>Visible loss: in just noticeable differences (JND) of contrast, as an eye sees it at 2x on a screen; below 1 it is not seen.</source>
-        <translation>Widoczna strata: w ledwie zauważalnych różnicach (JND) kontrastu, tak jak widzi ją oko w powiększeniu 2x na ekranie; poniżej 1 jej nie widać.</translation>
     </message>
     <message>
         <source>Failure {number}: {length}, {kept} kept</source>
@@ -12008,87 +11745,87 @@
         <translation>Odbiór dostawy od plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="114"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
         <source>commit of the plugin</source>
         <translation>wersja źródeł wtyczki (commit)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="50"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="51"/>
         <source>Decides on a delivery from the seams of one scan or of many sheets: how many metres failed, how long without a break, and by rules or a plan of ISO 2859 whether that is accepted, rejected or can&apos;t be decided, and then what would decide it. A piece of seam fails when it kept less than is asked for; metres are sums of whole pieces. What could not be measured never counts as passed.</source>
         <translation>Rozstrzyga o dostawie na podstawie linii mozaikowania z jednego skanowania lub z wielu arkuszy: ile metrów jest niezgodnych, jak długo bez przerwy, i według reguł lub planu ISO 2859, czy dostawę się przyjmuje, odrzuca, czy nie da się rozstrzygnąć, i co by wtedy rozstrzygnęło. Odcinek jest niezgodny, gdy zachował mniej, niż się wymaga; metry są sumami całych odcinków. Co nie dało się zmierzyć, nigdy nie liczy się jako zgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/acceptmosaic.py" line="72"/>
+        <location filename="../plugin/acceptance/acceptmosaic.py" line="73"/>
         <source>all: by the metres of all seams and the limits above. iso2859: by the number of failing pieces in a random sample, as ISO 2859-1 plans it for the lots of a series. iso2859_2: the same for a single delivery, an isolated lot, by its limiting quality (ISO 2859-2).</source>
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii w serii. iso2859_2: tak samo dla pojedynczej dostawy, czyli partii izolowanej, według jakości granicznej (ISO 2859-2).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="24"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="25"/>
         <source>{place} in {name}: the {key} &apos;{value}&apos; is none of the standard&apos;s; known are {known}.</source>
         <translation>{place} w {name}: {key} „{value}” nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="60"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
         <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).</source>
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="110"/>
         <source>{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted</source>
         <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="112"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
         <source>{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, {consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected</source>
         <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
         <source>{count} failures, {metres:.1f} m, end at the edge of a sheet where no seam goes on (no. {numbers}): they may be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.</source>
         <translation>Usterki kończące się na brzegu arkusza, za którym nie biegnie żadna linia mozaikowania: {count}, {metres:.1f} m (nr {numbers}); za brzegiem mogą być dłuższe. Aby to sprawdzić, przeskanuj arkusz razem z sąsiednimi jako jedną ortofotomapę (VRT).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
         <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
         <source>The {parameter} {value} is none of the standard&apos;s; known are {known}.</source>
         <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="189"/>
         <source>images rejected: {rejected}, undecided: {open} of {all}</source>
         <translation>obrazy odrzucone: {rejected}, nierozstrzygnięte: {open} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="336"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="359"/>
         <source>{risk}: a delivery with {quality} of failed pieces is rejected</source>
         <translation>{risk}: odrzucenie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
@@ -12198,87 +11935,87 @@
         <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii mozaikowania zachowano 70 % lub mniej, a kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="49"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="43"/>
         <source>Mend seams</source>
         <translation>Napraw linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="51"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="45"/>
         <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are eased. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as a scan does it, and only what keeps more detail than before stays. Where the orthoimages fit nowhere, the seam stays as it is and the table gives the reason.</source>
         <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="62"/>
         <source>The seams as Scan a whole mosaic writes them, all of them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
         <translation>Wszystkie linie mozaikowania, jak zapisuje je skanowanie całej ortofotomapy. Albo okna: wtedy ortofotomapa jest najpierw skanowana, a naprawiane są linie w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="69"/>
         <source>failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every piece.</source>
         <translation>failed: odcinki, które zachowują mniej niż 70 %. reduced: także te, które mierzalnie straciły detale. all: wszystkie odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
         <source>How far a new cut may move to either side of the seam; at most 800 pixels.</source>
         <translation>Jak daleko nowe cięcie może odejść w każdą stronę od linii mozaikowania; najwyżej 800 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="87"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="81"/>
         <source>Width over which the two orthoimages are mixed at the cut. 0: a hard cut.</source>
         <translation>Szerokość, na której oba ortoobrazy są mieszane przy cięciu. 0: twarde cięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="88"/>
         <source>A folder for the patches, cloud-optimised GeoTIFFs with an alpha band; or the name of one .tif for all of them.</source>
         <translation>Katalog na łaty, czyli pliki COG z kanałem alfa; albo nazwa jednego pliku .tif na wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="94"/>
         <source>A virtual raster: the mosaic with the patches above it. It needs both where they are.</source>
         <translation>Raster wirtualny: ortofotomapa, a nad nią łaty. Jedne i drugie muszą pozostać na swoich miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="98"/>
         <source>Each seam as it runs now, with what it kept before and after, and its step of tone before and after.</source>
         <translation>Każda linia mozaikowania w nowym przebiegu, z tym, co zachowywała przed i po, oraz ze skokiem tonu przed i po.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="73"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="67"/>
         <source>What to mend</source>
         <translation>Co naprawić</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="80"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="74"/>
         <source>Width of the corridor (metres)</source>
         <translation>Szerokość korytarza (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="85"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="79"/>
         <source>Blend (pixels)</source>
         <translation>Wtapianie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="92"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="86"/>
         <source>Patches</source>
         <translation>Łaty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="99"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="93"/>
         <source>Mended mosaic</source>
         <translation>Naprawiona ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="97"/>
         <source>Cuts</source>
         <translation>Cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="108"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="103"/>
         <source>Length of the seams that are mended (metres)</source>
         <translation>Długość naprawionych linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="109"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="104"/>
         <source>Length of the seams that stay as they were (metres)</source>
         <translation>Długość linii mozaikowania, które pozostały bez zmian (metry)</translation>
     </message>
@@ -12293,12 +12030,12 @@
         <translation>Linie, wzdłuż których obrazy mają być łączone, albo poligony o takich granicach, jeśli są znane. Gdzie indziej zakłada się, że linia mozaikowania biegnie prosto przez środek okna, a prognoza jest średnią z kierunków, które może mieć.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="56"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="52"/>
         <source>Measures a whole mosaic in one pass: a picture of where detail was lost, every piece of its seams with what it kept, which orthoimage each part came from, and windows of the worst places, ready to be judged in the desk. Seams are found from the pixels, or taken from the seamlines that are given. A scan that was stopped in any way goes on where it was when it is started again with the same output.</source>
         <translation>Mierzy całą ortofotomapę w jednym przebiegu: tworzy obraz miejsc, w których utracono detale, każdy odcinek linii mozaikowania z tym, co zachował, informację, z którego ortoobrazu pochodzi każda część, oraz okna najgorszych miejsc, gotowe do oceny w panelu. Linie mozaikowania są znajdowane na podstawie pikseli albo brane z podanej warstwy. Badanie przerwane w jakikolwiek sposób i uruchomione ponownie z tym samym plikiem wyniku jest kontynuowane od miejsca przerwania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="140"/>
+        <location filename="../plugin/seams/algorithms/scanmosaic.py" line="136"/>
         <source>Windows where least was kept, the worst first, ready for the desk and for Inspect windows.</source>
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
@@ -12349,51 +12086,41 @@
     </message>
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="25"/>
-        <source>The corridor is {width} m wide; give a number of metres above 0.</source>
-        <translation>Korytarz ma szerokość {width} m; podaj liczbę metrów większą od 0.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="26"/>
-        <source>The blend is {blend} pixels wide; give 0 to {most}.</source>
-        <translation>Wtapianie ma szerokość {blend} pikseli; podaj od 0 do {most}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="27"/>
         <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
         <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="30"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="28"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="32"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="30"/>
         <source>The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="33"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="31"/>
         <source>A patch would be written over {path}, which is an input; choose another folder.</source>
         <translation>Łata zastąpiłaby plik wejściowy {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="35"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="33"/>
         <source>Mending was stopped; start it again with the same outputs, and it goes on where it was.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="35"/>
         <source>Mending goes on where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
         <source>{metres:.0f} m of the seams name no two orthoimages that are given, so they stay as they are.</source>
         <translation>{metres:.0f} m linii mozaikowania nie wymienia dwóch podanych ortoobrazów, więc pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="41"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
@@ -12454,17 +12181,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="360"/>
+        <location filename="../plugin/seams/desk/dock.py" line="420"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="361"/>
+        <location filename="../plugin/seams/desk/dock.py" line="421"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="362"/>
+        <location filename="../plugin/seams/desk/dock.py" line="422"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
@@ -12489,11 +12216,6 @@
         <translation>Miejsca wzdłuż linii mozaikowania bez okna, bo wystawałoby ono poza ortofotomapę lub miało zbyt mało ważnych pikseli: {count}, na linii {places}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/messages.py" line="49"/>
-        <source>Windows placed along the seams: {count}; some places are left without one, as the log messages tell.</source>
-        <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
-    </message>
-    <message>
         <location filename="../plugin/toolkit/messages.py" line="60"/>
         <source>Window {window}: {what}</source>
         <translation>Okno {window}: {what}</translation>
@@ -12509,19 +12231,14 @@
         <translation>Okna ({count}: {windows}), na przykład {window}: {what}</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="17"/>
+        <location filename="../plugin/imagery/messages.py" line="18"/>
         <source>{name} is a service or a database, not a file; save the part that is needed as GeoTIFF.</source>
         <translation>{name} to usługa lub baza danych, a nie plik; zapisz potrzebną część jako GeoTIFF.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="19"/>
+        <location filename="../plugin/imagery/messages.py" line="20"/>
         <source>{name} is read by GDAL&apos;s driver {driver}, which may lead to other files; save it as GeoTIFF.</source>
         <translation>{name} czyta sterownik GDAL {driver}, który może prowadzić do innych plików; zapisz dane jako GeoTIFF.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/imagery/messages.py" line="21"/>
-        <source>{path} is called like a file of {name} and is a device or a pipe; remove it.</source>
-        <translation>{path} nazywa się jak plik należący do {name}, a jest urządzeniem lub potokiem; usuń go.</translation>
     </message>
     <message>
         <source>The words are explained after the flagged windows, under How to read this.</source>
@@ -12532,17 +12249,17 @@
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
         <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="14"/>
+        <location filename="../plugin/imagery/messages.py" line="15"/>
         <source>{name} is damaged in columns {left} to {right}, rows {top} to {bottom} (GDAL: {why}); copy it anew.</source>
         <translation>{name} jest uszkodzony w kolumnach od {left} do {right} i wierszach od {top} do {bottom} (GDAL: {why}); skopiuj go ponownie.</translation>
     </message>
     <message>
-        <location filename="../plugin/imagery/messages.py" line="121"/>
+        <location filename="../plugin/imagery/messages.py" line="126"/>
         <source>The server of {name} sends less than {bytes} bytes a second; try again later, or copy it to a local disk.</source>
         <translation>Serwer pliku {name} wysyła mniej niż {bytes} bajtów na sekundę; spróbuj ponownie później albo skopiuj plik na dysk lokalny.</translation>
     </message>
@@ -12607,62 +12324,57 @@
         <translation>Według RPC obrazu wysokości punktów są w stopach: wzięte jako metry różnią się o {missed:.3g} px, jako stopy o {left:.3g} px; podaj metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="183"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="184"/>
         <source>{name} holds no camera that can be read; choose a file of orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac that does.</source>
         <translation>{name} nie zawiera kamery, którą można odczytać; wybierz plik programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac, który ją zawiera.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="191"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="192"/>
         <source>{name} is read by the Python package PyYAML, which is not there; install it, or give a camera as JSON or XML.</source>
         <translation>{name} odczytuje pakiet PyYAML języka Python, którego brak; zainstaluj go albo podaj kamerę jako JSON lub XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="201"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="203"/>
         <source>Angles of {name} reach {angle:.6g} and are taken as degrees; set their unit if they are in gon.</source>
         <translation>Kąty w {name} sięgają {angle:.6g} i są brane jako stopnie; ustaw ich jednostkę, jeśli są w gradach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="204"/>
-        <source>The rotation of {name} is taken as {way} commonly has it, which no file says; check how the orthoimage lies.</source>
-        <translation>Obrót {name} przyjęto tak, jak zwykle zapisuje go {way}, czego żaden plik nie mówi; sprawdź położenie ortoobrazu.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="222"/>
         <source>The camera of {name} has a distortion that is not known here ({kind}); pinhole, Brown&apos;s, OpenCV&apos;s and fisheye lenses are.</source>
         <translation>Kamera z {name} ma dystorsję, która nie jest tu znana ({kind}); znane są obiektywy bez dystorsji, Browna, OpenCV i rybie oko.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="214"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="226"/>
         <source>{name} holds no exterior orientation that can be read; choose a table with the columns filename, x, y, z, omega, phi, kappa, or a file of OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
         <translation>{name} nie zawiera orientacji zewnętrznej, którą można odczytać; wybierz tabelę z kolumnami filename, x, y, z, omega, phi, kappa albo plik programu OpenSfM, Metashape, Pix4D, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="221"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="232"/>
         <source>An interior orientation needs an exterior one; give it, too.</source>
         <translation>Orientacja wewnętrzna wymaga zewnętrznej; podaj także ją.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="92"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="74"/>
         <source>Of a table. auto: what its header says, else degrees.</source>
         <translation>W tabeli. auto: to, co mówi jej nagłówek, inaczej stopnie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="57"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="153"/>
         <source>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, ALOS&apos;s text or a YAML file of orthority. Without it and without a model file: the image&apos;s own RPC.</source>
         <translation>_RPC.TXT, .RPB, RPC_*.XML (DIMAP), .geom, tekst ALOS albo plik YAML programu orthority. Bez niego i bez pliku modelu: własne RPC obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="65"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="58"/>
         <source>The camera of an aerial photo, as orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture or MicMac write it. Empty: in the file of the exterior orientation.</source>
         <translation>Kamera zdjęcia lotniczego w zapisie programu orthority, OpenSfM, Metashape, Pix4D, Inpho, ContextCapture lub MicMac. Puste: w pliku orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="50"/>
         <source>Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, phi and kappa, or a file of OpenSfM (an OpenDroneMap project&apos;s folder, too), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority or MicMac.</source>
         <translation>Gdzie była i jak patrzyła kamera zdjęcia lotniczego: tabela z kolumnami filename, x, y, z, omega, phi i kappa albo plik programu OpenSfM (także katalog projektu OpenDroneMap), Metashape, Pix4D, Applanix, Inpho, PATB, ContextCapture, orthority lub MicMac.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectify.py" line="91"/>
+        <location filename="../plugin/sensors/orthorectify.py" line="73"/>
         <source>Angles of the exterior orientation</source>
         <translation>Kąty orientacji zewnętrznej</translation>
     </message>
@@ -12692,12 +12404,12 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="171"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="173"/>
         <source>Layers of seams without the totals of their scan, as exports are: {count} ({names}). Seams that were left out of them can&apos;t be noticed; decide on the GeoPackage that the scan wrote.</source>
         <translation>Warstwy linii mozaikowania bez sum swojego badania, jak po eksporcie: {count} ({names}). Nie da się zauważyć linii, które w nich pominięto; decyduj na podstawie pliku GeoPackage zapisanego przez badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
         <source>{metres:.0f} m of the seams lie on others and count again</source>
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
@@ -12712,24 +12424,9 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="28"/>
-        <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is no number; write it with a point, as 0.7.</source>
-        <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
         <source>{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; inspect the whole lot instead (PLAN all), or draw a sample by stated risks (&apos;Plan an inspection&apos;, PLAN risk with BAD_SHARE {value}).</source>
         <translation>{parameter} {value} nie występuje w dostępnych tu tablicach ISO 2859-2, które mają {known}; zamiast tego skontroluj całą partię (PLAN all) albo wylosuj próbę według podanych ryzyk („Zaplanuj kontrolę”, PLAN risk, BAD_SHARE {value}).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="163"/>
-        <source>Sheets that are missing, not whole, or of another form than most or than was ordered.</source>
-        <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/quality_document.py" line="175"/>
-        <source>Images that do not keep the limits of radiometry, and those of which it can&apos;t be told.</source>
-        <translation>Obrazy, które nie spełniają wymagań radiometrii, oraz te, których nie da się ocenić.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="164"/>
@@ -12772,21 +12469,12 @@
         <translation>Warstwa {name} nie ma pola „{field}”; podaj arkusze zapisane przez „Sprawdź dostawę” albo indeks utworzony przez gdaltindex.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="19"/>
-        <source>Windows without a number of their own: {count}; they were given the next free ones.</source>
-        <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
-    </message>
-    <message>
         <source>images</source>
         <translation>obrazy</translation>
     </message>
     <message>
         <source>Report on radiometry</source>
         <translation>Raport o radiometrii</translation>
-    </message>
-    <message>
-        <source>Checks the files of a delivery and their radiometry, scans its mosaic and decides on it, in one go: folder or index in, report with one cover for all three, record, failures and sheets with their verdicts out.</source>
-        <translation>Sprawdza pliki dostawy i ich radiometrię, bada ortofotomapę i rozstrzyga o niej za jednym razem: na wejściu katalog lub indeks, na wyjściu raport ze wspólną stroną tytułową, rekord jakości, usterki i arkusze z ocenami.</translation>
     </message>
     <message>
         <source>All figures of the radiometry with the histograms.</source>
@@ -12818,9 +12506,602 @@
         <translation>{lost} % najdrobniejszych detali utracono {where}, a {whole} % detali ortoobrazów źródłowych w całym oknie</translation>
     </message>
     <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="72"/>
+        <source>To 1 %. Empty: that of most sheets.</source>
+        <translation>Z dokładnością do 1 %. Puste: tak jak w większości arkuszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="75"/>
+        <source>Empty: that of most sheets.</source>
+        <translation>Puste: tak jak w większości arkuszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/checkdelivery.py" line="83"/>
+        <source>8 bit is uint8, 16 bit uint16. Empty: that of most sheets.</source>
+        <translation>8 bitów to uint8, 16 bitów to uint16. Puste: tak jak w większości arkuszy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="13"/>
+        <source>The sheet no. {number} has no name in the field {field}; write it there.</source>
+        <translation>Arkusz nr {number} nie ma nazwy w polu {field}; wpisz ją tam.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="40"/>
+        <source>Lots with {good:g} % failing pieces should be accepted and with {bad:g} % rejected; the first has to be smaller, both between 0 and 100.</source>
+        <translation>Partie z {good:g} % niezgodnych odcinków mają być przyjmowane, a z {bad:g} % odrzucane; pierwsza liczba musi być mniejsza, a obie między 0 a 100.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
+        <source>{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.</source>
+        <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
+        <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m</source>
+        <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="94"/>
+        <source>the longest failure without a break is {value:.1f} m and the limit is only {limit:.1f} m</source>
+        <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest tylko {limit:.1f} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
+        <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to {high:.1f} m by the intervals of its pieces</source>
+        <translation>najdłuższa usterka bez przerwy ma {value:.1f} m, a dopuszcza się {limit:.1f} m, lecz według przedziałów jej odcinków może to być od {low:.1f} do {high:.1f} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
+        <source>{value:.1%} of the metres were measured and {limit:.1%} are required</source>
+        <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="101"/>
+        <source>only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can&apos;t be decided</source>
+        <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
+        <source>layers of seams were changed since their scan: {count} ({names})</source>
+        <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="127"/>
+        <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}. Of many more seams made in the same way {low:.2%} to {high:.2%} would fail (95 % interval); this does not decide.</source>
+        <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}. Z wielu dalszych linii mozaikowania wykonanych w ten sam sposób niezgodne byłoby od {low:.2%} do {high:.2%} (przedział 95 %); to nie rozstrzyga.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
+        <source>{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have no line.</source>
+        <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
+        <source>The layers are in degrees; places and lengths are given in {system}.</source>
+        <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
+        <source>{parameter} is &apos;{value}&apos;, which is no date; write it as 2026-11-23 or 23.11.2026.</source>
+        <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
+        <source>As it should appear in the report: 2026-11-23 or 23.11.2026.</source>
+        <translation>Tak, jak ma stać w raporcie: 2026-11-23 albo 23.11.2026.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="163"/>
+        <source>Sheets that are missing, incomplete, or differ from most sheets or from the order.</source>
+        <translation>Arkusze brakujące, niepełne albo o innej postaci niż większość lub niż zamówiono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/quality_document.py" line="175"/>
+        <source>Images beyond the limits of radiometry, and those for which it is unknown.</source>
+        <translation>Obrazy, które nie spełniają wymagań radiometrii, oraz te, których nie da się ocenić.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/words.py" line="120"/>
+        <source>too little</source>
+        <translation>za mało</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper_parameters.py" line="37"/>
+        <source>The orthoimages: the report shows each failure beside the two that meet there and their cut. Empty: those that the scan wrote into its picture of losses.</source>
+        <translation>Ortoobrazy jako dowód: każda usterka jest pokazana obok dwóch, które się tam stykają, i ich ostrego cięcia. Puste: te, które skanowanie zapisało w obrazie strat.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/planinspection.py" line="87"/>
+        <source>The least that a window spans: 100 m at 0.10 m pixels gives 1024 pixels, 102.4 m.</source>
+        <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="185"/>
+        <source>The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1.</source>
+        <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="13"/>
+        <source>The mask of {name}, inside it or in the file .msk beside it, is damaged; copy both anew.</source>
+        <translation>Maska rastra {name}, w nim samym lub w pliku .msk obok, jest uszkodzona; skopiuj oba pliki jeszcze raz.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="22"/>
+        <source>{path} lies beside {name} and is a device or a pipe, for which GDAL may wait; remove it.</source>
+        <translation>{path} leży obok {name} i jest urządzeniem albo potokiem, na który GDAL może czekać; usuń go.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="25"/>
+        <source>{name} has metadata, overviews or a mask that lead to {path}, which is not a file; remove what lies beside it, or save it anew.</source>
+        <translation>{name} ma metadane, piramidy lub maskę, które prowadzą do {path}, a to nie jest plik; usuń to, co leży obok, albo zapisz raster od nowa.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/imagery/messages.py" line="58"/>
+        <source>Some points can&apos;t be transformed to another reference system; check the reference system of the points.</source>
+        <translation>Niektóre punkty nie mają położenia w innym układzie współrzędnych; sprawdź układ współrzędnych punktów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="80"/>
+        <source>A field of the windows, such as land use, scale or film: chart and report compare its values.</source>
+        <translation>Pole okien, np. użytkowanie terenu, skala albo film: wykres i raport porównują jego wartości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/desk/noise_panel.py" line="68"/>
+        <source>Field that windows are grouped by, such as land use or scale: the range of all windows with the selected window&apos;s value stands behind its curves. Empty: no groups.</source>
+        <translation>Pole, według którego grupowane są okna, np. użytkowanie terenu lub skala: za krzywymi zaznaczonego okna widać zakres wszystkich okien z tą samą wartością. Puste pole: bez grup.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="71"/>
+        <source>Rectangles in any reference system; each is checked separately on all rasters under it. Without windows each raster is checked as a whole.</source>
+        <translation>Prostokąty w dowolnym układzie współrzędnych; każdy jest sprawdzany z osobna na wszystkich rastrach, które obejmuje. Bez okien każdy raster jest sprawdzany w całości.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/measure/messages.py" line="14"/>
+        <source>The range of values has to be two numbers, the smaller one first, such as 0,4095.</source>
+        <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="100"/>
+        <source>Each seam before and after, in figures and in pictures at 2x.</source>
+        <translation>Każda linia mozaikowania przed i po, w liczbach i na obrazach w powiększeniu 2x.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/report.py" line="51"/>
+        <source>The windows that &apos;Inspect windows&apos; wrote, judged by an observer or not.</source>
+        <translation>Okna takie, jakie zostawia „Skontroluj okna”, ocenione przez obserwatora lub nie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/algorithms/report.py" line="59"/>
+        <source>The table of pairs of the same windows: it gives absolute contrast, and which sources are shown.</source>
+        <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="103"/>
+        <source>Beside the seam {kept} % kept ({low} to {high} %) of the ground around, which has {left} % of the orthoimages&apos; detail</source>
+        <translation>Przy linii zachowane {kept} % (od {low} do {high} %) szczegółów terenu wokół, który ma {left} % szczegółów ortoobrazów</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
+        <source>{kept} % kept of the ground, which has {left} %</source>
+        <translation>zachowane {kept} % terenu, który ma {left} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/images/images_panel.py" line="143"/>
+        <source>Most contrast: each window&apos;s darkest and brightest 2 % are cut off. Windows can&apos;t be compared, and grey may look coloured.</source>
+        <translation>Największy kontrast: w każdym oknie obcięto 2 % najciemniejszych i najjaśniejszych pikseli. Okien nie da się porównywać, a szarość może wyglądać na barwną.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="427"/>
+        <source>The key S hides the seamlines and a scan&apos;s layers, and shows them again.</source>
+        <translation>Klawisz S ukrywa na mapie linie mozaikowania oraz warstwy skanowania i pokazuje je znowu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judge_bar.py" line="164"/>
+        <source>Somebody else judges the same windows and is not told what was found or said.</source>
+        <translation>Ktoś inny ocenia te same okna i nie widzi, co wykryto ani co powiedziano.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="223"/>
+        <source>One of them gave one verdict only, so agreement can&apos;t be distinguished from chance.</source>
+        <translation>Jeden z nich wyraził wszędzie tę samą opinię, więc zgodności nie da się odróżnić od przypadku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="39"/>
+        <source>Judge</source>
+        <translation>Oceń</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="41"/>
+        <source>Judge window after window: the map takes the room, and what lies over the mosaic goes (J); again: all is as before</source>
+        <translation>Ocena okno po oknie: mapa zajmuje cały ekran, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="25"/>
+        <source>All windows are judged: {visible} visible, {invisible} invisible, {unsure} not sure.</source>
+        <translation>Wszystkie okna ocenione: widoczna {visible}, niewidoczna {invisible}, niepewna {unsure}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="36"/>
+        <source>The tool agrees on {same} of {count}.</source>
+        <translation>Narzędzie zgadza się w {same} z {count}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="52"/>
+        <source>Your verdicts support a limit of {limit} % kept along the seam ({low} to {high} %); {set} % is set.</source>
+        <translation>Twoje oceny wskazują granicę {limit} % zachowanych wzdłuż linii mozaikowania (od {low} do {high} %); ustawione jest {set} %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="38"/>
+        <source>The tool agrees on {same} of {count}. Called significant and not seen: {vain}; seen and not called so: {missed}.</source>
+        <translation>Narzędzie zgadza się w {same} z {count}. Uznane za istotne, a niewidoczne: {vain}; widoczne, a nieuznane: {missed}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="48"/>
+        <source>Too few for a limit of your own ({visible} visible, {invisible} invisible with a number along the seam).</source>
+        <translation>Za mało na własną granicę (z wartością wzdłuż linii mozaikowania: {visible} widocznych, {invisible} niewidocznych).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/judging_summary.py" line="78"/>
+        <source>Find the limit that the verdicts support</source>
+        <translation>Wyznaczanie granicy, którą wskazują oceny</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="86"/>
+        <source>least sure first</source>
+        <translation>najmniej pewne najpierw</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/desk/windows/filter_boxes.py" line="87"/>
+        <source>Starts where the limit lies deep within the interval of what is kept: there an eye tells most.</source>
+        <translation>Zaczyna tam, gdzie granica leży głęboko w przedziale tego, co zachowano: tam oko mówi najwięcej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/inputs/messages.py" line="53"/>
+        <source>{name} and {count} more show the same pixels where they overlap: they are parts of one image and are treated as one.</source>
+        <translation>{name} i {count} innych pokazują te same piksele tam, gdzie się nakładają: są częściami jednego obrazu i tak są traktowane.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="49"/>
+        <source>Windows placed along the seams: {count}; some places have none, and the log messages say why.</source>
+        <translation>Rozmieszczone okna wzdłuż linii mozaikowania: {count}; w niektórych miejscach okna nie ma, co opisują komunikaty dziennika.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="181"/>
+        <source>{measure} separates every visible loss from the other windows, so resampling shows no error; the interval is the score interval.</source>
+        <translation>{measure} odróżnia każde okno z widoczną stratą od każdego innego, więc losowanie nie pokazuje błędu; podano przedział wynikowy (score).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/messages.py" line="185"/>
+        <source>{measure}: the verdicts of a kind lie in one neighbourhood, so each window counts as independent and the intervals are too narrow; judge windows elsewhere too.</source>
+        <translation>{measure}: oceny jednego rodzaju leżą w jednym sąsiedztwie, więc każde okno liczy się jako niezależne i przedziały są za wąskie; oceń też okna w innych miejscach.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/scan/messages.py" line="55"/>
+        <source>The seamline layer names no orthoimages; the sides of its seams are named by the dates in the field &apos;{field}&apos;.</source>
+        <translation>Warstwa linii mozaikowania nie nazywa ortoobrazów; strony linii nazwano datami z pola &apos;{field}&apos;.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/window/window_tables.py" line="188"/>
+        <source>How many times more was lost along the seam than an eye just notices side by side at 2x (just noticeable differences, JND).</source>
+        <translation>Ile razy więcej utracono wzdłuż linii mozaikowania, niż oko ledwie dostrzega obok siebie w powiększeniu 2× (ledwie zauważalne różnice, JND).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="27"/>
+        <source>mended</source>
+        <translation>naprawione</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="27"/>
+        <source>improved</source>
+        <translation>poprawione</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="27"/>
+        <source>left</source>
+        <translation>pozostawione</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="60"/>
+        <source>{seam}, from {station} m</source>
+        <translation>{seam}, od {station} m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="66"/>
+        <source>where the seam was</source>
+        <translation>gdzie była linia</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="66"/>
+        <source>where it is now</source>
+        <translation>gdzie jest teraz</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="33"/>
+        <source>corridor on either side (m)</source>
+        <translation>korytarz po każdej stronie (m)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="34"/>
+        <source>blend (px)</source>
+        <translation>mieszanie (px)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="75"/>
+        <source>before</source>
+        <translation>przed</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="75"/>
+        <source>after</source>
+        <translation>po</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/report/mending_report.py" line="41"/>
+        <source>metres {outcome}</source>
+        <translation>metry: {outcome}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="105"/>
+        <source>This follows from the mixture of the images, since the ground around is mixed too.</source>
+        <translation>Mówi to mieszanina obrazów, bo teren wokół też jest zmieszany.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="102"/>
+        <source>This follows from the mixture of the images, since there is too little unmixed ground around.</source>
+        <translation>Mówi to mieszanina obrazów, bo wokół jest za mało niezmieszanego terenu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="104"/>
+        <source>This follows from the mixture of the images, since other detail was added along the seam.</source>
+        <translation>Mówi to mieszanina obrazów, bo wzdłuż linii mozaikowania dodano inne detale.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="373"/>
+        <source>it measures detail as a share of all variance, and the tones were changed</source>
+        <translation>bierze ona detale jako część całej wariancji, a tonację zmieniono</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="138"/>
+        <source>images are mixed over {width} m, but not by weights</source>
+        <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="140"/>
+        <source>images {apart} px apart are mixed, but not by weights</source>
+        <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
+    </message>
+    <message>
         <location filename="../plugin/seams/window_summary.py" line="146"/>
-        <source>, and their misfit took most of what is lost there</source>
-        <translation>, a większość utraconych tam detali zabrało ich niedopasowanie</translation>
+        <source>, and the misfit took most</source>
+        <translation>, a najwięcej zabrało ich niedopasowanie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="165"/>
+        <source>The channels were corrected one by one, so the colours shifted.</source>
+        <translation>Kanały korygowano osobno, przez co zmieniły się barwy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/words.py" line="177"/>
+        <source>Register the images before blending.</source>
+        <translation>Dopasuj obrazy do siebie przed ich mieszaniem.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/fitsensormodel.py" line="48"/>
+        <source>quotients of order 2 at most, without the terms that the points do not support</source>
+        <translation>ilorazowy model wielomianowy najwyżej II stopnia, bez wyrazów, których punkty nie potwierdzają</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="108"/>
+        <source>Blunders found and left out of fit and errors: {count} ({names}); check those points and measure them again.</source>
+        <translation>Błędy grube znalezione i pominięte w błędach: {count} ({names}); sprawdź te punkty i zmierz je ponownie.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="120"/>
+        <source>{count} points miss the model by far more than the others ({names}); check them, or look for blunders (ROBUST).</source>
+        <translation>{count} punktów odbiega od modelu znacznie bardziej niż pozostałe ({names}); sprawdź je albo włącz wyszukiwanie błędów grubych (ROBUST).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="145"/>
+        <source>The parametric model can&apos;t be fitted to these points; check for interchanged coordinates or wrong heights, or look for blunders (ROBUST).</source>
+        <translation>Modelu parametrycznego nie da się dopasować do tych punktów; sprawdź, czy współrzędne nie są zamienione, a wysokości błędne, albo włącz wyszukiwanie błędów grubych (ROBUST).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="195"/>
+        <source>According to {name} a pixel is {ratio:.2g} times as wide as it is high; check whether the sensor&apos;s sides are interchanged.</source>
+        <translation>Według {name} szerokość piksela to {ratio:.2g} jego wysokości; sprawdź, czy boki matrycy nie są zamienione.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="206"/>
+        <source>The rotation of {name} is read as {way} usually writes it, since no file says so; check how the orthoimage lies.</source>
+        <translation>Obrót {name} przyjęto tak, jak zwykle zapisuje go {way}, czego żaden plik nie mówi; sprawdź położenie ortoobrazu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="210"/>
+        <source>{name} is taken as in the plane that touches the Earth at its reference, as OpenSfM writes it. One that OpenDroneMap has put into UTM is read right only inside its project&apos;s folder.</source>
+        <translation>{name} jest odczytany w płaszczyźnie stycznej do Ziemi w jego punkcie odniesienia, jak zapisuje go OpenSfM. Plik przeliczony przez OpenDroneMap do UTM jest czytany poprawnie tylko w folderze swojego projektu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="213"/>
+        <source>Photos are placed by {exact}, the exact reconstruction beside {name}.</source>
+        <translation>Zdjęcia są umieszczone według {exact}, dokładnej rekonstrukcji obok {name}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="215"/>
+        <source>{name} is taken as in {system} with the offset of {offsets}, where OpenDroneMap puts it approximately: up to some decimetres off in a block of a kilometre.</source>
+        <translation>{name} jest odczytany w układzie {system} z przesunięciem z {offsets}, dokąd OpenDroneMap przelicza go w przybliżeniu: błąd do kilku decymetrów w bloku kilometrowym.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="234"/>
+        <source>{name} is oriented and is not in {folder}; it is left out.</source>
+        <translation>{name} ma orientację, a nie ma go w {folder}; zostaje pominięte.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="236"/>
+        <source>None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).</source>
+        <translation>W {folder} nie ma żadnego ze zdjęć, które wymienia {name}; wskaż ich folder (PHOTOS).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="237"/>
+        <source>The orthoimage would be written over the photo {path}; choose another folder.</source>
+        <translation>Ortoobraz zastąpiłby zdjęcie {path}; wybierz inny folder.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="238"/>
+        <source>The terrain is that of the project: {name}.</source>
+        <translation>Teren pochodzi z projektu: {name}.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectify.py" line="46"/>
+        <source>All files (*)</source>
+        <translation>Wszystkie pliki (*)</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="25"/>
+        <source>Orthorectify a block of photos</source>
+        <translation>Ortorektyfikacja bloku zdjęć</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="27"/>
+        <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. Of an OpenDroneMap project reconstruction.json, or the folder, is enough. A photo that can&apos;t be used is named, and the others are made.</source>
+        <translation>Umieszcza na mapie, nad modelem terenu i w jednej siatce pikseli, wszystkie zdjęcia lotnicze bloku: te, które wymienia plik ich orientacji. Z projektu OpenDroneMap wystarczy reconstruction.json albo sam folder. Zdjęcie, którego nie da się użyć, jest wymienione, a pozostałe powstają.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="36"/>
+        <source>Their folder. Empty: images in an OpenDroneMap project, else that of the exterior orientation.</source>
+        <translation>Ich folder. Puste: images w projekcie OpenDroneMap, w innym razie folder orientacji zewnętrznej.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="39"/>
+        <source>Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an OpenDroneMap project.</source>
+        <translation>Wysokości terenu pod wszystkimi zdjęciami, w dowolnym układzie współrzędnych. Puste: model terenu albo pokrycia z projektu OpenDroneMap.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="42"/>
+        <source>Of the orthoimages. Empty: the UTM zone of the first photo.</source>
+        <translation>Ortoobrazów. Puste: strefa UTM pierwszego zdjęcia.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="45"/>
+        <source>A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends.</source>
+        <translation>Folder: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo model terenu.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="44"/>
+        <source>Orthoimages</source>
+        <translation>Ortoobrazy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="48"/>
+        <source>Orthoimages made</source>
+        <translation>Wykonane ortoobrazy</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="48"/>
+        <source>Photos without an orthoimage</source>
+        <translation>Zdjęcia bez ortoobrazu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/planpoints.py" line="52"/>
+        <source>The sensor model to be fitted, with its order or form. rpc_bias needs an RPC.</source>
+        <translation>Model sensora, który będzie dopasowany, wraz ze stopniem lub postacią. rpc_bias wymaga RPC.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/planpoints.py" line="68"/>
+        <source>Of each ground coordinate of a point, as it will be surveyed.</source>
+        <translation>Każdej z trzech współrzędnych terenowych punktu, z jakim będą pomierzone.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/planpoints.py" line="80"/>
+        <source>Height above the ellipsoid. Points lie anywhere between the lowest and the highest.</source>
+        <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
+        <source>Windows without a number: {count}; they got the next free ones.</source>
+        <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="28"/>
+        <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is no number; write it with a point, such as 0.7.</source>
+        <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/packages.py" line="64"/>
+        <source>Or let the plugin QPIP install what requirements.txt in the plugin&apos;s folder names.</source>
+        <translation>Albo niech wtyczka QPIP zainstaluje to, co wymienia requirements.txt w katalogu wtyczki.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/packages.py" line="55"/>
+        <source>Run &apos;{command}&apos; in QGIS&apos;s conda environment, then restart QGIS.</source>
+        <translation>Uruchom „{command}” w środowisku conda, w którym działa QGIS, a potem uruchom ponownie QGIS.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/packages.py" line="63"/>
+        <source>Run &apos;{command}&apos; with the Python that QGIS uses, then restart QGIS.</source>
+        <translation>Uruchom „{command}” w Pythonie, którego używa QGIS, a potem uruchom ponownie QGIS.</translation>
+    </message>
+    <message>
+        <source>Files are in the folder {folder}</source>
+        <translation>Pliki leżą w folderze {folder}
+(gone: &quot;of what was measured failed (95 % interval: {low} to {high})&quot;, &quot;{name} lacks {metres:.0f} m of seam: what its scan had, or what lies between the stations of its pieces.&quot;, &quot;As it should appear in the report, such as 2026-11-23.&quot;)</translation>
+    </message>
+    <message>
+        <source>Unclear: pieces whose measurement is too rough to say on which side of the limit they are; they count by their value.</source>
+        <translation>Niejasne: odcinki zmierzone zbyt zgrubnie, aby na pewno powiedzieć, po której stronie granicy leżą; liczą się według swojej wartości.</translation>
+    </message>
+    <message>
+        <source>Visible loss, in just noticeable differences (JND) of contrast at 2x on a screen; below 1 an eye does not see it.</source>
+        <translation>Widoczna strata: w ledwie zauważalnych różnicach (JND) kontrastu, tak jak widzi ją oko w powiększeniu 2x na ekranie; poniżej 1 jej nie widać.</translation>
+    </message>
+    <message>
+        <source>Mended seams</source>
+        <translation>Naprawione linie mozaikowania</translation>
+    </message>
+    <message>
+        <source>All mended</source>
+        <translation>Wszystkie naprawione</translation>
+    </message>
+    <message>
+        <source>Not all mended</source>
+        <translation>Nie wszystkie naprawione</translation>
+    </message>
+    <message>
+        <source>Mended is what keeps 0.9 or more of its finest detail, measured as a scan does it.</source>
+        <translation>Naprawione jest to, co zachowuje co najmniej 0,9 najdrobniejszych szczegółów, zmierzone tak jak w skanowaniu.</translation>
+    </message>
+    <message>
+        <source>kept before</source>
+        <translation>zachowane przed</translation>
+    </message>
+    <message>
+        <source>kept after</source>
+        <translation>zachowane po</translation>
+    </message>
+    <message>
+        <source>step before (DN)</source>
+        <translation>skok przed (DN)</translation>
+    </message>
+    <message>
+        <source>step after (DN)</source>
+        <translation>skok po (DN)</translation>
+    </message>
+    <message>
+        <source>misfit (px)</source>
+        <translation>niedopasowanie (px)</translation>
+    </message>
+    <message>
+        <source>outcome</source>
+        <translation>wynik</translation>
+    </message>
+    <message>
+        <source>Kept is the share of the finest detail beside the seam, relative to the ground around. Step is that of tone across the seam, less what the ground itself shows. Misfit says how far the two orthoimages lie apart along the new cut.</source>
+        <translation>Zachowane to część najdrobniejszych szczegółów przy linii względem otaczającego terenu. Skok to różnica tonu w poprzek linii, pomniejszona o to, co pokazuje sam teren. Niedopasowanie mówi, jak daleko od siebie leżą oba ortoobrazy wzdłuż nowego cięcia.
+REMOVED: The corridor is {width} m wide; give a number of metres above 0.
+REMOVED: The blend is {blend} pixels wide; give 0 to {most}.</translation>
+    </message>
+    <message>
+        <source>Checks the files of a delivery and their radiometry, scans its mosaic and decides on it, in one go: you give a folder or an index, and get one report with all three on its cover, the record, the failures, and the sheets with their verdicts.</source>
+        <translation>Sprawdza pliki dostawy i ich radiometrię, bada ortofotomapę i rozstrzyga o niej za jednym razem: na wejściu katalog lub indeks, na wyjściu raport ze wspólną stroną tytułową, rekord jakości, usterki i arkusze z ocenami.</translation>
     </message>
 </context>
 </TS>
