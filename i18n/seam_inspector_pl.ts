@@ -12568,7 +12568,7 @@
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="127"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}. Of many more seams made in the same way {low:.2%} to {high:.2%} would fail (95 % interval); this does not decide.</source>
-        <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}. Z wielu dalszych linii mozaikowania wykonanych w ten sam sposób niezgodne byłoby od {low:.2%} do {high:.2%} (przedział 95 %); to nie rozstrzyga.</translation>
+        <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}. Z wielu dalszych linii mozaikowania wykonanych w ten sam sposób niezgodne byłoby od {low:.2%} do {high:.2%} (przedział 95 %); to nie rozstrzyga.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
@@ -12688,7 +12688,7 @@
     <message>
         <location filename="../plugin/seams/desk/images/images_panel.py" line="143"/>
         <source>Most contrast: each window&apos;s darkest and brightest 2 % are cut off. Windows can&apos;t be compared, and grey may look coloured.</source>
-        <translation>Największy kontrast: w każdym oknie obcięto 2 % najciemniejszych i najjaśniejszych pikseli. Okien nie da się porównywać, a szarość może wyglądać na barwną.</translation>
+        <translation>Największy kontrast: w każdym oknie obcięto 2 % najciemniejszych i najjaśniejszych pikseli. Okien nie da się porównywać, a szarość może wyglądać na barwną.</translation>
     </message>
     <message>
         <location filename="../plugin/seams/desk/judge_bar.py" line="427"/>
@@ -12918,7 +12918,7 @@
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="210"/>
         <source>{name} is taken as in the plane that touches the Earth at its reference, as OpenSfM writes it. One that OpenDroneMap has put into UTM is read right only inside its project&apos;s folder.</source>
-        <translation>{name} jest odczytany w płaszczyźnie stycznej do Ziemi w jego punkcie odniesienia, jak zapisuje go OpenSfM. Plik przeliczony przez OpenDroneMap do UTM jest czytany poprawnie tylko w folderze swojego projektu.</translation>
+        <translation>{name} jest odczytany w płaszczyźnie stycznej do Ziemi w jego punkcie odniesienia, jak zapisuje go OpenSfM. Plik przeliczony przez OpenDroneMap do UTM jest czytany poprawnie tylko w katalogu swojego projektu.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="213"/>
@@ -12938,12 +12938,12 @@
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="236"/>
         <source>None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).</source>
-        <translation>W {folder} nie ma żadnego ze zdjęć, które wymienia {name}; wskaż ich folder (PHOTOS).</translation>
+        <translation>W {folder} nie ma żadnego ze zdjęć, które wymienia {name}; wskaż ich katalog (PHOTOS).</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="237"/>
         <source>The orthoimage would be written over the photo {path}; choose another folder.</source>
-        <translation>Ortoobraz zastąpiłby zdjęcie {path}; wybierz inny folder.</translation>
+        <translation>Ortoobraz zastąpiłby zdjęcie {path}; wybierz inny katalog.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="238"/>
@@ -12963,12 +12963,12 @@
     <message>
         <location filename="../plugin/sensors/orthorectifyphotos.py" line="27"/>
         <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. Of an OpenDroneMap project reconstruction.json, or the folder, is enough. A photo that can&apos;t be used is named, and the others are made.</source>
-        <translation>Umieszcza na mapie, nad modelem terenu i w jednej siatce pikseli, wszystkie zdjęcia lotnicze bloku: te, które wymienia plik ich orientacji. Z projektu OpenDroneMap wystarczy reconstruction.json albo sam folder. Zdjęcie, którego nie da się użyć, jest wymienione, a pozostałe powstają.</translation>
+        <translation>Umieszcza na mapie, nad NMT i w jednej siatce pikseli, wszystkie zdjęcia lotnicze bloku: te, które wymienia plik ich orientacji. Z projektu OpenDroneMap wystarczy reconstruction.json albo sam katalog. Zdjęcie, którego nie da się użyć, jest wymienione, a pozostałe powstają.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/orthorectifyphotos.py" line="36"/>
         <source>Their folder. Empty: images in an OpenDroneMap project, else that of the exterior orientation.</source>
-        <translation>Ich folder. Puste: images w projekcie OpenDroneMap, w innym razie folder orientacji zewnętrznej.</translation>
+        <translation>Ich katalog. Puste: images w projekcie OpenDroneMap, w innym razie katalog orientacji zewnętrznej.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/orthorectifyphotos.py" line="39"/>
@@ -12983,7 +12983,7 @@
     <message>
         <location filename="../plugin/sensors/orthorectifyphotos.py" line="45"/>
         <source>A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends.</source>
-        <translation>Folder: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo model terenu.</translation>
+        <translation>Katalog: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo NMT.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/orthorectifyphotos.py" line="44"/>
@@ -13042,8 +13042,7 @@
     </message>
     <message>
         <source>Files are in the folder {folder}</source>
-        <translation>Pliki leżą w folderze {folder}
-(gone: &quot;of what was measured failed (95 % interval: {low} to {high})&quot;, &quot;{name} lacks {metres:.0f} m of seam: what its scan had, or what lies between the stations of its pieces.&quot;, &quot;As it should appear in the report, such as 2026-11-23.&quot;)</translation>
+        <translation>Pliki leżą w katalogu {folder}</translation>
     </message>
     <message>
         <source>Unclear: pieces whose measurement is too rough to say on which side of the limit they are; they count by their value.</source>
@@ -13067,7 +13066,7 @@
     </message>
     <message>
         <source>Mended is what keeps 0.9 or more of its finest detail, measured as a scan does it.</source>
-        <translation>Naprawione jest to, co zachowuje co najmniej 0,9 najdrobniejszych szczegółów, zmierzone tak jak w skanowaniu.</translation>
+        <translation>Naprawione jest to, co zachowuje co najmniej 0,9 najdrobniejszych detali, zmierzone tak jak w skanowaniu.</translation>
     </message>
     <message>
         <source>kept before</source>
@@ -13095,9 +13094,7 @@
     </message>
     <message>
         <source>Kept is the share of the finest detail beside the seam, relative to the ground around. Step is that of tone across the seam, less what the ground itself shows. Misfit says how far the two orthoimages lie apart along the new cut.</source>
-        <translation>Zachowane to część najdrobniejszych szczegółów przy linii względem otaczającego terenu. Skok to różnica tonu w poprzek linii, pomniejszona o to, co pokazuje sam teren. Niedopasowanie mówi, jak daleko od siebie leżą oba ortoobrazy wzdłuż nowego cięcia.
-REMOVED: The corridor is {width} m wide; give a number of metres above 0.
-REMOVED: The blend is {blend} pixels wide; give 0 to {most}.</translation>
+        <translation>Zachowane to część najdrobniejszych detali przy linii względem otaczającego terenu. Skok to różnica tonu w poprzek linii, pomniejszona o to, co pokazuje sam teren. Niedopasowanie mówi, jak daleko od siebie leżą oba ortoobrazy wzdłuż nowego cięcia.</translation>
     </message>
     <message>
         <source>Checks the files of a delivery and their radiometry, scans its mosaic and decides on it, in one go: you give a folder or an index, and get one report with all three on its cover, the record, the failures, and the sheets with their verdicts.</source>

@@ -165,8 +165,11 @@ def check_raster_path(path: str, name: str) -> None:
             seen.add(part)
             look = _looked_at(part)
             if look.refused is not None:
-                leads_out = messages.VRT_LEADS_OUT if vrt_parts(path) else messages.LEADS_OUT
-                raise RasterError(_refusal(look, name) if part == path else leads_out(name=name, path=part))
+                if part == path:
+                    raise RasterError(_refusal(look, name))
+                if vrt_parts(path):
+                    raise RasterError(messages.VRT_LEADS_OUT(name=name, path=part))
+                raise RasterError(messages.LEADS_OUT(name=name, path=part))
             odd, beside = _beside(part, folders)
             waits = waits or odd
             inside = _named_inside(part, look.driver, *look.identity) if look.driver and not odd else ()
