@@ -150,6 +150,12 @@ class _PathLook(NamedTuple):
     """What lies beside it in an archive, called like it."""
 
 
+def _leads_out(path: str, name: str, part: str) -> Message:
+    if vrt_parts(path):
+        return messages.VRT_LEADS_OUT(name=name, path=part)
+    return messages.LEADS_OUT(name=name, path=part)
+
+
 def check_raster_path(path: str, name: str) -> None:
     """Raise RasterError for what GDAL must not open: no file with an end, memory, a service, or what leads to those.
 
@@ -165,11 +171,7 @@ def check_raster_path(path: str, name: str) -> None:
             seen.add(part)
             look = _looked_at(part)
             if look.refused is not None:
-                if part == path:
-                    raise RasterError(_refusal(look, name))
-                if vrt_parts(path):
-                    raise RasterError(messages.VRT_LEADS_OUT(name=name, path=part))
-                raise RasterError(messages.LEADS_OUT(name=name, path=part))
+                raise RasterError(_refusal(look, name) if part == path else _leads_out(path, name, part))
             odd, beside = _beside(part, folders)
             waits = waits or odd
             inside = _named_inside(part, look.driver, *look.identity) if look.driver and not odd else ()

@@ -318,8 +318,8 @@ class JudgeBar(QWidget):
             button.setVisible(is_over and not is_other)
         for number, button in enumerate(button for button in self._steps if not button.isHidden()):
             self._next_steps.addWidget(button, *divmod(number, 2 if self._is_large else 3))
-        for button in (self._visible, self._invisible, self._unsure, self._next):
-            button.setVisible(not (is_over and self._is_large))  # they make room for what comes next
+        for judging_button in (self._visible, self._invisible, self._unsure, self._next):
+            judging_button.setVisible(not (is_over and self._is_large))  # they make room for what comes next
         self._chip.setVisible(shows_chip)
         self._why.setVisible(bool(tip))
         self._sentence.setText(sentence, tip)
