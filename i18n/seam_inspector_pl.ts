@@ -4629,7 +4629,7 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="263"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="278"/>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -8722,12 +8722,12 @@
         <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="216"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="231"/>
         <source>failed pieces in the delivery (%)</source>
         <translation>niezgodne odcinki w dostawie (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="217"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="232"/>
         <source>probability of acceptance (%)</source>
         <translation>prawdopodobieństwo przyjęcia (%)</translation>
     </message>
@@ -8920,11 +8920,6 @@
         <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
-        <source>{metres:.1f} m can&apos;t be told apart from the limit of {limit:g}: their 95 % intervals hold it.</source>
-        <translation>Odcinki o łącznej długości {metres:.1f} m nie dają się odróżnić od granicy {limit:g}: zawierają ją ich przedziały ufności 95 %.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
@@ -9714,10 +9709,6 @@
         <translation>niezgodne odcinki</translation>
     </message>
     <message>
-        <source>Shares are of the metres that were measured. The longest failure of a sheet ends at its edge.</source>
-        <translation>Udziały odnoszą się do zmierzonych metrów. Najdłuższa usterka arkusza kończy się na jego brzegu.</translation>
-    </message>
-    <message>
         <source>no.</source>
         <translation>nr</translation>
     </message>
@@ -9990,7 +9981,7 @@
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="208"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="223"/>
         <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
         <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
     </message>
@@ -11681,10 +11672,6 @@
         <translation>Ramkę pokazano poniżej w powiększeniu 2x.</translation>
     </message>
     <message>
-        <source>Share of detail kept, by distance from the seam.</source>
-        <translation>Zachowana część szczegółów w zależności od odległości od linii mozaikowania.</translation>
-    </message>
-    <message>
         <source>standards</source>
         <translation>normy</translation>
     </message>
@@ -11830,7 +11817,7 @@
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="205"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="220"/>
         <source>good quality {quality} %: rejected in {risk} % (producer&apos;s risk)</source>
         <translation>dobra jakość {quality} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
     </message>
@@ -13099,6 +13086,23 @@
     <message>
         <source>Checks the files of a delivery and their radiometry, scans its mosaic and decides on it, in one go: you give a folder or an index, and get one report with all three on its cover, the record, the failures, and the sheets with their verdicts.</source>
         <translation>Sprawdza pliki dostawy i ich radiometrię, bada ortofotomapę i rozstrzyga o niej za jednym razem: na wejściu katalog lub indeks, na wyjściu raport ze wspólną stroną tytułową, rekord jakości, usterki i arkusze z ocenami.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <source>{metres:.1f} m are unclear: the limit of {limit:g} lies within their 95 % intervals.</source>
+        <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:g} leży w ich przedziałach 95 %.</translation>
+    </message>
+    <message>
+        <source>Shares are of the metres that were measured. A failure that crosses the edge of a sheet counts in each with the metres that lie there.</source>
+        <translation>Udziały odnoszą się do zmierzonych metrów. Usterka, która przechodzi przez krawędź arkusza, liczy się w każdym z nich metrami, które w nim leżą.</translation>
+    </message>
+    <message>
+        <source>Share of detail kept, by distance from the seam, along the piece that kept least.</source>
+        <translation>Udział zachowanych detali w zależności od odległości od linii mozaikowania, wzdłuż odcinka, który zachował najmniej.</translation>
+    </message>
+    <message>
+        <source>This place can&apos;t be measured by itself, as beside pixels without data, so no profile is shown.</source>
+        <translation>Tego miejsca nie da się zmierzyć osobno, na przykład obok pikseli bez danych, więc nie ma profilu.</translation>
     </message>
 </context>
 </TS>

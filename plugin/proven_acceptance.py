@@ -55,18 +55,20 @@ class ProvenAcceptMosaic(AcceptMosaic):
         if not sources:
             return None
 
-        def prove(mosaic: Raster, extent: Extent, sides: tuple[str, str]) -> Proof | None:
+        def prove(mosaic: Raster, extent: Extent, piece: Extent, sides: tuple[str, str]) -> Proof | None:
             from .seams.measure.inspection import Block
 
-            return proof_of(Block(mosaic, tuple(sources)), extent, sides, min_kept) if mosaic.wkt == self._wkt else None
+            block = Block(mosaic, tuple(sources))
+            return proof_of(block, extent, piece, sides, min_kept) if mosaic.wkt == self._wkt else None
 
         return prove
 
 
-def proof_of(block: Block, extent: Extent, sides: tuple[str, str], min_kept: float) -> Proof | None:
+def proof_of(block: Block, extent: Extent, piece: Extent, sides: tuple[str, str], min_kept: float) -> Proof | None:
     """The part of a place where most was lost, in the mosaic, its orthoimages and their cut; the middle of a place that
     can't be measured by itself, as beside pixels without data. None where no orthoimage shows the place.
 
+    ``piece``: what holds the piece of seam that failed, of which the profile is: sound seams lie around it.
     ``sides``: what the two orthoimages beside the seam are called; those of other names that lie there are left out
     where both are found.
     """
@@ -75,8 +77,11 @@ def proof_of(block: Block, extent: Extent, sides: tuple[str, str], min_kept: flo
     from .seams.measure.inspection import InspectionSettings, inspect_window, window_request
     from .seams.report.clip_parts import PlacedLoss, most_lost
 
-    request = window_request(block, 1, extent, InspectionSettings(min_kept=min_kept))
-    request = replace(request, sources=_beside(request.sources, sides))
+    settings = InspectionSettings(min_kept=min_kept)
+    request, of_piece = (
+        replace(one, sources=_beside(one.sources, sides))
+        for one in (window_request(block, 1, place, settings) for place in (extent, piece))
+    )
     result = inspect_window(request)
     window = request.window
     if window is None or not request.sources:
@@ -87,7 +92,7 @@ def proof_of(block: Block, extent: Extent, sides: tuple[str, str], min_kept: flo
         row, column = most_lost(window, PlacedLoss(result.window, result.loss), side)
     panels = tuple(_panels(PictureRequest(request), window, (row, column, side)))
     part = replace(window, column=window.column + column, row=window.row + row, width=side, height=side)
-    return Proof(panels, part, _profile(result, min_kept)) if len(panels) > 1 else None
+    return Proof(panels, part, _profile(inspect_window(of_piece), min_kept)) if len(panels) > 1 else None
 
 
 def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, ...]:

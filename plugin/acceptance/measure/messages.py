@@ -131,7 +131,7 @@ NOT_MEASURED = Message(
     "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING
 )
 UNCLEAR = Message(
-    "{metres:.1f} m can't be told apart from the limit of {limit:g}: their 95 % intervals hold it.", INFO
+    "{metres:.1f} m are unclear: the limit of {limit:g} lies within their 95 % intervals.", INFO
 )
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
 CUT_AT_EDGES = Message(

@@ -77,7 +77,9 @@ _HALO = [patheffects.withStroke(linewidth=1.6, foreground="white")]
 _NAME_COLOUR, _LEAST_LETTERS = "#57606a", 12
 _MOST_STEPS = 4000
 _CROWDED_NAMES_PT = (45.0, 9.0)  # likewise of sheets
-_CROWDED_PT = (18.0, 9.0)  # across and up: numbers of failures nearer to each other than that are left out
+_CROWDED_PT = (18.0, 9.0)  # across and up: numbers of failures are not nearer to each other than that
+_BESIDE_PT, _TURNS, _MANY = (8.0, 16.0, 26.0), 8, 100
+"""Where a number may stand: how far from its place, in how many directions; of many failures only the nearest."""
 
 
 def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequence[Raster] = ()) -> Figure | None:
@@ -112,17 +114,30 @@ def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
             gap = np.full((1, 2), np.nan)
             path = np.concatenate([part for line in lines for part in (line, gap)])
             axes.plot(*path.T, color=colour, linewidth=_WIDTHS[state], solid_capstyle="round")
-    taken: list[np.ndarray] = []
-    for defect in defects:
-        place = placed(np.array([defect.place]))[0]
-        if all((abs(place - other) > _CROWDED_PT).any() for other in taken):
-            taken.append(place)
-            axes.annotate(str(defect.number), place, (3, 3), textcoords="offset points", fontsize=7, fontweight="bold",
-                          color=PAPER.text, path_effects=_HALO, zorder=4)
+    _draw_numbers(axes, {one.number: placed(np.array([one.place]))[0] for one in defects})
     axes.set_xlim(-36 * _WIDTH, 36 * _WIDTH)
     axes.set_ylim(-36 * height - 72 * _STRIP, 36 * height)
     _draw_scale_bar(axes, scale, -36 * height - 72 * _STRIP)
     return figure
+
+
+def _draw_numbers(axes: Axes, places: Mapping[int, np.ndarray]) -> None:
+    """Of failures, each beside its place and joined to it; those without room are left out."""
+    turns = np.linspace(0, 2 * np.pi, _TURNS, endpoint=False) + np.pi / _TURNS
+    around = np.array([(np.cos(turn), np.sin(turn)) for turn in turns])
+    offsets = np.concatenate([far * around for far in _BESIDE_PT[: None if len(places) <= _MANY else 1]])
+    taken = np.zeros((0, 2))
+    for number, place in places.items():
+        free = (np.abs(place + offsets[:, np.newaxis] - taken) > _CROWDED_PT).any(axis=2).all(axis=1)
+        if not free.any():
+            continue
+        beside = place + offsets[int(free.argmax())]
+        taken = np.append(taken, beside[np.newaxis], axis=0)
+        axes.annotate(
+            str(number), place, beside, fontsize=7, fontweight="bold", color=PAPER.text, path_effects=_HALO, zorder=4,
+            ha="center", va="center",
+            arrowprops={"arrowstyle": "-", "color": PAPER.text, "linewidth": 0.5, "shrinkA": 3},
+        )
 
 
 def pale(colour: str) -> str:

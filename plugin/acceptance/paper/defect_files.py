@@ -27,7 +27,7 @@ from ...toolkit.picture_stretch import GreyRanges, Stretch, brightness, largest_
 from ...toolkit.table_fields import column_features
 from ..measure import messages
 from ..measure.decision import Defect
-from .proofs import PROOF_PX, PROOF_SIDE_M, Proof, Prover
+from .proofs import LEAST_PIECE_PX, PROOF_PX, PROOF_SIDE_M, Proof, Prover
 from .words import rounded
 
 _NAME = "defect_{}.jpg"
@@ -139,8 +139,12 @@ class DefectPictures:
         if self._prover is None:
             return None
         side = max(round(PROOF_SIDE_M / mosaic.ground_sample_distance), PROOF_PX)
-        window, piece = _inside(_square(worst, side), mosaic), defect.worst.piece
-        return self._prover(mosaic, mosaic.grid.window_extent(window), (piece.left_source, piece.right_source))
+        piece = defect.worst.piece
+        along = mosaic.grid.to_pixels(transform_points(piece.vertices, self._wkt, mosaic.wkt))
+        low, high = along.min(axis=0), along.max(axis=0)
+        own = _square((low + high) / 2, max(math.ceil((high - low).max()), LEAST_PIECE_PX))
+        place, own_place = (mosaic.grid.window_extent(_inside(one, mosaic)) for one in (_square(worst, side), own))
+        return self._prover(mosaic, place, own_place, (piece.left_source, piece.right_source))
 
     def _panel(self, mosaic: Raster, inside: PixelWindow, lines: Sequence[np.ndarray]) -> np.ndarray:
         """(rows, columns, 3) uint8 of a window of the mosaic, the lines drawn into it."""

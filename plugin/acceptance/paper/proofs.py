@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 PROOF_SIDE_M = 40.0
 """Side of the place where least is kept, of which the proof is."""
+LEAST_PIECE_PX = 96
+"""Side of what its profile is measured in, at least."""
 PROOF_PX = 160
 """Side of the part that is shown at 2x: two of them fit beside each other on A4, and four on a page."""
 MOSAIC_PANEL, CUT_PANEL, IMAGE_PANEL = "mosaic", "cut", "image"
@@ -44,12 +46,12 @@ class Proof:
     part: PixelWindow
     """What the panels show, pixels of the mosaic."""
     profile_svg: str = ""
-    """The seam profile of ``PROOF_SIDE_M`` around it; empty where none can be told."""
+    """The seam profile of the piece that kept least; empty where none can be told."""
 
 
-Prover = Callable[[Raster, Extent, tuple[str, str]], "Proof | None"]
-"""From a mosaic, a place in its reference system, and what the pieces of seam there call the two orthoimages beside
-them, to the proof; None where there is none."""
+Prover = Callable[[Raster, Extent, Extent, tuple[str, str]], "Proof | None"]
+"""From a mosaic, a place and the piece of seam in its middle, both in the mosaic's reference system, and what the piece
+calls the two orthoimages beside it, to the proof; None where there is none."""
 
 
 class Proving(Protocol):

@@ -111,7 +111,7 @@ def test_each_failure_is_proved_beside_its_orthoimages(paper: tuple[Run, Path]) 
 
 def test_the_proof_shows_pixels_of_the_same_place_and_what_the_cut_would_have_kept(feathered: Files) -> None:
     block = open_block(feathered.mosaic, feathered.sources)
-    proof = proof_of(block, block.mosaic.extent, ("west", "east.tif"), 0.7)
+    proof = proof_of(block, block.mosaic.extent, block.mosaic.extent, ("west", "east.tif"), 0.7)
     assert proof is not None
     mosaic, cut, east, west = (one.pixels.astype(float) for one in proof.panels)
     part = proof.part
@@ -126,6 +126,20 @@ def test_the_proof_shows_pixels_of_the_same_place_and_what_the_cut_would_have_ke
     assert fine(cut) == pytest.approx((fine(east) + fine(west)) / 2, rel=0.1)
 
 
+def test_the_profile_is_that_of_the_piece_that_failed(feathered: Files) -> None:
+    """Whatever lies around it: what was measured there is what the failure's figure says."""
+    block = open_block(feathered.mosaic, feathered.sources)
+    xmin, ymin, xmax, ymax = whole = block.mosaic.extent
+    piece = xmin, ymin + 0.6 * (ymax - ymin), xmax, ymax
+    places = (whole, whole), (whole, piece), (piece, piece)
+    around, own, alone = (proof_of(block, *place, ("west", "east.tif"), 0.7) for place in places)
+    assert around is not None
+    assert own is not None
+    assert alone is not None
+    assert own.part == around.part
+    assert own.profile_svg == alone.profile_svg != around.profile_svg
+
+
 def test_a_failure_beside_missing_pixels_is_shown_too(feathered: Files, tmp_path: Path) -> None:
     """Nothing can be measured in a window of which a part has no data, and the orthoimages lie there all the same."""
     holed = str(tmp_path / "holed.tif")
@@ -134,7 +148,7 @@ def test_a_failure_beside_missing_pixels_is_shown_too(feathered: Files, tmp_path
     opened.WriteArray(np.zeros((3, 90, 90), np.uint8))
     del opened
     block = open_block(holed, feathered.sources)
-    proof = proof_of(block, block.mosaic.extent, ("west", "east.tif"), 0.7)
+    proof = proof_of(block, block.mosaic.extent, block.mosaic.extent, ("west", "east.tif"), 0.7)
     assert proof is not None
     assert proof.profile_svg == ""
     assert {one.name for one in proof.panels} >= {"", "east.tif", "west.tif"}
