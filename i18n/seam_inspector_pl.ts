@@ -6210,52 +6210,52 @@
         <translation>nie wyjaśnia jej żaden ortoobraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="79"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="78"/>
         <source>beyond {near} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>dalej niż {near} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="79"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="78"/>
         <source>&gt; {near} m: {kept} %</source>
         <translation>&gt; {near} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="81"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="80"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %)</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="82"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="81"/>
         <source>{near} to {far} m: {kept} %</source>
         <translation>od {near} do {far} m: {kept} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="99"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="98"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %)</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="99"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="98"/>
         <source>{kept} % kept ({low} to {high} %)</source>
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="108"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="107"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="216"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="215"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="224"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="223"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="226"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="225"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -9742,10 +9742,6 @@
         <translation>Najdłuższe usterki: {shown} z {count}; wszystkie są w warstwie usterek.</translation>
     </message>
     <message>
-        <source>A failure is a row of failed pieces without a break. Kept and the orthoimages are those of the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
-        <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to miejsce, w którym utracono detale, tam, gdzie jest najszerszy.</translation>
-    </message>
-    <message>
         <source>Pictures of the failures</source>
         <translation>Obrazy usterek</translation>
     </message>
@@ -10741,22 +10737,22 @@
         <translation>przyczyna jest niejasna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="85"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="84"/>
         <source>{near} to {far} m from the seam: {kept} % kept ({low} to {high} %), {other} % other image</source>
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="244"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="243"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="246"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="245"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="111"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="110"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
     </message>
@@ -12663,12 +12659,12 @@
         <translation>Tabela par tych samych okien: mówi o kontraście bezwzględnym i o tym, które źródła pokazać.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="103"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="102"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %) of the ground around, which has {left} % of the orthoimages&apos; detail</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %) szczegółów terenu wokół, który ma {left} % szczegółów ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="104"/>
         <source>{kept} % kept of the ground, which has {left} %</source>
         <translation>zachowane {kept} % terenu, który ma {left} %</translation>
     </message>
@@ -13103,6 +13099,10 @@
     <message>
         <source>This place can&apos;t be measured by itself, as beside pixels without data, so no profile is shown.</source>
         <translation>Tego miejsca nie da się zmierzyć osobno, na przykład obok pikseli bez danych, więc nie ma profilu.</translation>
+    </message>
+    <message>
+        <source>A failure is a row of failed pieces without a break: along one seam, and on through a node where just two failed pieces meet. No more than a typical piece in it may be unmeasured. Kept and the orthoimages are those of the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
+        <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków: wzdłuż jednej linii mozaikowania i dalej przez węzeł, w którym spotykają się tylko dwa niezgodne odcinki. Niezmierzony może być w niej najwyżej jeden typowy odcinek. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
     </message>
 </context>
 </TS>

@@ -10,7 +10,6 @@ from qgis.PyQt.QtGui import QColor, QFont, QPainter, QPen, QPolygonF
 
 from ...toolkit.charts.chart_style import ChartStyle
 from ...toolkit.translation import filled, percent, shown_number, tr
-from ..measure.profile.seam_profile import Measure
 from .chart_painter import ChartPainter
 
 if TYPE_CHECKING:
@@ -97,7 +96,7 @@ def summary_words(shown: ShownProfile) -> list[str]:
         "feather": shown_number((profile.feather_width_px or 0) * shown.pixel_m, 1),
     }  # fmt: skip
     words = [tr("Beside the seam {kept} % kept ({low} to {high} %)"), tr("{kept} % kept ({low} to {high} %)")]
-    if shown.ground_left < 1 and profile.measure is Measure.ENERGY:
+    if shown.ground_left < 1 and profile.is_of_the_ground:
         values["left"] = percent(shown.ground_left)
         words = [
             tr("Beside the seam {kept} % kept ({low} to {high} %) of the ground around, which has {left} % of the "

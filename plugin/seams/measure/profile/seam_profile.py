@@ -97,6 +97,11 @@ class SeamProfile:
     energy: tuple[float, ...] = ()
     """Of the sources' detail in the strip, a pixel, DN squared, levels 1..R: what there is to be lost."""
 
+    @property
+    def is_of_the_ground(self) -> bool:
+        """Whether ``kept`` is a share of what the ground around has, and no mixture took part in it."""
+        return self.measure is Measure.ENERGY
+
 
 def strip_bins(level: int) -> slice:
     """Bins of the strip beside the seam."""
