@@ -59,7 +59,7 @@ def test_a_part_is_misregistered_when_moving_a_source_explains_half_of_it(
         for place in ((0, 0), (0.3, -0.4))
     )
     moved = whole_values(ndimage.shift(second.astype(np.float32), (0, 0, 3), order=3))
-    bands, rows, border = first.copy(), slice(96, 160), 90 + round(80 * share)
+    bands, rows, border = first.copy(), slice(94, 164), 90 + round(80 * share)
     bands[:, rows, 90:border] = moved[:, rows, 90:border]
     bands[:, rows, border:170] = orthoimage((256, 256), seed=99)[:, rows, border:170]  # and no source shows the rest
     clips = tuple(Clip(mosaic, one, 0.0) for one in (first, second))
