@@ -43,6 +43,7 @@ _MIN_TEXTURED = 8  # times the least energy
 _STRIP_CELLS = 4  # a side of the least part that no source explains: a seam leaves something over along itself
 _ALIKE_CELLS = 12  # the same where a source does resemble it
 _MIXED_LEFT = 0.5  # of what one source leaves over: with less a mixture explains the mosaic
+_AS_STRONG = 0.85  # of the energy that a source would have, for it to stand in for another
 _EVEN_PART, _EVEN_SHARE = 0.5, 0.4  # of what is left over around: most cells leave so much, of a step of tones few do
 
 
@@ -166,7 +167,8 @@ def _unexplained(
         return np.zeros_like(textured)
     # A step of tones leaves over much along a line, and nothing beside it.
     even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
-    found = _strange_parts(wide, left, textured, even, sampling, _stand_ins(wide, left, textured, labels))
+    sharp = textured & (wide >= _AS_STRONG * energy)  # a seam that was brushed soft is followed all the same
+    found = _strange_parts(wide, left, textured, even, sampling, _stand_ins(wide, left, sharp, labels))
     if not found.any():
         return found
     common = {
@@ -184,7 +186,7 @@ def _unexplained(
         return np.zeros_like(found)
     same, *anew = alike() or (frozenset(sources),)
     # What weights that change within a square leave over of a mixture is as much as of one that stands in.
-    stand_ins = _stand_ins(wide, left, textured & (left > _MIXED_LEFT * alone), labels)
+    stand_ins = _stand_ins(wide, left, sharp & (left > _MIXED_LEFT * alone), labels)
     found = np.zeros_like(textured)
     for group in (same.difference(interpolated), same.intersection(interpolated), *anew):
         inside = textured & is_one_of(labels, group)
@@ -219,10 +221,11 @@ def _strange_parts(
     strange, alike = ground.strangeness(wide, left)
     seen = textured & even
     found = opened(seen & (strange > MIN_STRANGE), _STRIP_CELLS)
-    inside = found
+    inside = np.zeros_like(found)
     if stand_ins is not None:
-        found |= opened(seen & (alike | stand_ins), _ALIKE_CELLS)
-        inside = ndimage.binary_propagation(found, mask=found | (seen & stand_ins))
+        certain = seen & stand_ins
+        inside = ndimage.binary_propagation(opened(certain, _ALIKE_CELLS), mask=certain)
+        found |= opened(seen & alike, _ALIKE_CELLS) | inside
     if not found.any():
         return found
     found = _to_borders(found, strange) | ~widened(~inside, WIDE_CELLS // 2 + 1)
