@@ -20,8 +20,8 @@ pytestmark = [pytest.mark.slow, pytest.mark.usefixtures("provider")]
 
 
 def test_every_algorithm_has_a_sound_call(provider: QgsProcessingProvider) -> None:
-    """A new one has to get its own in fuzz/calls.py."""
-    assert {call.algorithm for call in CALLS} == set(NAMES) == {one.name() for one in provider.algorithms()}
+    """A new one has to get its own in fuzz/calls.py, where the desk has one too."""
+    assert {call.algorithm for call in CALLS} - {"desk"} == set(NAMES) == {one.name() for one in provider.algorithms()}
 
 
 @pytest.mark.parametrize("name", NAMES)
