@@ -12849,11 +12849,6 @@
         <translation>na szerokości {width} m obrazy są zmieszane inaczej niż wagami</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/window_summary.py" line="140"/>
-        <source>images {apart} px apart are mixed, but not by weights</source>
-        <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
-    </message>
-    <message>
         <location filename="../plugin/seams/window_summary.py" line="146"/>
         <source>, and the misfit took most</source>
         <translation>, a najwięcej zabrało ich niedopasowanie</translation>
@@ -12999,11 +12994,6 @@
         <translation>Wysokość nad elipsoidą. Każdy punkt leży gdziekolwiek między najniższą a najwyższą.</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/messages.py" line="19"/>
-        <source>Windows without a number: {count}; they got the next free ones.</source>
-        <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
-    </message>
-    <message>
         <location filename="../plugin/toolkit/messages.py" line="28"/>
         <source>&apos;{parameter}&apos; is &apos;{value}&apos;, which is no number; write it with a point, such as 0.7.</source>
         <translation>&apos;{parameter}&apos; ma wartość &apos;{value}&apos;, która nie jest liczbą; zapisz ją z kropką, jak 0.7.</translation>
@@ -13103,6 +13093,16 @@
     <message>
         <source>A failure is a row of failed pieces without a break: along one seam, and on through a node where just two failed pieces meet. No more than a typical piece in it may be unmeasured. Kept and the orthoimages are those of the piece that kept least. The band is the strip in which detail was lost, at its widest.</source>
         <translation>Usterka to nieprzerwany ciąg niezgodnych odcinków: wzdłuż jednej linii mozaikowania i dalej przez węzeł, w którym spotykają się tylko dwa niezgodne odcinki. Niezmierzony może być w niej najwyżej jeden typowy odcinek. Zachowanie i ortoobrazy dotyczą odcinka, który zachował najmniej. Pas to najszersza strefa, w której utracono detale.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/window_summary.py" line="140"/>
+        <source>images {apart} px apart are mixed by another rule than weights</source>
+        <translation>obrazy odsunięte o {apart} px są zmieszane inaczej niż wagami</translation>
+    </message>
+    <message>
+        <location filename="../plugin/toolkit/messages.py" line="19"/>
+        <source>Windows without a number of their own: {count}; they got the next free ones.</source>
+        <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
 </context>
 </TS>

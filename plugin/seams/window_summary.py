@@ -137,7 +137,7 @@ def _seam_clause(causes: list[str], row: WindowRecord, is_endless: bool) -> str:
         if width:
             text = tr("images are mixed over {width} m, but not by weights")
         if apart:
-            text = tr("images {apart} px apart are mixed, but not by weights")
+            text = tr("images {apart} px apart are mixed by another rule than weights")
     elif Cause.FEATHERING in causes and apart:
         text = tr("images {apart} px apart are feathered over {width} m") if width else tr(
             "images {apart} px apart are feathered"

@@ -16,7 +16,7 @@ WINDOW_NOT_POLYGON = Message("The window is not a polygon; draw it as a rectangl
 WINDOW_MULTIPART = Message("The window has several parts; split it into one window each.")
 WINDOW_SELF_CROSSING = Message("The outline of the window crosses itself; draw it anew as a rectangle.")
 WINDOWS_RENUMBERED = Message(
-    "Windows without a number: {count}; they got the next free ones.", WARNING
+    "Windows without a number of their own: {count}; they got the next free ones.", WARNING
 )
 WINDOWS_RESHAPED = Message(
     "The rectangle around the outline is measured where a window is not a rectangle along the mosaic's axes: {count}.",

@@ -63,14 +63,14 @@ def test_metres_share_and_longest_failure() -> None:
         "FAILED_SHARE": 100 * 125 / 2525, "LONGEST_FAILURE": 75,
     })  # fmt: skip
     assert f"{found['FAILED_SHARE']:.2f}% of the measured metres failed and only 2.00% may" in decision(outcome)
-    assert f"is {found['LONGEST_FAILURE']:.1f} m and only 50.0 m may be" in decision(outcome)
+    assert f"is {found['LONGEST_FAILURE']:.1f} m and the limit is only 50.0 m" in decision(outcome)
 
 
 def test_a_run_alone_rejects() -> None:
     outcome = decide(seams([F] * 3 + [P] * 200))
     assert outcome.results["ACCEPTED"] == 0
     assert outcome.results["LONGEST_FAILURE"] == 75
-    assert f"is {outcome.results['LONGEST_FAILURE']:.1f} m and only 50.0 m may be" in decision(outcome)
+    assert f"is {outcome.results['LONGEST_FAILURE']:.1f} m and the limit is only 50.0 m" in decision(outcome)
 
 
 def test_several_sheets_make_a_lot_and_runs_cross_their_borders() -> None:
@@ -272,7 +272,7 @@ def test_degrees_and_mixed_systems() -> None:
     outcome = decide(degrees)
     assert outcome.results["TOTAL_METRES"] == pytest.approx(75, rel=1e-3)
     assert outcome.results["LONGEST_FAILURE"] == pytest.approx(50, rel=1e-3)
-    assert "The layers are in degrees; places and lengths are told in WGS 84 / UTM zone 33N." in outcome.log.infos
+    assert "The layers are in degrees; places and lengths are given in WGS 84 / UTM zone 33N." in outcome.log.infos
     mixed = decide(degrees, seams([F, P], start=75, epsg=25833, name="other"))
     assert mixed.results["LONGEST_FAILURE"] == pytest.approx(75, rel=1e-3)
     feet = decide(seams([F, F, P], epsg=2264, with_length=False, name="feet"))

@@ -287,8 +287,8 @@ def test_by_the_seam_the_sentence_says_what_one_sees(
             {"verdict": "preserved", "kept": (0.98,), "kept_low": 0.9, "kept_high": 1.07, "band_width": 0.0,
              "paper_verdict": "reduced", "ratios": (0.58,), "composite_ratios": (0.7,), "cause": "dodging",
              "causes": "dodging"},
-            ("By the paper's rule it is reduced, with 58 % of the detail of the least detailed source; it takes detail "
-            "as a share of all variance, and the tones were changed."),
+            ("By the paper's rule it is reduced, with 58 % of the detail of the least detailed source; it measures "
+            "detail as a share of all variance, and the tones were changed."),
         ),
         (  # two limits, no more
             {"paper_verdict": "reduced", "ratios": (0.6,), "composite_ratios": (0.6,)}, SHARP,
@@ -390,16 +390,16 @@ def test_a_blur_along_the_seam_is_no_blur_of_the_window(qgis_app: QgsApplication
 @pytest.mark.parametrize(
     ("by_energy", "added", "reason"),
     [
-        (None, 0.0, "as there is too little unmixed ground around"),
-        (0.9, 0.05, "as the ground around is mixed too"),
-        (1.3, 0.4, "as other detail was added along the seam"),
+        (None, 0.0, "since there is too little unmixed ground around"),
+        (0.9, 0.05, "since the ground around is mixed too"),
+        (1.3, 0.4, "since other detail was added along the seam"),
     ],
 )
 def test_what_only_the_mixture_tells_is_said_to_be_that(
     qgis_app: QgsApplication, by_energy: float | None, added: float, reason: str
 ) -> None:
     mixed = replace(PROFILE, measure=Measure.MIXTURE, by_energy=by_energy, by_mixture=0.56, added_beside=added)
-    assert f"{LIES} This is told by the mixture of the images, {reason}. {SHARP}" in told("feathering", mixed)
+    assert f"{LIES} This follows from the mixture of the images, {reason}. {SHARP}" in told("feathering", mixed)
     assert "mixture" not in told("feathering")
 
 

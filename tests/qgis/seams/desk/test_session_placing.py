@@ -67,7 +67,7 @@ def test_while_a_window_is_added_there_is_nothing_to_stop(desk: Desk) -> None:
 def test_places_without_a_window_are_in_the_log(desk: Desk, log: Log) -> None:
     said = place(desk, [_WHOLE, _ALONG_THE_EDGE])
     count = len(desk.session.windows())
-    assert said.startswith(f"Windows placed along the seams: {count}; some places are left without one")
+    assert said.startswith(f"Windows placed along the seams: {count}; some places have none")
     assert len(log.lines) == 1
     assert "without a window" in log.lines[0]
 
