@@ -251,7 +251,7 @@ def _explain(lacking: Sequence[np.ndarray]) -> bool:
     if not lacking:
         return False
     best = np.fmin.reduce(lacking)
-    return int(np.count_nonzero(best <= 1 - MEDIAN_LIKE**2)) >= 0.5 * len(best)
+    return 2 * int(np.count_nonzero(best <= 1 - MEDIAN_LIKE**2)) > len(best)
 
 
 @dataclass(frozen=True, eq=False)
