@@ -35,7 +35,7 @@ DRAWN = (
 """Algorithms and their files with charts."""
 PAGES = (
     *(one for one in DRAWN if one[1] != "CHART"), ("report", "OUTPUT"), ("interiororientation", "REPORT"),
-    ("acceptmosaic", "QUALITY"),
+    ("acceptmosaic", "QUALITY"), ("mendseams", "REPORT"),
 )  # fmt: skip
 """Algorithms and their pages."""
 DRAWING = """acceptance.kept_chart acceptance.paper.charts

@@ -40,6 +40,7 @@ class MendSeams(SeamInspectorAlgorithm):
     """Find, prove, mend: what a scan found to have lost detail gets it back from the orthoimages."""
 
     ID = "mendseams"
+    DRAWN = ()
     NAME = QT_TR_NOOP("Mend seams")
     HELP = QT_TR_NOOP(
         "Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees "
