@@ -1,4 +1,4 @@
-"""Rasters served over the network, for the tests of how they are read and of what goes wrong there."""
+"""GDAL in both of its ways, and rasters served over the network."""
 from __future__ import annotations
 
 import zipfile
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from osgeo import gdal
+from osgeo import gdal, osr
 from seam_inspector.plugin.imagery import remote_files
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.raster_pool import open_raster, rasters_kept
@@ -19,6 +19,25 @@ from tests.range_server import RangeServer, serving
 SIDE, TILE = 1024, 256
 WINDOW = PixelWindow(300, 300, 300, 300)  # on four tiles
 WHOLE = PixelWindow(0, 0, SIDE, SIDE)
+
+
+@pytest.fixture(params=[False, True], ids=["quiet GDAL", "GDAL with exceptions"])
+def either_gdal(request: pytest.FixtureRequest) -> Iterator[None]:
+    """GDAL and OSR as any other plugin in the same process may have left them."""
+    before = bool(gdal.GetUseExceptions()), bool(osr.GetUseExceptions())
+    use_exceptions(request.param, request.param)
+    yield
+    use_exceptions(*before)
+
+
+def use_exceptions(of_gdal: bool, of_osr: bool) -> None:
+    """They are a stack: GDAL's go on first, and off last."""
+    if osr.GetUseExceptions():
+        osr.DontUseExceptions()
+    if bool(gdal.GetUseExceptions()) is not of_gdal:
+        (gdal.UseExceptions if of_gdal else gdal.DontUseExceptions)()
+    if of_osr:
+        osr.UseExceptions()
 
 
 @pytest.fixture(scope="module")

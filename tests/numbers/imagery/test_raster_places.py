@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,22 +16,6 @@ from seam_inspector.plugin.imagery.reference_systems import extent_on
 
 from tests.numbers.clips import SIZE, MakeRaster, clip_of, inside, reference, scene_raster
 from tests.numbers.synthetic import ORIGIN, UTM33, orthoimage, wkt
-
-
-@pytest.fixture(params=[False, True], ids=["quiet GDAL", "GDAL with exceptions"])
-def either_gdal(request: pytest.FixtureRequest) -> Iterator[None]:
-    """GDAL and OSR as any other plugin in the same process may have left them."""
-    before = bool(gdal.GetUseExceptions())
-    use_exceptions(request.param)
-    yield
-    use_exceptions(before)
-
-
-def use_exceptions(wanted: bool) -> None:
-    """GDAL wants them switched off in the opposite order."""
-    for module in (gdal, osr) if wanted else (osr, gdal):
-        if bool(module.GetUseExceptions()) is not wanted:
-            (module.UseExceptions if wanted else module.DontUseExceptions)()
 
 
 # --- place on the map ------------------------------------------------------------------------------------------

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
@@ -23,13 +22,7 @@ RPC_NAMES += [f"{axis}_{part}_COEFF_{number}" for axis in ("LINE", "SAMP") for p
               for number in range(1, 21)]
 
 
-@pytest.fixture(params=[False, True], ids=["errors as results", "errors as exceptions"], autouse=True)
-def exceptions(request: pytest.FixtureRequest) -> Iterator[None]:
-    """GDAL in both of its ways: other plugins may have switched it."""
-    before = gdal.GetUseExceptions()
-    (gdal.UseExceptions if request.param else gdal.DontUseExceptions)()
-    yield
-    (gdal.UseExceptions if before else gdal.DontUseExceptions)()
+pytestmark = pytest.mark.usefixtures("either_gdal")
 
 
 @pytest.fixture

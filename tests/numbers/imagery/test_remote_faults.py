@@ -70,15 +70,6 @@ def test_no_answer_once_is_asked_again(server: RangeServer, folder: Path) -> Non
 # --- faults that stay ------------------------------------------------------------------------------------------
 
 
-@pytest.fixture(params=[False, True], ids=["errors", "exceptions"])
-def gdal_exceptions(request: pytest.FixtureRequest) -> Iterator[None]:
-    """GDAL's own exceptions off, as in QGIS, and on, as they will be."""
-    before = gdal.GetUseExceptions()
-    (gdal.UseExceptions if request.param else gdal.DontUseExceptions)()
-    yield
-    (gdal.UseExceptions if before else gdal.DontUseExceptions)()
-
-
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("fault", "sentence", "may_pass"),
@@ -93,7 +84,7 @@ def gdal_exceptions(request: pytest.FixtureRequest) -> Iterator[None]:
     ],
 )
 @pytest.mark.parametrize("while_reading", [False, True])
-@pytest.mark.usefixtures("gdal_exceptions")
+@pytest.mark.usefixtures("either_gdal")
 def test_a_fault_that_stays_is_named_and_not_asked_for_by_each_block(
     server: RangeServer, fault: Fault, sentence: str, may_pass: bool, while_reading: bool
 ) -> None:
