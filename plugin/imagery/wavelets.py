@@ -164,7 +164,10 @@ def placed_components(bands: np.ndarray, wavelet: str, levels: int) -> Iterator[
     filters = filter_pair(wavelet)
     for level, parts in enumerate(_details(bands, wavelet, levels, mirrored=True), 1):
         low, high = (round(delay / 2**level) for delay in filters.delays_px(level))
-        yield np.stack([_moved(part, by) for part, by in zip(parts, ((high, low), (low, high), (high, high)))])
+        placed = np.empty_like(parts)
+        for part, by, target in zip(parts, ((high, low), (low, high), (high, high)), placed):
+            _moved(part, by, target)
+        yield placed
 
 
 def _details(bands: np.ndarray, wavelet: str, levels: int, mirrored: bool) -> Iterator[np.ndarray]:
@@ -177,13 +180,18 @@ def _details(bands: np.ndarray, wavelet: str, levels: int, mirrored: bool) -> It
         yield parts[1:]
 
 
-def _moved(part: np.ndarray, by: tuple[int, int]) -> np.ndarray:
+def _moved(part: np.ndarray, by: tuple[int, int], out: np.ndarray) -> None:
     """Coefficients (bands, rows, columns) so many farther down and to the right; those at the edges are repeated."""
-    for axis, shift in enumerate(by, 1):
-        if shift:
-            last = part.shape[axis] - 1
-            part = part.take(np.clip(np.arange(last + 1) - shift, 0, last), axis)
-    return part
+    inner = []
+    for length, shift in zip(part.shape[1:], by):
+        shift = min(max(shift, 1 - length), length - 1)
+        inner.append((slice(max(shift, 0), length + min(shift, 0)), slice(max(-shift, 0), length - max(shift, 0))))
+    (rows, from_rows), (columns, from_columns) = inner
+    out[:, rows, columns] = part[:, from_rows, from_columns]
+    out[:, rows, : columns.start] = out[:, rows, columns.start : columns.start + 1]
+    out[:, rows, columns.stop :] = out[:, rows, columns.stop - 1 : columns.stop]
+    out[:, : rows.start] = out[:, rows.start : rows.start + 1]
+    out[:, rows.stop :] = out[:, rows.stop - 1 : rows.stop]
 
 
 def _curve(own: np.ndarray, total: float, pixels: int) -> Curve:

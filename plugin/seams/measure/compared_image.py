@@ -48,11 +48,13 @@ class ComparedImage:
     """How its pixel grid lies beside the mosaic's, px."""
     valid: np.ndarray | None = None
     """(rows, columns) bool, where it has pixels; None: everywhere."""
+    judged: np.ndarray | None = None
+    """``plane``, where that was made before."""
 
     @cached_property
     def plane(self) -> np.ndarray:
         """What the verdict looks at, (rows, columns) float32."""
-        return judged_plane(self.bands, self.names)
+        return judged_plane(self.bands, self.names) if self.judged is None else self.judged
 
     @cached_property
     def spectra(self) -> Spectra:
@@ -61,7 +63,8 @@ class ComparedImage:
 
     def with_bands(self, bands: np.ndarray, curves: Mapping[str, Curve], levels: int) -> ComparedImage:
         """Other bands on the same pixels."""
-        return replace(self, bands=bands, coarse=_coarse(bands, self.names, levels), curves=curves, valid=None)
+        coarse = _coarse(bands, self.names, levels)
+        return replace(self, bands=bands, coarse=coarse, curves=curves, valid=None, judged=None)
 
     def tones_of(self, other: ComparedImage, where: np.ndarray) -> dict[str, Tone | None]:
         """What became of another image's grey values in this one, by band, fitted to the squares ``where``."""
@@ -72,14 +75,16 @@ class ComparedImage:
         return dict(zip(self.coarse, fit_tones(mosaic, source, where, pixels)))
 
 
-def on_common_bands(measured: Sequence[MeasuredClip], levels: int) -> Iterator[ComparedImage]:
-    """The mosaic and its sources, reduced to the bands that all of them have."""
+def on_common_bands(
+    measured: Sequence[MeasuredClip], planes: Sequence[np.ndarray], levels: int
+) -> Iterator[ComparedImage]:
+    """The mosaic and its sources, reduced to the bands that all of them have; ``planes``: those that are judged."""
     names = _common_names(measured)
-    for one in measured:
+    for one, plane in zip(measured, planes):
         clip, bands = one.clip, _bands(one.clip, names)
         coarse = _coarse(bands, names, levels)
         yield ComparedImage(
-            bands, names, coarse, one.curves, clip.raster, (clip.offset_x, clip.offset_y), clip.valid
+            bands, names, coarse, one.curves, clip.raster, (clip.offset_x, clip.offset_y), clip.valid, plane
         )
 
 
@@ -90,7 +95,7 @@ def judged_planes(measured: Sequence[MeasuredClip]) -> Iterator[ComparedImage]:
         clip = one.around or one.clip
         plane = judged_plane(_bands(clip, names), names)
         yield ComparedImage(
-            plane[np.newaxis], ("judged",), {}, {}, clip.raster, (clip.offset_x, clip.offset_y), clip.valid
+            plane[np.newaxis], ("judged",), {}, {}, clip.raster, (clip.offset_x, clip.offset_y), clip.valid, plane
         )
 
 

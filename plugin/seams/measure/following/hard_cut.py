@@ -208,7 +208,8 @@ def cut_hard(
     around = judged_ground(own, others, labels)
     rows, columns = own.plane.shape
     inside = mosaic.inside or (slice(0, rows), slice(0, columns))
-    image, *images = on_common_bands((mosaic, *sources), levels)
+    planes = [one.plane[inside] for one in (own, *others)]
+    image, *images = on_common_bands((mosaic, *sources), planes, levels)
     following = _within(around, inside)
     found = around.labels[inside]
     tones = [image.tones_of(other, _where_followed(following, i, levels)) for i, other in enumerate(images)]
