@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from qgis.core import QgsProcessingParameterNumber
+from qgis.PyQt.QtCore import QT_TR_NOOP
 
 from ..imagery.errors import SettingsError
 from ..toolkit.algorithms import parameters as common
@@ -51,6 +52,14 @@ LIMITS = {
 DEFAULTS: dict[str, object] = {
     **LIMITS, PLAN: ALL, AQL: limits.STANDARD_AQL, LQ: DEFAULT_LQ, INSPECTION_LEVEL: DEFAULT_LEVEL, SEVERITY: NORMAL
 }
+
+_ORIGINS = {
+    MIN_KEPT: QT_TR_NOOP("below it a loss is called significant"),
+    MAX_SHARE: QT_TR_NOOP("Beeldmateriaal (NL) lets 2 % deviate if it is not contiguous"),
+    MAX_RUN: QT_TR_NOOP("half a standard window of 100 m"),
+    MIN_MEASURED: QT_TR_NOOP("nothing is accepted on a guess"),
+}
+"""Where the defaults come from: docs/acceptance/rules.md."""
 
 
 def stated_rules(run: Run) -> AcceptanceRules:
@@ -124,30 +133,33 @@ def _of_parameters(given: dict[str, object]) -> AcceptanceRules:
         return float(str(given[name]))
 
     def source(name: str) -> str:
-        text = tr("not stated: the software's default ({parameter})") if given[name] == DEFAULTS[name] else tr(
-            "stated for this decision ({parameter})"
-        )
-        return filled(text, parameter=name)
+        if given[name] != DEFAULTS[name]:
+            return filled(tr("stated for this decision ({parameter})"), parameter=name)
+        text = tr("the software's default ({parameter}): {origin}")
+        return filled(text, parameter=name, origin=tr(_ORIGINS[name]))
 
-    kept, measured = limit(MIN_KEPT), AcceptanceRule(MEASURED_SHARE, limit(MIN_MEASURED) / 100, source(MIN_MEASURED))
+    kept, least = limit(MIN_KEPT), 100 * limit(MIN_KEPT)
+    measured = AcceptanceRule(MEASURED_SHARE, limit(MIN_MEASURED) / 100, source(MIN_MEASURED))
+    of_all = {"kept": least, "measured": limit(MIN_MEASURED)}
     if given[PLAN] == ISO2859:
         aql, level, severity = (str(given[name]) for name in (AQL, INSPECTION_LEVEL, SEVERITY))
-        name = tr("at least {kept:g} kept, sampled at level {level}, AQL {aql}")
+        name = tr("at least {kept:g} % kept, at least {measured:g} % measured, sampled at level {level}, AQL {aql}")
         sampling = SamplingRule(aql, level, severity, source(PLAN))
-        words = filled(name, kept=kept, level=level, aql=float(aql))
+        words = filled(name, level=level, aql=float(aql), **of_all)
         return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)
     if given[PLAN] == ISOLATED:
         sampling = SamplingRule("", "", "", source(PLAN), str(given[LQ]))
-        words = filled(tr("at least {kept:g} kept, sampled as an isolated lot, LQ {lq:g} %"), kept=kept,
-            lq=float(sampling.lq))
+        name = tr("at least {kept:g} % kept, at least {measured:g} % measured, sampled as an isolated lot, LQ {lq:g} %")
+        words = filled(name, lq=float(sampling.lq), **of_all)
         return AcceptanceRules(words, kept, source(MIN_KEPT), (measured,), sampling)
     rules = (
         AcceptanceRule(FAILED_SHARE, limit(MAX_SHARE) / 100, source(MAX_SHARE)),
         AcceptanceRule(LONGEST_FAILURE, limit(MAX_RUN), source(MAX_RUN)),
         measured,
     )
-    name = tr("at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break")
-    words = filled(name, kept=kept, share=limit(MAX_SHARE), run=limit(MAX_RUN))
+    name = tr("at least {kept:g} % kept, at most {share:g} % failed, at most {run:g} m without a break, at least "
+              "{measured:g} % measured")
+    words = filled(name, share=limit(MAX_SHARE), run=limit(MAX_RUN), **of_all)
     return AcceptanceRules(words, kept, source(MIN_KEPT), rules)
 
 

@@ -123,6 +123,13 @@ class Exceeding(float):
 _MORE_DECIMALS = 5
 
 
+class Stated(float):
+    """A limit, for a message: written as it was stated, 2%, not 2.00%."""
+
+    def __format__(self, spec: str) -> str:
+        return f"{100 * self:.6g}%" if spec.endswith("%") else f"{float(self):.6g}"
+
+
 @cache
 def placeholders(template: str) -> frozenset[str]:
     """The names in a template."""

@@ -122,7 +122,8 @@ def limit_rules(
         return OWN_LIMIT if value == standard else "stated for this decision"
 
     return AcceptanceRules(
-        f"at least {min_kept:g} kept, at most {100 * max_share:g} % failed, at most {max_run_m:g} m without a break",
+        f"at least {100 * min_kept:g} % kept, at most {100 * max_share:g} % failed, at most {max_run_m:g} m without a "
+        f"break, at least {100 * min_measured:g} % measured",
         min_kept,
         source(min_kept, STANDARD_KEPT),
         (

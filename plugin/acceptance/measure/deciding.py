@@ -4,19 +4,20 @@ What decides are sums of whole pieces. A rule is kept or broken where nothing th
 
 - Shares of the measured metres stand for all of them where as much was measured as the rules ask for. With less a share
   is too large only where it would be so with all else sound, and kept where it would be with all else lost.
-- Pieces count by what they kept, also those whose interval holds the limit. Where the limit of a sum lies within what
-  these intervals leave open, it can't be told.
+- Pieces count by what they kept, also those whose interval holds the limit, and failures by whole pieces, though they
+  end inside of these. Where the limit of a sum lies within what that leaves open, it can't be told.
 - Layers that lack seams that their scan had can't be accepted.
 """
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
 
 import numpy as np
 
-from ...imagery.errors import Exceeding, Message, SettingsError
+from ...imagery.errors import Exceeding, Message, SettingsError, Stated
 from ...imagery.seam_totals import PieceState
 from ...imagery.statistics import Interval
 from . import messages
@@ -27,6 +28,7 @@ from .delivery import Delivery
 from .failure_runs import failure_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
+    ends_within,
     failed_interval,
     is_unclear,
     known_within,
@@ -90,7 +92,7 @@ def decide(
     interval = failed_interval(pieces)
     sentences = (
         _headline(rules, outcomes, outcome, by_observer, lacking, _changed(delivery)),
-        *(_would_decide(whole, pieces, outcomes, delivery) if outcome is AcceptanceOutcome.UNDECIDED else ()),
+        *(_would_decide(whole, pieces, outcomes, delivery, rules) if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *_layers(delivery),
         *_figures(whole, interval, runs, rules),
         *_cut(delivery, runs),
@@ -172,12 +174,18 @@ class _Ruling:
 
     def _failed(self) -> tuple[float, float, float]:
         """The share, and between what it may lie."""
-        figures, within = self.figures, known_within(self.pieces, self.rules.least_kept)
+        figures = self.figures
+        within = math.hypot(known_within(self.pieces, self.rules.least_kept), self._ends())
         least = self.rules.rule(MEASURED_SHARE)
         enough = least is None or least.passes(figures.measured_share)
         open_m, of_m = (0.0, figures.measured_m) if enough else (figures.not_measured_m, figures.judged_m)
         low, high = max(figures.failed_m - within, 0.0), min(figures.failed_m + within, figures.measured_m)
         return figures.failed_m / figures.measured_m, low / of_m, min((high + open_m) / of_m, 1.0)
+
+    def _ends(self) -> float:
+        """What the ends of failures leave open, where that is much of what may fail; m."""
+        limit, within = self.rules.limit(FAILED_SHARE) or 0.0, ends_within(self.pieces)
+        return within if within > MOST_AT_ENDS * limit * self.figures.measured_m else 0.0
 
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit."""
@@ -188,7 +196,7 @@ class _Ruling:
 
 def _rule_sentence(rule: AcceptanceRule, value: float, low: float, high: float, passed: bool | None) -> Message:
     """The outcome in words; ``passed``: None where it can't be told."""
-    limit, beyond = rule.limit, value if rule.is_least else Exceeding(value, rule.limit)
+    limit, beyond = Stated(rule.limit), value if rule.is_least else Exceeding(value, rule.limit)
     kept, broken, open_ = {
         MEASURED_SHARE: (
             messages.MEASURED_ENOUGH(value=value, limit=limit),
@@ -236,7 +244,8 @@ def _headline(
 
 
 def _would_decide(
-    whole: MetreFigures, pieces: Sequence[DecidedPiece], outcomes: Sequence[RuleOutcome], delivery: Delivery
+    whole: MetreFigures, pieces: Sequence[DecidedPiece], outcomes: Sequence[RuleOutcome], delivery: Delivery,
+    rules: AcceptanceRules,
 ) -> Iterator[Message]:
     """What to do about each thing that is open."""
     is_open = {one.check: one for one in outcomes if one.passed is None}
@@ -246,15 +255,28 @@ def _would_decide(
         yield messages.WOULD_MEASURE(wanted=wanted, lacking=whole.not_measured_m)
     elif not whole.judged_m:
         yield messages.WOULD_LOOK()
-    unclear = [one for one in pieces if one.is_unclear]
-    if unclear and whole.measured_m and is_open.keys() & {FAILED_SHARE, LONGEST_FAILURE} and not delivery.is_part:
-        yield messages.WOULD_TELL_APART(count=len(unclear), metres=whole.unclear_m)
+    if whole.measured_m and is_open.keys() & {FAILED_SHARE, LONGEST_FAILURE} and not delivery.is_part:
+        yield from _would_narrow(whole, pieces, rules, FAILED_SHARE in is_open)
     if delivery.is_part and LONGEST_FAILURE in is_open:
         yield messages.WOULD_GIVE_SCAN()
     if delivery.lacking_m:
         yield messages.WOULD_GIVE_LAYER()
     if any(layer.unexplained for layer in delivery.layers):
         yield messages.WOULD_GIVE_ORTHOIMAGES()
+
+
+def _would_narrow(
+    whole: MetreFigures, pieces: Sequence[DecidedPiece], rules: AcceptanceRules, is_share: bool
+) -> Iterator[Message]:
+    """Shorter pieces, or a verdict on those that are unclear: whichever leaves more open."""
+    unclear = [one for one in pieces if one.is_unclear]
+    limit, within = rules.limit(FAILED_SHARE), ends_within(pieces)
+    allowed = (limit or 0.0) * whole.measured_m
+    if is_share and within > max(known_within(pieces, rules.least_kept), MOST_AT_ENDS * allowed):
+        piece = float(np.median([one.piece.length_m for one in pieces]))
+        yield messages.WOULD_SHORTEN(piece=piece, within=within, allowed=allowed)
+    elif unclear:
+        yield messages.WOULD_TELL_APART(count=len(unclear), metres=whole.unclear_m)
 
 
 def _layers(delivery: Delivery) -> Iterator[Message]:
@@ -286,6 +308,9 @@ def _changed(delivery: Delivery) -> list[str]:
 
 TOLD_UNEXPLAINED = 0.03
 """Of a mosaic without an orthoimage behind it: where the scan tells it, too."""
+MOST_AT_ENDS = 0.2
+"""Of the metres that may fail, that the ends of failures inside of pieces may leave open: with more the pieces are too
+coarse, as nothing above 1.25 times the allowed share is to be accepted nor below 0.8 times rejected."""
 MOST_DOUBLED = 0.1
 """Of all metres, that may lie on others, as where sheets meet: with more two scans of one mosaic were given."""
 COMPARED_SETTINGS = ("wavelet", "levels", "density", "piece_m", "corridor_m", "seams", "version")
@@ -319,7 +344,7 @@ def _figures(
     if whole.not_measured_m:
         yield messages.NOT_MEASURED(metres=whole.not_measured_m, all=whole.judged_m)
     if whole.unclear_m:
-        yield messages.UNCLEAR(metres=whole.unclear_m, limit=rules.least_kept)
+        yield messages.UNCLEAR(metres=whole.unclear_m, limit=Stated(rules.least_kept))
     if rules.least_kept <= 0:
         yield messages.NOTHING_IS_ASKED()
 

@@ -221,6 +221,8 @@ class Defect:
     """A point half-way along it."""
     worst: DecidedPiece
     """The piece that kept least."""
+    unclear_m: float
+    """Of it in pieces whose interval holds the limit."""
     band_width_m: float | None
     """Of its widest band; None where none is known."""
     cause: str
@@ -241,7 +243,8 @@ def _defect(decision: Decision, run: FailureRun) -> Defect:
     windows = _windows([worst, *pieces])
     return Defect(
         run.number, run.sheets, run.length_m, tuple(one.piece.vertices for one in pieces), run.place, worst,
-        max(widths, default=None), next((one.cause for one in windows if one.cause), ""),
+        sum(one.piece.length_m for one in pieces if one.is_unclear), max(widths, default=None),
+        next((one.cause for one in windows if one.cause), ""),
         tuple(dict.fromkeys(words for one in windows for words in (one.remark, one.remark_2) if words)),
     )  # fmt: skip
 

@@ -50,6 +50,27 @@ def known_within(pieces: Iterable[DecidedPiece], least_kept: float) -> float:
     return NORMAL_95 * math.fsum(squares) ** 0.5
 
 
+def ends_within(pieces: Sequence[DecidedPiece]) -> float:
+    """Half the 95 % interval of the metres that failed, as failures end inside of pieces and sums are of whole ones; m.
+
+    Where a failed piece and a sound one of a seam follow each other, the failure ends anywhere within half a piece
+    from there. Pieces in the delivery's order.
+    """
+    squares = (
+        (one.piece.length_m**2 + other.piece.length_m**2) / 24  # of an even spread over a piece: its square by 12
+        for one, other in zip(pieces, pieces[1:])
+        if (one.state is PieceState.FAILED) != (other.state is PieceState.FAILED) and _goes_on(one.piece, other.piece)
+    )
+    return NORMAL_95 * math.fsum(squares) ** 0.5
+
+
+def _goes_on(piece: DeliveredPiece, other: DeliveredPiece) -> bool:
+    """Whether the other one follows along the seam, be it that one between them is not there."""
+    if not piece.seam_id or piece.seam != other.seam or piece.station_m is None or other.station_m is None:
+        return False
+    return other.station_m - piece.station_m < 2 * piece.length_m
+
+
 def metre_figures(pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun]) -> MetreFigures:
     """Of the whole delivery: sums of pieces."""
     longest = max((run.length_m for run in runs), default=0.0)

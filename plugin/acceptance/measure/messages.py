@@ -131,12 +131,12 @@ NOT_MEASURED = Message(
     "{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.", WARNING
 )
 UNCLEAR = Message(
-    "{metres:.1f} m are unclear: the limit of {limit:g} lies within their 95 % intervals.", INFO
+    "{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.", INFO
 )
 LONGEST_WHERE = Message("The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.", INFO)
 CUT_AT_EDGES = Message(
-    "{count} failures, {metres:.1f} m, end at the edge of a sheet where no seam goes on (no. {numbers}): they may be "
-    "longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.", WARNING
+    "Failures that end at the edge of a sheet where no seam goes on: {count}, {metres:.1f} m (no. {numbers}); they may "
+    "be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.", WARNING
 )
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "
@@ -152,8 +152,13 @@ WOULD_LOOK = Message(
     "What would decide it: an operator's look, since all seams lie on ground without detail.", WARNING
 )
 WOULD_TELL_APART = Message(
-    "What would decide it: a verdict on the pieces whose intervals hold the limit ({count} pieces, {metres:.0f} m). "
-    "Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.", WARNING
+    "What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, "
+    "pieces: {count}). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.",
+    WARNING
+)
+WOULD_SHORTEN = Message(
+    "What would decide it: a scan with a shorter PIECE. Failures end inside of pieces, so a sum of pieces of "
+    "{piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.", WARNING
 )
 WOULD_GIVE_SCAN = Message("What would decide it: the layers of the whole scan, not a sample of their pieces.", WARNING)
 WOULD_GIVE_ORTHOIMAGES = Message(

@@ -16,9 +16,10 @@ from ...toolkit.resources import plugin_commit
 from ...toolkit.translation import filled, formatted, paper_sentence, shown_number, tr
 from ..measure.acceptance_rules import KEPT
 from ..measure.decision import AcceptanceOutcome, Decision, Defect, MetreFigures, Observers, PlanOutcome
-from .charts import STATE_COLOURS, oc_figure, pale, seams_figure
+from .charts import STATE_COLOURS, empty_share, oc_figure, pale, seams_figure
 from .defect_files import DefectPicture
 from .inspection_record import InspectionRecord, file_name
+from .paper_head import iso_date
 from .proofs import CUT_PANEL, MOSAIC_PANEL
 from .words import (
     DIGEST_STANDARD,
@@ -90,6 +91,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         has_words=any(one.cause or one.remarks for one in defects[:MOST_ROWS]),
         has_images=any(one.worst.piece.left_source or one.worst.piece.right_source for one in defects[:MOST_ROWS]),
         has_bands=any(one.band_width_m is not None for one in defects[:MOST_ROWS]),
+        has_unclear=any(one.unclear_m for one in defects[:MOST_ROWS]),
         has_visibility=any(one.worst.piece.visibility is not None for one in defects[:MOST_ROWS]),
         pictures=_pictures(defects, pictures),
         proofs=_proofs(defects, pictures),
@@ -100,7 +102,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         layers=_Listing.of(record.seams[:MOST_LAYERS], 1),
         layers_left_out=max(len(record.seams) - MOST_LAYERS, 0),
         images=_Listing.of(
-            (one.path or one.name, one.date, _bytes(one.size)) for one in record.images[:MOST_IMAGES]
+            (one.path or one.name, iso_date(one.date), _bytes(one.size)) for one in record.images[:MOST_IMAGES]
         ),
         images_left_out=max(len(record.images) - MOST_IMAGES, 0),
         digests=_Listing.of((one.path, _bytes(one.size), one.sha256) for one in record.digests),
@@ -183,7 +185,10 @@ def _parts(record: InspectionRecord) -> Iterator[tuple[str, str, str, bool]]:
         result = tr("With findings") if found else tr("No findings")
         yield tr("completeness and form of the files"), result, words, found > 0
     else:
-        yield tr("completeness and form of the files"), tr("Not checked"), tr("'Check a delivery' checks it"), False
+        empty = empty_share(record.mosaics, decision.delivery.outlines)
+        words = tr("'Check a delivery' checks it") if empty is None else filled(
+            tr("about {share} of the area has no data; 'Check a delivery' checks it"), share=share(empty, 1))
+        yield tr("completeness and form of the files"), tr("Not checked"), words, False
     outcomes = [one.outcome for one in record.radiometry]
     worst = next((one for one in _WORST_FIRST if one in outcomes), None)
     words = filled(tr("images rejected: {rejected}, undecided: {open} of {all}"), all=len(outcomes),
@@ -283,19 +288,25 @@ def _defect_text(one: Defect) -> dict[str, Any]:
     kept = whole_share(piece.kept_1)
     if piece.kept_low is not None and piece.kept_high is not None:
         kept += f" ({shown_number(100 * piece.kept_low, 0)} - {shown_number(100 * piece.kept_high, 0)})"
-    sides = ((piece.left_source, piece.left_date), (piece.right_source, piece.right_date))
+    sides = ((piece.left_source, iso_date(piece.left_date)), (piece.right_source, iso_date(piece.right_date)))
     return {
         "number": one.number,
         "sheets": ", ".join(one.sheets),
         "length": metres(one.length_m),
         "kept": kept,
+        "unclear": filled(tr("{length} unclear"), length=metres(one.unclear_m)) if one.unclear_m else "",
         "band": "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
-        "visibility": "" if piece.visibility is None else f"{formatted(piece.visibility, '.1f')}\u00a0JND",
+        "visibility": "" if piece.visibility is None else _jnd(piece.visibility),
         "cause": tr(one.cause) if one.cause else "",
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
         "place": [formatted(along, ".1f") for along in one.place],
         "remark": "; ".join(one.remarks),
     }
+
+
+def _jnd(visibility: float) -> str:
+    shown = f"{formatted(visibility, '.1f')}\u00a0JND"
+    return shown if visibility >= 1 else filled(tr("{jnd}, not visible"), jnd=shown)
 
 
 def _pictures(

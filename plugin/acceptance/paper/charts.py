@@ -11,6 +11,8 @@ from matplotlib import patheffects
 from matplotlib.axes import Axes
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
+from matplotlib.path import Path
+from scipy.spatial import cKDTree
 
 from ...imagery.clips import read_overview
 from ...imagery.errors import RasterError, printable
@@ -23,7 +25,7 @@ from ...toolkit.charts.figure_files import new_figure
 from ...toolkit.picture_stretch import cut_range
 from ...toolkit.translation import filled, formatted, shown_number, tr
 from ..measure.decision import Decision, Defect, PlanOutcome
-from ..measure.delivery import extent_of
+from ..measure.delivery import SheetOutline, extent_of
 from ..measure.sampling_risks import acceptance_probability
 from .words import SHEET_COLOURS
 
@@ -72,6 +74,7 @@ _PALEST, _GREYS = 0.55, 31  # the darkest grey of that, and how many: more make 
 _SHEET_ALPHA, _SHEET_EDGE = 0.2, "#57606a"
 _LEGEND_ALPHA = 0.35
 _TICKS, _TICK_PT, _COORDINATE_PT = 4, 3.0, 5.5  # coordinates along the longer side, their marks and letters
+_CORNER_PT = 24.0  # a coordinate's length, about: none lies on another at a corner, or is cut off there
 _NAME_PT, _LETTER_PT = 6.0, 3.6  # a sheet's name, and how wide a letter of it is about
 _HALO = [patheffects.withStroke(linewidth=1.6, foreground="white")]
 _NAME_COLOUR, _LEAST_LETTERS = "#57606a", 12
@@ -108,21 +111,24 @@ def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
         axes.imshow(pixels, extent=(left, right, bottom, top), aspect="auto", zorder=0, interpolation="bilinear")
     _draw_coordinates(axes, placed, bounds)
     _draw_sheets(axes, placed, decision, outlines)
+    paths = []
     for state, colour in STATE_COLOURS.items():
         lines = [_thinned(placed(one.piece.vertices)) for one in decision.pieces if one.state is state]
         if lines:
             gap = np.full((1, 2), np.nan)
-            path = np.concatenate([part for line in lines for part in (line, gap)])
-            axes.plot(*path.T, color=colour, linewidth=_WIDTHS[state], solid_capstyle="round")
-    _draw_numbers(axes, {one.number: placed(np.array([one.place]))[0] for one in defects})
+            paths.append(np.concatenate([part for line in lines for part in (line, gap)]))
+            axes.plot(*paths[-1].T, color=colour, linewidth=_WIDTHS[state], solid_capstyle="round")
+    seams = cKDTree(np.concatenate([_points_along(path) for path in paths]))
+    _draw_numbers(axes, {one.number: placed(np.array([one.place]))[0] for one in defects}, seams)
     axes.set_xlim(-36 * _WIDTH, 36 * _WIDTH)
     axes.set_ylim(-36 * height - 72 * _STRIP, 36 * height)
     _draw_scale_bar(axes, scale, -36 * height - 72 * _STRIP)
     return figure
 
 
-def _draw_numbers(axes: Axes, places: Mapping[int, np.ndarray]) -> None:
-    """Of failures, each beside its place and joined to it; those without room are left out."""
+def _draw_numbers(axes: Axes, places: Mapping[int, np.ndarray], seams: cKDTree) -> None:
+    """Of failures, each beside its place and joined to it, as near as it does not lie on seams; those without room are
+    left out."""
     turns = np.linspace(0, 2 * np.pi, _TURNS, endpoint=False) + np.pi / _TURNS
     around = np.array([(np.cos(turn), np.sin(turn)) for turn in turns])
     offsets = np.concatenate([far * around for far in _BESIDE_PT[: None if len(places) <= _MANY else 1]])
@@ -131,7 +137,8 @@ def _draw_numbers(axes: Axes, places: Mapping[int, np.ndarray]) -> None:
         free = (np.abs(place + offsets[:, np.newaxis] - taken) > _CROWDED_PT).any(axis=2).all(axis=1)
         if not free.any():
             continue
-        beside = place + offsets[int(free.argmax())]
+        apart, _ = seams.query(place + offsets)
+        beside = place + offsets[int(np.where(free, np.minimum(apart, _BESIDE_PT[0]), -1.0).argmax())]
         taken = np.append(taken, beside[np.newaxis], axis=0)
         axes.annotate(
             str(number), place, beside, fontsize=7, fontweight="bold", color=PAPER.text, path_effects=_HALO, zorder=4,
@@ -165,6 +172,26 @@ def _backdrop(mosaics: Sequence[Raster], bounds: Extent, wkt: str) -> Iterator[t
                 yield np.repeat(shown.astype(np.uint8)[..., np.newaxis], 3, axis=2), extent
 
 
+def empty_share(mosaics: Sequence[Raster], outlines: Sequence[SheetOutline]) -> float | None:
+    """About which share of the sheets, without outlines of the mosaics, has no data, 0 to 1; None where that can't be
+    told without reading too many pixels."""
+    empty = whole = 0.0
+    for mosaic in mosaics:
+        with suppress(RasterError):
+            found = read_overview(mosaic, mosaic.extent, _BACKDROP_PX)
+            if found is None:
+                return None
+            valid, (left, bottom, right, top) = found[0].valid, found[1]
+            rows, columns = valid.shape
+            x, y = np.meshgrid((np.arange(columns) + 0.5) / columns, (np.arange(rows) + 0.5) / rows)
+            middles = np.stack([left + (right - left) * x, top - (top - bottom) * y], axis=-1).reshape(-1, 2)
+            rings = [Path(ring).contains_points(middles) for one in outlines for ring in one.rings]
+            inside = np.logical_or.reduce(rings).reshape(valid.shape) if rings else np.ones_like(valid)
+            pixel = (right - left) * (top - bottom) / valid.size
+            empty, whole = empty + pixel * (inside & ~valid).sum(), whole + pixel * inside.sum()
+    return empty / whole if whole else None
+
+
 def _draw_sheets(
     axes: Axes, placed: Callable[[np.ndarray], np.ndarray], decision: Decision, outlines: Mapping[str, list[np.ndarray]]
 ) -> None:
@@ -191,12 +218,17 @@ def _draw_coordinates(axes: Axes, placed: Callable[[np.ndarray], np.ndarray], bo
     axes.plot(*corners.T, color=PAPER.quiet, linewidth=0.6)
     step = _round_below(max(right - left, top - bottom) / _TICKS)
     style = {"fontsize": _COORDINATE_PT, "color": PAPER.quiet, "path_effects": _HALO, "zorder": 3}
+    (most_left, least), (most_right, most) = placed(np.array([(left, bottom), (right, top)]))
     for x in np.arange(np.ceil(left / step), np.floor(right / step) + 1) * step:
         (across, foot), = placed(np.array([(x, bottom)]))
+        if not most_left + _CORNER_PT < across < most_right - _CORNER_PT:
+            continue
         axes.plot([across, across], [foot, foot + _TICK_PT], color=PAPER.quiet, linewidth=0.6)
         axes.text(across, foot + _TICK_PT, formatted(x, ".0f"), ha="center", va="bottom", **style)
     for y in np.arange(np.ceil(bottom / step), np.floor(top / step) + 1) * step:
         (edge, up), = placed(np.array([(left, y)]))
+        if not least + _CORNER_PT < up < most - _CORNER_PT:
+            continue
         axes.plot([edge, edge + _TICK_PT], [up, up], color=PAPER.quiet, linewidth=0.6)
         axes.text(edge + _TICK_PT, up, formatted(y, ".0f"), ha="left", va="center", rotation=90, **style)
 
@@ -257,6 +289,16 @@ def _short(name: str, most: float) -> str:
         return name
     begin = (letters - 1) // 2
     return name[:begin] + "…" + name[begin + 1 - letters :]
+
+
+def _points_along(path: np.ndarray) -> np.ndarray:
+    """Points on lines that numbers may not lie on; (n, 2), lines set apart by NaN."""
+    steps = np.diff(path, axis=0)
+    is_step = np.isfinite(steps).all(axis=1)
+    starts, steps = path[:-1][is_step], steps[is_step]
+    counts = np.maximum(np.ceil(np.hypot(*steps.T) / (_BESIDE_PT[0] / 2)), 1).astype(int)
+    shares = (np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)) / np.repeat(counts, counts)
+    return np.repeat(starts, counts, axis=0) + shares[:, np.newaxis] * np.repeat(steps, counts, axis=0)
 
 
 def _thinned(path: np.ndarray) -> np.ndarray:

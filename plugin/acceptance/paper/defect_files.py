@@ -6,8 +6,9 @@ import math
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -60,7 +61,7 @@ MOST_REDUCED = 8.0
 """Pixels of the mosaic, along a side, on one of the panel that shows where a failure lies."""
 
 _AROUND = 1.25  # of a failure's extent
-_DASH_PX, _GAP_PX = 7.0, 9.0  # of the picture: what is lost has to be seen between the dashes
+_DASHES_PX, _SPARSE_PX = (7.0, 9.0), (4.0, 20.0)  # and gaps: what is lost has to be seen between the dashes
 _LINE, _EDGE, _FRAME = (255, 214, 0), (0, 0, 0), (255, 255, 255)
 _GUTTER_PX = 8
 _PROOF_SCALE = 2
@@ -123,7 +124,7 @@ class DefectPictures:
         windows = [window] if window.width <= PICTURE_PX else [window, _square(worst, PICTURE_PX)]
         shown = [_inside(one, mosaic) for one in windows]
         panels = [self._panel(mosaic, one, lines) for one in shown]
-        proof = self._proof(mosaic, defect, worst)
+        proof = self._proof(mosaic, defect, worst, lines)
         if proof is not None and len(panels[-1]) == shown[-1].height:
             part = proof.part.moved_by(-shown[-1].column, -shown[-1].row)
             draw_frame(panels[-1], part)
@@ -135,7 +136,10 @@ class DefectPictures:
             proof, pixels,
         )  # fmt: skip
 
-    def _proof(self, mosaic: Raster, defect: Defect, worst: np.ndarray) -> Proof | None:
+    def _proof(
+        self, mosaic: Raster, defect: Defect, worst: np.ndarray, lines: Sequence[np.ndarray]
+    ) -> Proof | None:
+        """The seam is drawn into its panels, sparser than into those of the whole failure."""
         if self._prover is None:
             return None
         side = max(round(PROOF_SIDE_M / mosaic.ground_sample_distance), PROOF_PX)
@@ -144,7 +148,13 @@ class DefectPictures:
         low, high = along.min(axis=0), along.max(axis=0)
         own = _square((low + high) / 2, max(math.ceil((high - low).max()), LEAST_PIECE_PX))
         place, own_place = (mosaic.grid.window_extent(_inside(one, mosaic)) for one in (_square(worst, side), own))
-        return self._prover(mosaic, place, own_place, (piece.left_source, piece.right_source))
+        proof = self._prover(mosaic, place, own_place, (piece.left_source, piece.right_source))
+        if proof is None:
+            return None
+        panels = tuple(replace(one, pixels=one.pixels.copy()) for one in proof.panels)
+        for panel, line in product(panels, lines):
+            _draw_dashes(panel.pixels, line - (proof.part.column, proof.part.row), _SPARSE_PX)
+        return replace(proof, panels=panels)
 
     def _panel(self, mosaic: Raster, inside: PixelWindow, lines: Sequence[np.ndarray]) -> np.ndarray:
         """(rows, columns, 3) uint8 of a window of the mosaic, the lines drawn into it."""
@@ -206,11 +216,12 @@ def draw_frame(pixels: np.ndarray, window: PixelWindow) -> None:
             pixels[rows, [right - inset]] = colour
 
 
-def _draw_dashes(pixels: np.ndarray, path: np.ndarray) -> None:
+def _draw_dashes(pixels: np.ndarray, path: np.ndarray, dash_and_gap: tuple[float, float] = _DASHES_PX) -> None:
     """A dashed line along a path of (n, 2) columns and rows, in place; what lies outside is left out."""
+    dash, gap = dash_and_gap
     along = vertex_stations(path)
     stations = np.arange(0.0, along[-1], 0.5)
-    places = points_at(path, along, stations[stations % (_DASH_PX + _GAP_PX) < _DASH_PX])
+    places = points_at(path, along, stations[stations % (dash + gap) < dash])
     for reach, colour in ((2, _EDGE), (1, _LINE)):
         offsets = np.arange(-reach, reach + 1) / 2
         rows, columns = (

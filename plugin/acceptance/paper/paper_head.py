@@ -1,9 +1,11 @@
 """What stands at the head of a decision on paper: which delivery it is of, under which contract, by whom, for whom."""
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import date, datetime
 
 from qgis.PyQt.QtCore import QT_TR_NOOP
 
@@ -16,7 +18,8 @@ from ..measure import messages
 
 TITLE, CONTRACT, PRODUCER, CLIENT = "TITLE", "CONTRACT", "PRODUCER", "CLIENT"
 DELIVERY, DELIVERY_DATE = "DELIVERY", "DELIVERY_DATE"
-_DATES = "%Y-%m-%d", "%d.%m.%Y"
+_DATES = "%Y-%m-%d", "%d.%m.%Y", "%Y/%m/%d", "%Y:%m:%d", "%Y%m%d"
+"""As people write dates, and layers of seams, with a time of day perhaps."""
 
 _TEXTS = {
     TITLE: (QT_TR_NOOP("Title"), QT_TR_NOOP("Of the report; empty: Acceptance of an orthophoto mosaic.")),
@@ -26,7 +29,7 @@ _TEXTS = {
     DELIVERY: (QT_TR_NOOP("Delivery"), QT_TR_NOOP("What the delivery is called.")),
     DELIVERY_DATE: (
         QT_TR_NOOP("Date of the delivery"),
-        QT_TR_NOOP("As it should appear in the report: 2026-11-23 or 23.11.2026."),
+        QT_TR_NOOP("2026-11-23 or 23.11.2026; the report writes the first."),
     ),
 }
 """Title and help of each parameter. Forms remember them, scripts and models don't."""
@@ -46,7 +49,7 @@ class PaperHead:
     @property
     def rows(self) -> Iterator[tuple[str, str]]:
         """Names and values, but for the title."""
-        values = self.contract, self.client, self.producer, self.delivery, self.delivery_date
+        values = self.contract, self.client, self.producer, self.delivery, iso_date(self.delivery_date)
         for name, value in zip((CONTRACT, CLIENT, PRODUCER, DELIVERY, DELIVERY_DATE), values):
             if value:
                 yield tr(_TEXTS[name][0]), value
@@ -66,16 +69,21 @@ def check_head(run: Run) -> None:
 
 def _faults(run: Run) -> Iterator[Message]:
     value = run.text(DELIVERY_DATE).strip()
-    if value and not any(_is_date(value, form) for form in _DATES):
+    if value and _day(value) is None:
         yield messages.DATE_IS_NONE(parameter=DELIVERY_DATE, value=value)
 
 
-def _is_date(value: str, form: str) -> bool:
-    try:
-        datetime.strptime(value, form)
-    except ValueError:
-        return False
-    return True
+def _day(value: str) -> date | None:
+    for form in _DATES:
+        with suppress(ValueError):
+            return datetime.strptime(re.split("[T ]", value.strip())[0], form).date()
+    return None
+
+
+def iso_date(value: str) -> str:
+    """As all dates on paper are written, 2026-11-23; what is no date as it is."""
+    day = _day(value)
+    return value if day is None else day.isoformat()
 
 
 def stated_head(run: Run) -> PaperHead:

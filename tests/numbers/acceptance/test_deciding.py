@@ -69,9 +69,9 @@ def sure(pieces: list[DeliveredPiece]) -> list[DeliveredPiece]:
 
 
 def test_exactly_the_limit_passes() -> None:
-    pieces = sure(seam([0.7, 0.7 - 1e-12, *([0.9] * 98)]))
+    pieces = sure([*seam([0.7, *([0.9] * 98)]), *seam([0.7 - 1e-12], seam_id="2", start=(0, 50), number=99)])
     found = decide(delivery(pieces), rules(share=1, run=1000))
-    assert [one.state for one in found.pieces[:2]] == [PieceState.PASSED, PieceState.FAILED]
+    assert [found.pieces[number].state for number in (0, 99)] == [PieceState.PASSED, PieceState.FAILED]
     share, longest = found.whole.failed_share, found.longest_failure_m
     assert share is not None
     assert decide(delivery(pieces), rules(share=share, run=longest)).accepted
@@ -97,9 +97,20 @@ def test_too_little_measured_is_undecided_and_says_what_would_decide_it() -> Non
 def test_what_was_measured_rejects_where_the_rest_could_not_save_it() -> None:
     """30 of 100 m failed, and 20 were not measured: 30 % even if they are sound; at 1 of 40 it is 2.5 %."""
     assert decide(delivery(seam([0.4] * 3 + [0.9] * 5 + [None] * 2)), rules()).outcome is REJECTED
-    one = seam([0.4] + [0.9] * 31 + [None] * 8)
-    assert decide(delivery(one), rules(share=0.024)).outcome is REJECTED
-    assert decide(delivery(one), rules(share=0.026)).outcome is UNDECIDED  # 3.1 % of what was measured
+    one = seam([0.4]), seam([0.9] * 31 + [None] * 8, seam_id="2", start=(0, 50), number=1)
+    assert decide(delivery(*one), rules(share=0.024)).outcome is REJECTED
+    assert decide(delivery(*one), rules(share=0.026)).outcome is UNDECIDED  # 3.1 % of what was measured
+
+
+def test_pieces_too_coarse_for_what_may_fail_leave_it_open() -> None:
+    """40 of 1600 m failed inside of a seam and 32 m may. Pieces of 20 m leave 16 m of that open, those of 2 m 1.6 m."""
+    coarse = decide(delivery(seam([0.9] * 30 + [0.4] * 2 + [0.9] * 48, 20.0)), rules())
+    assert (coarse.outcome, coarse.whole.failed_m) == (UNDECIDED, 40)
+    assert "a sum of pieces of 20 m is known to 16 m here, and 32 m may fail" in told(coarse)
+    assert decide(delivery(seam([0.9] * 300 + [0.4] * 20 + [0.9] * 480, 2.0)), rules()).outcome is REJECTED
+    whole_seam = seam([0.4] * 2, 20.0), seam([0.9] * 78, 20.0, seam_id="2", start=(0, 50), number=2)
+    assert decide(delivery(*whole_seam), rules()).outcome is REJECTED  # it ends where the seam does
+    assert decide(delivery(seam([0.9] * 80, 20.0)), rules()).outcome is ACCEPTED
 
 
 def test_nothing_measured_is_undecided() -> None:
@@ -131,7 +142,7 @@ def test_a_share_that_intervals_leave_open_is_undecided() -> None:
     found = decide(delivery(unclear, rest), rules(run=None))
     assert found.outcome is UNDECIDED
     assert found.whole.failed_m == 30  # by value, as anybody adds it up
-    assert "a verdict on the pieces whose intervals hold the limit (3 pieces, 30 m)" in told(found)
+    assert "a verdict on the pieces whose intervals hold the limit (30 m, pieces: 3)" in told(found)
     outcome = found.outcomes[0]
     assert outcome.low is not None
     assert outcome.high is not None
@@ -156,9 +167,10 @@ def test_layers_that_lack_seams_are_not_accepted() -> None:
 
 
 def test_sheets_are_decided_by_the_same_limits() -> None:
-    sound, lost = seam([0.95] * 60), seam([0.4] * 2 + [0.95] * 38, sheet="b", start=(0, 99), number=60)
+    sound, lost = seam([0.95] * 60), seam([0.4] * 2, sheet="b", start=(0, 99), number=60)
+    rest = seam([0.95] * 38, sheet="b", seam_id="2", start=(0, 200), number=62)
     unknown = seam([None] * 9, sheet="c", start=(0, 300), number=100)
-    found = decide(delivery(sound, lost, unknown), rules(share=0.02))
+    found = decide(delivery(sound, lost, rest, unknown), rules(share=0.02))
     assert found.sheet_outcomes == (ACCEPTED, REJECTED, UNDECIDED)
     assert found.whole.failed_share == pytest.approx(0.02)
     assert found.outcome is ACCEPTED  # of all sheets 2 % may fail, and 92 % were measured

@@ -51,7 +51,7 @@ def test_failures_are_told_that_end_at_the_edge_of_a_sheet() -> None:
     # at x = 40 one goes on in the other sheet, and one ends 2 m before the seams of that; two begin at the west edge
     assert found == {0.0: 10, 20.0: 20}
     (said,) = (str(one) for one in decide(whole, rules()).sentences if "end at the edge" in str(one))
-    assert "3 failures, 40.0 m" in said
+    assert "no seam goes on: 3, 40.0 m" in said
     assert cut_failures(delivery(*west), runs[:1]) == []
 
 

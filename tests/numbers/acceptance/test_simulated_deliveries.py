@@ -1,4 +1,4 @@
-"""400 simulated deliveries in pieces of 10 m: what is decided against what was planted; and a very large one."""
+"""400 simulated deliveries of two sizes: what is decided against what was planted; and a very large one."""
 from __future__ import annotations
 
 import time
@@ -12,13 +12,13 @@ from seam_inspector.plugin.acceptance.measure.delivery import DeliveredPiece, De
 
 from tests.numbers.acceptance.deliveries import delivery, rules, seam
 
-PIECE, SEAMS, PIECES = 10.0, 40, 20
+SEAM_M = 200
 ALLOWED = 0.02
 
 
 @dataclass(frozen=True)
 class Simulated:
-    """A delivery of 8 km, and what came of it."""
+    """A delivery, and what came of it."""
 
     planted: float
     """Share of its metres that is spoilt."""
@@ -27,24 +27,25 @@ class Simulated:
     outcome: AcceptanceOutcome
 
 
-def simulated(seed: int) -> Simulated:
+def simulated(seed: int, seams: int, piece_m: float) -> Simulated:
     """Failures of 10 to 200 m anywhere, also over the ends of pieces, in which 0.2 to 0.65 is kept. Each piece keeps
     its mean, known to 0.03 to 0.08, and its interval says so."""
     random = np.random.default_rng(seed)
-    spoilt = np.ones((SEAMS, int(PIECES * PIECE)))  # of each metre what is kept
+    spoilt = np.ones((seams, 2 * SEAM_M))  # of each half metre what is kept
     wanted = random.uniform(0.4, 1.8) * ALLOWED * spoilt.size
     while (spoilt < 1).sum() < wanted:
-        seam, length = random.integers(SEAMS), int(min(random.uniform(10, 200), wanted))
+        seam, length = random.integers(seams), int(min(random.uniform(20, 400), wanted))
         start = random.integers(1 - length, spoilt.shape[1])
         spoilt[seam, max(start, 0) : start + length] = random.uniform(0.2, 0.65)
-    true = spoilt.reshape(SEAMS, PIECES, -1).mean(axis=2)
+    true = spoilt.reshape(seams, round(SEAM_M / piece_m), -1).mean(axis=2)
     noise = random.uniform(0.03, 0.08)
     kept = np.maximum(true * np.exp(random.normal(0, noise, true.shape)), 0.01)
     factor = np.exp(1.96 * noise)
     pieces = [
         DeliveredPiece(
-            seam * PIECES + place, "a", str(seam), PIECE * place, PIECE, value, value / factor, value * factor, None,
-            "preserved", "", np.array([(PIECE * place, 100.0 * seam), (PIECE * (place + 1), 100.0 * seam)]),
+            seam * len(values) + place, "a", str(seam), piece_m * place, piece_m, value, value / factor, value * factor,
+            None, "preserved", "",
+            np.array([(piece_m * place, 100.0 * seam), (piece_m * (place + 1), 100.0 * seam)]),
         )
         for seam, values in enumerate(kept.tolist()) for place, value in enumerate(values)
     ]  # fmt: skip
@@ -55,13 +56,22 @@ def simulated(seed: int) -> Simulated:
 
 @pytest.fixture(scope="module")
 def found() -> list[Simulated]:
-    return [simulated(seed) for seed in range(400)]
+    """Of 8 km in pieces of 10 m, 16 of which may fail."""
+    return [simulated(seed, 40, 10.0) for seed in range(400)]
+
+
+@pytest.fixture(scope="module")
+def coarse() -> list[Simulated]:
+    """Of 1.6 km in pieces of 12.5 m, two and a half of which may fail."""
+    return [simulated(seed, 8, 12.5) for seed in range(400)]
 
 
 @pytest.mark.slow
-def test_nothing_clearly_bad_is_accepted_and_nothing_clearly_good_rejected(found: list[Simulated]) -> None:
+def test_nothing_clearly_bad_is_accepted_and_nothing_clearly_good_rejected(
+    found: list[Simulated], coarse: list[Simulated]
+) -> None:
     wrong = [
-        one for one in found
+        one for one in [*found, *coarse]
         if (one.outcome is AcceptanceOutcome.ACCEPTED and one.planted > 1.25 * ALLOWED)
         or (one.outcome is AcceptanceOutcome.REJECTED and one.planted < 0.8 * ALLOWED)
     ]  # fmt: skip

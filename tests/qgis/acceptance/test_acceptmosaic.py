@@ -62,15 +62,15 @@ def test_metres_share_and_longest_failure() -> None:
         "ACCEPTED": 0, "TOTAL_METRES": 2525, "MEASURED_METRES": 2525, "FAILED_METRES": 125,
         "FAILED_SHARE": 100 * 125 / 2525, "LONGEST_FAILURE": 75,
     })  # fmt: skip
-    assert f"{found['FAILED_SHARE']:.2f}% of the measured metres failed and only 2.00% may" in decision(outcome)
-    assert f"is {found['LONGEST_FAILURE']:.1f} m and the limit is only 50.0 m" in decision(outcome)
+    assert f"{found['FAILED_SHARE']:.2f}% of the measured metres failed and only 2% may" in decision(outcome)
+    assert f"is {found['LONGEST_FAILURE']:.1f} m and the limit is only 50 m" in decision(outcome)
 
 
 def test_a_run_alone_rejects() -> None:
     outcome = decide(seams([F] * 3 + [P] * 200))
     assert outcome.results["ACCEPTED"] == 0
     assert outcome.results["LONGEST_FAILURE"] == 75
-    assert f"is {outcome.results['LONGEST_FAILURE']:.1f} m and the limit is only 50.0 m" in decision(outcome)
+    assert f"is {outcome.results['LONGEST_FAILURE']:.1f} m and the limit is only 50 m" in decision(outcome)
 
 
 def test_several_sheets_make_a_lot_and_runs_cross_their_borders() -> None:

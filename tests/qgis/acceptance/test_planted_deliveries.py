@@ -143,7 +143,7 @@ def test_3_mixed_pieces(tmp_path: Path) -> None:
     found = decide(tmp_path, made, MAX_RUN=200)
     assert found.results["FAILED_METRES"] == 100  # by value, 2.7 %
     assert found.results["DECISION"] == "undecided"
-    assert "a verdict on the pieces whose intervals hold the limit (4 pieces, 100 m)" in said(found)
+    assert "a verdict on the pieces whose intervals hold the limit (100 m, pieces: 4)" in said(found)
     assert_all_say_the_same(tmp_path, found, made)
 
 
