@@ -142,7 +142,8 @@ def read_delivery(
     for layer in seams:
         doubts = LayerDoubts(layer.sheet)
         for row, piece in _pieces(layer, crs, transforms, (sheet_field,) if sheet_field else _SHEET_FIELDS, doubts):
-            pieces.append(replace(piece, sample_number=whole_number(row["sample"])))
+            drawn = whole_number(row["sample"])
+            pieces.append(piece if drawn is None else replace(piece, sample_number=drawn))
             lots.add(whole_number(row["lot_size"]) or 0)
         told += doubts.told()
         read.append(doubts.layer(layer.scan))
@@ -249,8 +250,9 @@ def _pieces(
         except QgsCsException:
             raise SettingsError(messages.NOT_TRANSFORMED(name=layer.sheet)) from None
         sheet = next((name for name in (text(row[field]) for field in sheet_fields) if name), layer.sheet)
-        values = {name: row[name] for name in layer.fields}
-        known = {name: one if isinstance(one, (int, float)) else text(one) for name, one in values.items()}
+        known = {
+            name: one if isinstance(one, (int, float)) else text(one) for name in layer.fields for one in [row[name]]
+        }
         piece = doubts.piece(sheet, known, _vertices(line), drawn, ends)
         if piece is not None:
             yield row, piece

@@ -182,6 +182,8 @@ def _sheet_parts(sheets: _Sheets, piece: DeliveredPiece, sheet: str) -> tuple[Sh
     for inside in sheets.cutting(line) if length else ():
         ends = (point for part in inside.asGeometryCollection() for point in _ends(part))
         borders |= {min(max(line.lineLocatePoint(point) / length, 0.0), 1.0) for point in ends}
+    if len(borders) == 2:
+        return ()
     stops = sorted(borders)
     parts: list[SheetPart] = []
     for start, stop in zip(stops, stops[1:]):

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -137,7 +137,7 @@ class LayerDoubts:
 
 def is_line(vertices: np.ndarray) -> bool:
     """Whether (n, 2) vertices are those of a line that leads anywhere."""
-    return bool(len(vertices) > 1 and np.isfinite(vertices).all() and np.ptp(vertices, axis=0).any())
+    return bool(len(vertices) > 1 and np.isfinite(vertices).all() and (vertices != vertices[0]).any())
 
 
 _DIGITS = 3  # of coordinates, to which lines are the same
@@ -170,19 +170,19 @@ def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> tuple[floa
     """
     typical = float(np.median([piece.length_m for piece in pieces]))
     step = TOUCHING * typical
-    lines = [(piece.vertices * unit_m, vertex_stations(piece.vertices * unit_m)) for piece in pieces]
-    asked = np.concatenate([points_at(line, along, np.array(_PLACES) * along[-1]) for line, along in lines])
+    point_of = _points_of([piece.vertices * unit_m for piece in pieces])
     asker = np.repeat(np.arange(len(pieces)), len(_PLACES))
+    asked, drawn_m = point_of(asker, np.tile(_PLACES, len(pieces)))
+    counts = np.clip(np.ceil(drawn_m / step) + 1, 2, _MOST_POINTS).astype(int)
     others = np.zeros(len(asked), int)
-    for first in range(0, len(lines), _PIECES_AT_ONCE):
-        some = lines[first : first + _PIECES_AT_ONCE]
-        counts = [int(min(np.ceil(along[-1] / step) + 1, _MOST_POINTS)) for _, along in some]
-        tree = cKDTree(np.concatenate([
-            points_at(line, along, np.linspace(0, along[-1], count)) for (line, along), count in zip(some, counts)
-        ]))  # fmt: skip
+    for first in range(0, len(pieces), _PIECES_AT_ONCE):
+        own = counts[first : first + _PIECES_AT_ONCE]
+        number = np.repeat(np.arange(len(own)), own)
+        place = np.arange(own.sum()) - np.repeat(np.cumsum(own) - own, own)
+        tree = cKDTree(point_of(first + number, place / (own - 1)[number])[0])
         within = ((asked > tree.mins - _NEAR * step) & (asked < tree.maxes + _NEAR * step)).all(axis=1)
         _, near = tree.query(asked[within], _NEIGHBOURS, distance_upper_bound=_NEAR * step)
-        owner = np.append(np.repeat(np.arange(first, first + len(some)), counts), -1)
+        owner = np.append(first + number, -1)
         found = np.sort(owner[near])
         is_first = np.diff(found, prepend=-2) != 0
         others[within] += (is_first & (found != -1) & (found != asker[within, np.newaxis])).sum(axis=1)
@@ -192,6 +192,19 @@ def overlap(pieces: Sequence[DeliveredPiece], unit_m: float = 1.0) -> tuple[floa
         return None
     sheets = dict.fromkeys(pieces[number].sheet for number in asker[others > 0].tolist())
     return float(too_many.sum()), tuple(sheets)
+
+
+def _points_of(
+    lines: Sequence[np.ndarray],
+) -> Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]:
+    """From numbers of lines, (n, 2) each, and shares of their lengths to the points there; with all lengths."""
+    vertices, last = np.concatenate(lines), np.cumsum([len(line) for line in lines]) - 1
+    steps = np.hypot(*np.diff(vertices, axis=0).T)
+    steps[last[:-1]] = 1.0  # from line to line
+    along = np.concatenate([[0.0], np.cumsum(steps)])
+    starts = along[np.concatenate([[0], last[:-1] + 1])]
+    lengths = along[last] - starts
+    return lambda number, share: (points_at(vertices, along, starts[number] + share * lengths[number]), lengths)
 
 
 def make_delivery(sheets: Mapping[str, Iterable[SeamRow]], wkt: str) -> Delivery:

@@ -4,6 +4,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -93,9 +94,8 @@ class DeliveredPiece:
 
 def extent_of(lines: Iterable[np.ndarray]) -> Extent:
     """Around lines of (n, 2) x and y each."""
-    ends = [(line.min(axis=0), line.max(axis=0)) for line in lines]
-    xmin, ymin = np.min([low for low, _ in ends], axis=0).tolist()
-    xmax, ymax = np.max([high for _, high in ends], axis=0).tolist()
+    points = np.concatenate([*lines])
+    xmin, ymin, xmax, ymax = np.concatenate([points.min(axis=0), points.max(axis=0)]).tolist()
     return xmin, ymin, xmax, ymax
 
 
@@ -108,6 +108,7 @@ def in_order(pieces: Iterable[DeliveredPiece]) -> tuple[DeliveredPiece, ...]:
     return tuple(replace(piece, number=number) for number, piece in enumerate(ordered))
 
 
+@lru_cache(maxsize=1 << 16)
 def in_words(name: str) -> tuple[tuple[int, int, str], ...]:
     """For sorting: sheet_2 before sheet_10."""
     parts = re.split(r"([0-9]+)", name)

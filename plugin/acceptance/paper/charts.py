@@ -113,10 +113,9 @@ def seams_figure(decision: Decision, defects: Sequence[Defect], mosaics: Sequenc
     _draw_sheets(axes, placed, decision, outlines)
     paths = []
     for state, colour in STATE_COLOURS.items():
-        lines = [_thinned(placed(one.piece.vertices)) for one in decision.pieces if one.state is state]
+        lines = [one.piece.vertices for one in decision.pieces if one.state is state]
         if lines:
-            gap = np.full((1, 2), np.nan)
-            paths.append(np.concatenate([part for line in lines for part in (line, gap)]))
+            paths.append(_thinned(placed(np.concatenate(lines)), np.cumsum([len(line) for line in lines]) - 1))
             axes.plot(*paths[-1].T, color=colour, linewidth=_WIDTHS[state], solid_capstyle="round")
     seams = cKDTree(np.concatenate([_points_along(path) for path in paths]))
     _draw_numbers(axes, {one.number: placed(np.array([one.place]))[0] for one in defects}, seams)
@@ -301,12 +300,15 @@ def _points_along(path: np.ndarray) -> np.ndarray:
     return np.repeat(starts, counts, axis=0) + shares[:, np.newaxis] * np.repeat(steps, counts, axis=0)
 
 
-def _thinned(path: np.ndarray) -> np.ndarray:
-    """Vertices of which each lies a little farther on; (n, 2) points on paper."""
-    steps = np.floor(np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(path, axis=0).T))]) / (4 * _FINEST_PT))
-    kept = np.concatenate([[True], np.diff(steps) > 0])
-    kept[-1] = True
-    return path[kept]
+def _thinned(points: np.ndarray, last: np.ndarray) -> np.ndarray:
+    """Lines of which each vertex lies a little farther on; (n, 2) points on paper, after each line NaN. ``last``: the
+    numbers of the lines' last points."""
+    steps = np.hypot(*np.diff(points, axis=0, prepend=points[:1]).T)
+    cells = np.floor(np.cumsum(steps) / (4 * _FINEST_PT))
+    is_kept = np.diff(cells, prepend=-1) > 0
+    is_kept[last] = is_kept[np.concatenate([[0], last[:-1] + 1])] = True
+    after = np.cumsum(is_kept)[last]
+    return np.insert(points[is_kept], after, np.nan, axis=0)
 
 
 def _draw_scale_bar(axes: Axes, scale: float, foot: float) -> None:
