@@ -1,4 +1,5 @@
-"""Failures that end at the edge of a sheet where no seam goes on: beyond it they may be longer, and nobody looked."""
+"""Sheets that were scanned apart: seams that cross their borders, and failures that end at the edge of a sheet where no
+seam goes on, so that beyond it they may be longer, and nobody looked."""
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -13,13 +14,29 @@ from .failure_networks import TOUCHING
 _AT_EDGE = 0.5  # of a typical piece: seams are measured to some pixels from the edge of a mosaic
 
 
+def crossing_count(delivery: Delivery) -> int:
+    """Places where a seam of one scan goes on in another one."""
+    scans = [piece.seam[0] for piece in delivery.pieces]
+    if len(set(scans)) < 2:
+        return 0
+    near = _ends_of_all(delivery).query_pairs(TOUCHING * _typical(delivery))
+    return sum(scans[one // 2] != scans[other // 2] for one, other in near)
+
+
+def _ends_of_all(delivery: Delivery) -> cKDTree:
+    return cKDTree(np.array([vertices for piece in delivery.pieces for vertices in piece.vertices[[0, -1]]]))
+
+
+def _typical(delivery: Delivery) -> float:
+    """Length of a piece, in units of the coordinates."""
+    return float(np.median([piece.length_m for piece in delivery.pieces])) / delivery.unit_m
+
+
 def cut_failures(delivery: Delivery, runs: Sequence[FailureRun]) -> list[FailureRun]:
     """Those with such an end; none of a single sheet. Sheets without an outline are boxes around their seams."""
     if not runs or len(delivery.sheets) < 2:
         return []
-    pieces, unit = delivery.pieces, delivery.unit_m
-    typical = float(np.median([piece.length_m for piece in pieces])) / unit
-    ends = cKDTree(np.array([vertices for piece in pieces for vertices in piece.vertices[[0, -1]]]))
+    typical, ends = _typical(delivery), _ends_of_all(delivery)
     edges = [(ring[:-1], ring[1:]) for rings in delivery.sheet_rings().values() for ring in rings]
     starts, stops = (np.concatenate(parts) for parts in zip(*edges))
 

@@ -22,7 +22,7 @@ from ...imagery.seam_totals import PieceState
 from ...imagery.statistics import Interval
 from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
-from .cut_failures import cut_failures
+from .cut_failures import crossing_count, cut_failures
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, Observers, RuleOutcome
 from .delivery import Delivery
 from .failure_runs import failure_runs
@@ -95,7 +95,7 @@ def decide(
         *(_would_decide(whole, pieces, outcomes, delivery, rules) if outcome is AcceptanceOutcome.UNDECIDED else ()),
         *_layers(delivery),
         *_figures(whole, interval, runs, rules),
-        *_cut(delivery, runs),
+        *_borders(delivery, pieces, runs, rules),
         *_sample_sentences(delivery, lot is not None),
         *(() if lot is None else lot.notices),
         *(_by_observer(delivery) if by_observer else ()),
@@ -349,9 +349,16 @@ def _figures(
         yield messages.NOTHING_IS_ASKED()
 
 
-def _cut(delivery: Delivery, runs: Sequence[FailureRun]) -> Iterator[Message]:
-    """A sample is cut everywhere."""
-    if not delivery.is_part and (cut := cut_failures(delivery, runs)):
+def _borders(
+    delivery: Delivery, pieces: Sequence[DecidedPiece], runs: Sequence[FailureRun], rules: AcceptanceRules
+) -> Iterator[Message]:
+    """What sheets cut, and what that may change; a sample is cut everywhere."""
+    if delivery.is_part:
+        return
+    if runs and (count := crossing_count(delivery)):
+        within = math.hypot(known_within(pieces, rules.least_kept), ends_within(pieces))
+        yield messages.SHEETS_APART(count=count, within=math.sqrt(2) * within)  # of two sums as uncertain as this one
+    if cut := cut_failures(delivery, runs):
         numbers = _first_names([str(run.number) for run in cut])
         yield messages.CUT_AT_EDGES(count=len(cut), metres=sum(run.length_m for run in cut), numbers=numbers)
 

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from seam_inspector.plugin.acceptance.measure.cut_failures import cut_failures
+from seam_inspector.plugin.acceptance.measure.cut_failures import crossing_count, cut_failures
 from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import FailureRun
 from seam_inspector.plugin.acceptance.measure.delivery import DeliveredPiece
@@ -52,7 +52,12 @@ def test_failures_are_told_that_end_at_the_edge_of_a_sheet() -> None:
     assert found == {0.0: 10, 20.0: 20}
     (said,) = (str(one) for one in decide(whole, rules()).sentences if "end at the edge" in str(one))
     assert "no seam goes on: 3, 40.0 m" in said
+    (apart,) = (str(one) for one in decide(whole, rules()).sentences if "scanned apart" in str(one))
+    assert "borders (1)" in apart
+    ends = 7  # inside of seams, each known to half of 10 m: those of two sums of even spreads
+    assert f"differ by {1.96 * (2 * ends * 10**2 / 12) ** 0.5:.0f} m" in apart
     assert cut_failures(delivery(*west), runs[:1]) == []
+    assert crossing_count(delivery(*west)) == 0
 
 
 def test_pieces_of_any_order_and_direction() -> None:

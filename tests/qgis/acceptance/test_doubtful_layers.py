@@ -133,7 +133,8 @@ def test_reduced_inspection_between_its_two_numbers_says_what_comes_next() -> No
 
 
 def test_a_share_that_is_the_limit_but_for_its_last_digits_passes() -> None:
-    assert decide(seams([F], length=24.99999), seams([P] * 99, length=24.99999, y=50), MAX_SHARE=1).results["ACCEPTED"] == 1
+    lost, sound = seams([F], length=24.99999), seams([P] * 99, length=24.99999, y=50)
+    assert decide(lost, sound, MAX_SHARE=1).results["ACCEPTED"] == 1
     assert decide(seams(([F] + [P] * 49) * 60, length=0.1)).results["ACCEPTED"] == 1
 
 
