@@ -94,7 +94,7 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         has_unclear=any(one.unclear_m for one in defects[:MOST_ROWS]),
         has_visibility=any(one.worst.piece.visibility is not None for one in defects[:MOST_ROWS]),
         pictures=_pictures(defects, pictures),
-        proofs=_proofs(defects, pictures),
+        proofs=[*_proofs(defects, pictures)],
         picture_count=len(pictures),
         plan=None if decision.plan is None else _plan_facts(decision.plan),
         plan_chart=None if decision.plan is None else svg_text(oc_figure(decision.plan)),
@@ -296,17 +296,13 @@ def _defect_text(one: Defect) -> dict[str, Any]:
         "kept": kept,
         "unclear": filled(tr("{length} unclear"), length=metres(one.unclear_m)) if one.unclear_m else "",
         "band": "" if one.band_width_m is None else f"{shown_number(one.band_width_m, 1)}\u00a0m",
-        "visibility": "" if piece.visibility is None else _jnd(piece.visibility),
+        "visibility": "" if piece.visibility is None else f"{formatted(piece.visibility, '.1f')}\u00a0JND",
+        "unseen": tr("not visible") if piece.visibility is not None and piece.visibility < 1 else "",
         "cause": tr(one.cause) if one.cause else "",
         "images": [(file_name(name) or day, day if name != day else "") for name, day in sides if name or day],
         "place": [formatted(along, ".1f") for along in one.place],
         "remark": "; ".join(one.remarks),
     }
-
-
-def _jnd(visibility: float) -> str:
-    shown = f"{formatted(visibility, '.1f')}\u00a0JND"
-    return shown if visibility >= 1 else filled(tr("{jnd}, not visible"), jnd=shown)
 
 
 def _pictures(
