@@ -140,8 +140,8 @@ CUT_AT_EDGES = Message(
 )
 SHEETS_APART = Message(
     "Sheets were scanned apart, so pieces begin anew where seams cross their borders ({count}). With other pieces, "
-    "as in one scan of all sheets, the failed metres may differ by {within:.0f} m (95 % interval), and by what only one "
-    "of the scans can measure.", INFO
+    "as in one scan of all sheets, the failed metres may differ by {within:.0f} m (95 % interval), and by what only "
+    "one of the scans can measure.", INFO
 )
 WITHOUT_DETAIL = Message(
     "{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not "

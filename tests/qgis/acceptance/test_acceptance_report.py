@@ -5,14 +5,18 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from osgeo import gdal
 from qgis.core import Qgis
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
+from seam_inspector.plugin.acceptance.measure.deciding import decide
 from seam_inspector.plugin.acceptance.measure.decision import AcceptanceOutcome, Decision
 from seam_inspector.plugin.acceptance.paper.acceptance_report import MOST_ROWS, save_acceptance_report
 from seam_inspector.plugin.acceptance.paper.defect_files import DefectPictures
 from seam_inspector.plugin.acceptance.paper.inspection_record import InspectionRecord, listed_images
 from seam_inspector.plugin.acceptance.paper.rated_images import RatedImage
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.toolkit.resources import plugin_commit
 
 from tests.numbers.acceptance.made_decisions import PLAN, decided, window_on, with_windows
@@ -54,6 +58,36 @@ def test_the_decision_comes_first_then_rules_sheets_and_failures(tmp_path: Path)
     assert "0412_ortho.tif (2019-07-04)" in " ".join(failures[0][5].split())
     for words in ("coif3", "EPSG:32633", "/deliveries/sheet_2.gpkg", "Seam Inspector 0.1.0", "name and office"):
         assert words in page.words
+
+
+def test_failures_that_are_unclear_or_that_no_eye_sees_are_marked(tmp_path: Path) -> None:
+    """The first of two, of two pieces; and dates are written alike, whatever the layers have."""
+    plain = decided(["sheet_1"], failed=[(0, 3), (0, 4), (0, 20)])
+    pieces = [*plain.delivery.pieces]
+    pieces[3] = replace(pieces[3], kept_high=0.8, kept_low=0.41, left_date="2019/07/04", right_date="11.08.2019 10:30")
+    pieces[4] = replace(pieces[4], kept_1=0.6, kept_low=0.5, kept_high=0.69)
+    pieces[20] = replace(pieces[20], visibility=0.94)
+    page = page_of(tmp_path, record_of(decide(replace(plain.delivery, pieces=tuple(pieces)), plain.rules)))
+    first, second = ([" ".join(cell.split()) for cell in row] for row in page.rows if row and row[0] in ("1", "2"))
+    assert first[2] == "50.0 m25.0 m unclear"
+    assert first[4] == "2.5 JND"
+    assert "(2019-07-04)" in first[5]
+    assert "(2019-08-11)" in first[5]
+    assert (second[2], second[4]) == ("25.0 m", "0.9 JNDnot visible")
+    assert "A piece fails by the detail that it lost, whether an eye sees that or not." in page.words
+
+
+def test_the_share_without_data_is_told_where_files_were_not_checked(tmp_path: Path) -> None:
+    """Of 200 x 1000 m a hole of 50 x 200 m: 5 %."""
+    mosaic = ground(tmp_path / "mosaic.tif")
+    dataset = gdal.Open(mosaic.ref.path, gdal.GA_Update)
+    for band in range(1, 4):
+        dataset.GetRasterBand(band).SetNoDataValue(0)
+        dataset.GetRasterBand(band).WriteArray(np.zeros((400, 100), np.uint8), 200, 800)
+    del dataset
+    page = page_of(tmp_path, record_of(decided(), mosaics=(describe_mosaic(mosaic.ref),)))
+    (told,) = (row for row in page.rows if row and row[0] == "completeness and form of the files")
+    assert "about 5.0\u00a0% of the area has no data" in told[2]
 
 
 def test_an_accepted_delivery_has_no_failures(tmp_path: Path) -> None:

@@ -9,6 +9,8 @@ import pytest
 from osgeo import gdal
 from seam_inspector.plugin.acceptance.measure.decision import Decision, defects_of
 from seam_inspector.plugin.acceptance.paper.defect_files import PICTURE_PX, DefectPicture, DefectPictures
+from seam_inspector.plugin.acceptance.paper.proofs import IMAGE_PANEL, MOSAIC_PANEL, Proof, ProofPanel
+from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.imagery.open_raster import describe_mosaic
 from seam_inspector.plugin.imagery.rasters import Raster, RasterRef
 
@@ -62,6 +64,25 @@ def test_the_seam_is_drawn_where_it_runs_and_can_be_seen_between_dashes(tmp_path
     rows = np.unique(drawn[:, 0])
     assert 75 < rows.max() - 75 < 330
     assert 0.15 < len(rows) / (rows.max() - rows.min()) < 0.75
+
+
+def test_the_seam_is_dashed_in_the_proof_as_it_runs(tmp_path: Path) -> None:
+    """In every panel alike; the loss is seen along four fifths of it, and what the prover gave stays as it was."""
+    decision, mosaic = decided(failed=[(0, 4)]), flat(tmp_path / "mosaic.tif")
+    bare = np.full((160, 160, 3), 90, np.uint8)
+    part = PixelWindow(220, 220, 160, 160)
+    proof = Proof((ProofPanel(MOSAIC_PANEL, "", bare), ProofPanel(IMAGE_PANEL, "a.tif", bare)), part)
+    made = DefectPictures((mosaic,), decision.delivery.wkt, lambda *_: proof).of(defects_of(decision)[0])
+    assert made is not None
+    assert made.proof is not None
+    path = decision.delivery.pieces[4].vertices
+    for panel in made.proof.panels:
+        drawn = np.argwhere((panel.pixels == YELLOW).all(axis=2))
+        for row, column in drawn:
+            y, x = BOTTOM + 140 - (row + 220.5) / 10, LEFT - 30 + (column + 220.5) / 10
+            assert abs(x - np.interp(y, path[:, 1], path[:, 0])) < 0.2
+        assert 0.1 < len(np.unique(drawn[:, 0])) / 160 < 0.35
+    assert (bare == 90).all()
 
 
 def test_a_long_failure_is_shown_whole_and_where_least_is_kept_in_full_size(tmp_path: Path) -> None:
