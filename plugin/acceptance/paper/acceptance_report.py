@@ -91,7 +91,6 @@ def save_acceptance_report(path: Path, record: InspectionRecord, pictures: Mappi
         has_words=any(one.cause or one.remarks for one in defects[:MOST_ROWS]),
         has_images=any(one.worst.piece.left_source or one.worst.piece.right_source for one in defects[:MOST_ROWS]),
         has_bands=any(one.band_width_m is not None for one in defects[:MOST_ROWS]),
-        has_unclear=any(one.unclear_m for one in defects[:MOST_ROWS]),
         has_visibility=any(one.worst.piece.visibility is not None for one in defects[:MOST_ROWS]),
         pictures=_pictures(defects, pictures),
         proofs=[*_proofs(defects, pictures)],
