@@ -175,23 +175,25 @@ class _Ruling:
     def _failed(self) -> tuple[float, float, float]:
         """The share, and between what it may lie."""
         figures = self.figures
-        within = math.hypot(known_within(self.pieces, self.rules.least_kept), self._ends())
+        ends = _open_ends(self.pieces, self.rules, figures)
+        within = math.hypot(known_within(self.pieces, self.rules.least_kept), ends)
         least = self.rules.rule(MEASURED_SHARE)
         enough = least is None or least.passes(figures.measured_share)
         open_m, of_m = (0.0, figures.measured_m) if enough else (figures.not_measured_m, figures.judged_m)
         low, high = max(figures.failed_m - within, 0.0), min(figures.failed_m + within, figures.measured_m)
         return figures.failed_m / figures.measured_m, low / of_m, min((high + open_m) / of_m, 1.0)
 
-    def _ends(self) -> float:
-        """What the ends of failures leave open, where that is much of what may fail; m."""
-        limit, within = self.rules.limit(FAILED_SHARE) or 0.0, ends_within(self.pieces)
-        return within if within > MOST_AT_ENDS * limit * self.figures.measured_m else 0.0
-
     def _longest(self) -> tuple[float, float, float]:
         """What passed ends it, also where its interval holds the limit."""
         longest = self.figures.longest_failure_m or 0.0
         failed = [one for one in self.longest if one.state is PieceState.FAILED]
         return longest, max(longest - known_within(failed, self.rules.least_kept), 0.0), longest
+
+
+def _open_ends(pieces: Sequence[DecidedPiece], rules: AcceptanceRules, figures: MetreFigures) -> float:
+    """What the ends of failures leave open, where that is much of what may fail; m."""
+    within = ends_within(pieces)
+    return within if within > MOST_AT_ENDS * (rules.limit(FAILED_SHARE) or 0.0) * figures.measured_m else 0.0
 
 
 def _rule_sentence(rule: AcceptanceRule, value: float, low: float, high: float, passed: bool | None) -> Message:
@@ -269,14 +271,12 @@ def _would_narrow(
     whole: MetreFigures, pieces: Sequence[DecidedPiece], rules: AcceptanceRules, is_share: bool
 ) -> Iterator[Message]:
     """Shorter pieces, or a verdict on those that are unclear: whichever leaves more open."""
-    unclear = [one for one in pieces if one.is_unclear]
-    limit, within = rules.limit(FAILED_SHARE), ends_within(pieces)
-    allowed = (limit or 0.0) * whole.measured_m
-    if is_share and within > max(known_within(pieces, rules.least_kept), MOST_AT_ENDS * allowed):
+    within, limit = _open_ends(pieces, rules, whole), rules.limit(FAILED_SHARE) or 0.0
+    if is_share and within > known_within(pieces, rules.least_kept):
         piece = float(np.median([one.piece.length_m for one in pieces]))
-        yield messages.WOULD_SHORTEN(piece=piece, within=within, allowed=allowed)
-    elif unclear:
-        yield messages.WOULD_TELL_APART(count=len(unclear), metres=whole.unclear_m)
+        yield messages.WOULD_SHORTEN(piece=piece, within=within, allowed=limit * whole.measured_m)
+    elif count := sum(one.is_unclear for one in pieces):
+        yield messages.WOULD_TELL_APART(count=count, metres=whole.unclear_m)
 
 
 def _layers(delivery: Delivery) -> Iterator[Message]:
