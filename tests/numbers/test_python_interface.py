@@ -223,7 +223,7 @@ def test_a_delivery_is_decided_by_rows() -> None:
     assert [one.kept_1 for one in delivery.pieces] == [0.9, 0.5, None, 0.8]
     assert {one.seam_id for one in delivery.pieces} == {"1"}
     assert delivery.pieces[3].length_m == 25
-    decision = decide(delivery, limit_rules(max_share=0.5, min_measured=0.7))
+    decision = decide(delivery, limit_rules(max_share=0.7, min_measured=0.7))
     assert decision.accepted
     assert decision.whole.measured_m == 75
     assert not decide(delivery, limit_rules(max_share=0.1, min_measured=0.7)).accepted
