@@ -158,7 +158,8 @@ def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
     given, seen = points.ground[:, :2], partial(_seen, fitted.model, points.wkt)
     found = locate(seen, points.image, heights, given, metres, partly=True)
     bent = ~np.isfinite(found).all(axis=1)
-    found[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
+    if bent.any():
+        found[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
     return (found - given) * metres
 
 
