@@ -25,16 +25,22 @@ class OrthorectifyPhotos(OrthoAlgorithm):
     NAME = QT_TR_NOOP("Orthorectify a block of photos")
     HELP = QT_TR_NOOP(
         "Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file "
-        "of their orientations names. Of an OpenDroneMap project reconstruction.json, or the folder, is enough. A "
+        "of their orientations names. Of an OpenDroneMap project the folder, or reconstruction.json, is enough. A "
         "photo that can't be used is named, and the others are made."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addOrientations(optional=False)
         self.addDescribed(
-            QgsProcessingParameterFile(PHOTOS, tr("Photos"), QgsProcessingParameterFile.Behavior.Folder, optional=True),
-            tr("Their folder. Empty: images in an OpenDroneMap project, else that of the exterior orientation."),
+            QgsProcessingParameterFile(
+                PHOTOS, tr("Folder of an OpenDroneMap project, or of photos"),
+                QgsProcessingParameterFile.Behavior.Folder, optional=True,
+            ),
+            tr(
+                "Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
+                "project, else in the folder of its file."
+            ),
         )
+        self.addOrientations()
         self.addGround(tr(
             "Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an "
             "OpenDroneMap project."
@@ -49,6 +55,8 @@ class OrthorectifyPhotos(OrthoAlgorithm):
         })
 
     def check(self, run: Run) -> None:
+        if not (run.path(EXTERIOR) or run.path(PHOTOS)):
+            raise SettingsError(messages.NO_BLOCK())
         if run.parameters.get(HEIGHT) not in (None, "") and run.parameters.get(DEM):
             raise SettingsError(messages.DEM_AND_HEIGHT())
 
@@ -62,12 +70,12 @@ class OrthorectifyPhotos(OrthoAlgorithm):
         from .measure.rpc import open_image
 
         self.check(run)
-        exterior, output = Path(run.path(EXTERIOR)), Path(run.text(OUTPUT))
+        exterior, output = Path(run.path(EXTERIOR) or run.path(PHOTOS)), Path(run.text(OUTPUT))
         if self._dem is None and run.parameters.get(HEIGHT) in (None, ""):
             self._dem = project_terrain(exterior)
             run.tell(messages.PROJECT_TERRAIN(name=self._dem.path))
-        block = self._block(run)
-        folder = Path(run.path(PHOTOS)) if run.path(PHOTOS) else project_photos(exterior)
+        block = self._block(run, str(exterior))
+        folder = Path(run.path(PHOTOS)) if run.path(PHOTOS) and run.path(EXTERIOR) else project_photos(exterior)
         photos, left_out = block_photos(block.exteriors, folder, output)
         run.tell(*left_out)
         wkt, size, count = "", None, 0

@@ -43,9 +43,11 @@ def project_folder(tmp_path: Path) -> Path:
 
 
 def test_a_project_is_one_parameter_and_one_run(project_folder: Path, tmp_path: Path) -> None:
-    for number, exterior in enumerate((project_folder, project_folder / "opensfm" / "reconstruction.json")):
+    reconstruction = project_folder / "opensfm" / "reconstruction.json"
+    ways = {"PHOTOS": project_folder}, {"EXTERIOR": project_folder}, {"EXTERIOR": reconstruction}
+    for number, given in enumerate(ways):
         output = tmp_path / f"orthos{number}"
-        made = run("orthorectifyphotos", EXTERIOR=str(exterior), OUTPUT=str(output))
+        made = run("orthorectifyphotos", OUTPUT=str(output), **{name: str(path) for name, path in given.items()})
         assert made.complaint is None
         assert (made.results["PHOTO_COUNT"], made.results["LEFT_OUT_COUNT"]) == (2, 1)
         assert any("IMG_4.jpg is oriented and is not in" in one for one in made.log.warnings)
@@ -71,6 +73,8 @@ def test_what_can_t_be_done_is_said(project_folder: Path, tmp_path: Path) -> Non
         ({"OUTPUT": str(project_folder / "images")}, "would be written over the photo"),
         ({"OUTPUT": str(project_folder / "opensfm" / "reconstruction.json")}, "can't be written"),
         ({"EXTERIOR": str(tmp_path / "nothing")}, "nothing"),
+        ({"EXTERIOR": None}, "Choose the folder of an OpenDroneMap project"),
+        ({"EXTERIOR": None, "PHOTOS": str(project_folder / "images")}, "images is no OpenDroneMap project"),
         ({"HEIGHT": 5000}, "img_3.TIF is left out: The camera of"),
         ({"PHOTOS": str(project_folder / "opensfm")}, "None of the photos that reconstruction.json names"),
         ({"HEIGHT": 400, "DEM": str(project_folder / "odm_dem" / "dsm.tif")}, "choose one of them"),
