@@ -13,7 +13,8 @@ from ..imagery.errors import CancelledError, SeamInspectorError, SensorModelErro
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
 from .measure import messages
-from .orthorectify import DEM, EXTERIOR, HEIGHT, OUTPUT, OrthoAlgorithm, told
+from .orthorectify import DEM, EXTERIOR, HEIGHT, INTERIOR, OUTPUT, OrthoAlgorithm, told
+from .sensor_parameters import GEOID
 
 PHOTOS, PHOTO_COUNT, LEFT_OUT_COUNT = "PHOTOS", "PHOTO_COUNT", "LEFT_OUT_COUNT"
 
@@ -76,7 +77,8 @@ class OrthorectifyPhotos(OrthoAlgorithm):
             run.tell(messages.PROJECT_TERRAIN(name=self._dem.path))
         block = self._block(run, str(exterior))
         folder = Path(run.path(PHOTOS)) if run.path(PHOTOS) and run.path(EXTERIOR) else project_photos(exterior)
-        photos, left_out = block_photos(block.exteriors, folder, output)
+        read = [run.path(name) for name in (EXTERIOR, INTERIOR, GEOID)] + [self._dem.path if self._dem else ""]
+        photos, left_out = block_photos(block.exteriors, folder, output, map(Path, filter(None, read)))
         run.tell(*left_out)
         wkt, size, count = "", None, 0
         for number, photo in enumerate(photos):

@@ -2,6 +2,8 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -67,10 +69,23 @@ def test_a_photo_that_can_t_be_read_costs_none_of_the_others(project_folder: Pat
     assert any("IMG_2.tif is left out" in one for one in made.log.warnings)
 
 
+def test_the_terrain_model_is_not_written_over(project_folder: Path, tmp_path: Path) -> None:
+    output = tmp_path / "orthos"
+    output.mkdir()
+    terrain, link = output / "IMG_2.tif", tmp_path / "terrain.tif"
+    shutil.copy(project_folder / "odm_dem" / "dsm.tif", terrain)
+    os.link(terrain, link)
+    before = terrain.read_bytes()
+    for dem in (terrain, link):
+        refused = run("orthorectifyphotos", EXTERIOR=str(project_folder), DEM=str(dem), OUTPUT=str(output))
+        assert_sentence(refused.complaint, "IMG_2.tif, which is read")
+        assert terrain.read_bytes() == before
+
+
 def test_what_can_t_be_done_is_said(project_folder: Path, tmp_path: Path) -> None:
     given = {"EXTERIOR": str(project_folder), "OUTPUT": str(tmp_path / "orthos")}
     for changed, words in (
-        ({"OUTPUT": str(project_folder / "images")}, "would be written over the photo"),
+        ({"OUTPUT": str(project_folder / "images")}, "would be written over"),
         ({"OUTPUT": str(project_folder / "opensfm" / "reconstruction.json")}, "can't be written"),
         ({"EXTERIOR": str(tmp_path / "nothing")}, "nothing"),
         ({"EXTERIOR": None}, "Choose the folder of an OpenDroneMap project"),
