@@ -101,6 +101,6 @@ class OrthorectifyPhotos(OrthoAlgorithm):
             wkt, size, count = made.wkt, made.pixel_size, count + 1
             run.tell_once(made.notices)
             run.inform(f"{photo.name}: {told(made)}")
-        if left_out and not count:
+        if left_out and not count and not run.is_cancelled():
             raise SensorModelError(left_out[-1])
         return {OUTPUT: str(output), PHOTO_COUNT: count, LEFT_OUT_COUNT: len(left_out)}

@@ -12,7 +12,7 @@ from osgeo import gdal
 
 from tests.numbers.sensors.test_orientation_files import odm
 from tests.numbers.synthetic import wkt
-from tests.qgis.runs import assert_sentence, run
+from tests.qgis.runs import Log, assert_sentence, run, run_unchecked
 
 pytestmark = pytest.mark.usefixtures("provider", "project")
 
@@ -67,6 +67,16 @@ def test_a_photo_that_can_t_be_read_costs_none_of_the_others(project_folder: Pat
     made = run("orthorectifyphotos", EXTERIOR=str(project_folder), OUTPUT=str(tmp_path / "orthos"))
     assert (made.results["PHOTO_COUNT"], made.results["LEFT_OUT_COUNT"]) == (1, 2)
     assert any("IMG_2.tif is left out" in one for one in made.log.warnings)
+
+
+def test_a_run_that_is_cancelled_is_told_as_cancelled(project_folder: Path, tmp_path: Path) -> None:
+    stopped = Log()
+    stopped.cancel()
+    output = tmp_path / "orthos"
+    made = run_unchecked("orthorectifyphotos", stopped, EXTERIOR=str(project_folder), OUTPUT=str(output))
+    assert made.complaint is None
+    assert "cancelled" in made.log.warnings[-1]
+    assert not list(output.iterdir())
 
 
 def test_the_terrain_model_is_not_written_over(project_folder: Path, tmp_path: Path) -> None:
