@@ -13,7 +13,7 @@ from scipy import ndimage
 from tests.numbers.synthetic import texture, write_raster
 from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
 from tests.qgis.scenes import windows
-from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, Files, cut, drawn_seam, write_scene
+from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, Files, cut, drawn_seam, seam_columns, write_scene
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -150,6 +150,23 @@ def test_images_three_pixels_apart_are_left_alone(tmp_path: Path) -> None:
         assert row["outcome"] == "left"
         assert_sentence(row["reason"], "lie [23].. pixels apart along the best cut")
     assert ended.results["MENDED_METRES"] == 0
+    assert (pixels(ended.results["MENDED"]) == pixels(files.mosaic)).all()
+
+
+def test_what_another_date_shows_is_not_brought_into_the_mosaic(tmp_path: Path) -> None:
+    """Cars in the eastern orthoimage that were not there when the mosaic was made: beside the seam, not on it."""
+    files = scene(tmp_path)
+    scanned = scan(files)
+    later = gdal.Open(files.sources[1], gdal.GA_Update)
+    shown = later.ReadAsArray()
+    for row in range(40, ROWS - 40, 100):
+        column = int(seam_columns(ROWS, COLUMNS)[row]) + 60
+        shown[:, row : row + 24, column : column + 40] = 240
+    later.WriteArray(shown)
+    later = None
+    ended = mend(files, scanned, tmp_path)
+    assert [row["outcome"] for row in ended.rows("CUTS")] == ["left"] * len(ended.rows("CUTS"))
+    assert_sentence(ended.rows("CUTS")[0]["reason"], "% of the ground near the seam otherwise than the mosaic")
     assert (pixels(ended.results["MENDED"]) == pixels(files.mosaic)).all()
 
 
