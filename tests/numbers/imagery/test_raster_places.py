@@ -17,7 +17,6 @@ from seam_inspector.plugin.imagery.reference_systems import extent_on
 from tests.numbers.clips import SIZE, MakeRaster, clip_of, inside, reference, scene_raster
 from tests.numbers.synthetic import ORIGIN, UTM33, orthoimage, wkt
 
-
 # --- place on the map ------------------------------------------------------------------------------------------
 
 

@@ -11,6 +11,7 @@ from osgeo import gdal
 from scipy import ndimage
 
 from tests.numbers.synthetic import texture, write_raster
+from tests.qgis.clusters import needs_dask, two_workers
 from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
 from tests.qgis.scenes import windows
 from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, Files, cut, drawn_seam, seam_columns, write_scene
@@ -260,6 +261,14 @@ def test_what_was_stopped_goes_on(feathered: Files, scanned: Run, mended: Run, t
     ended = mend(feathered, scanned, tmp_path, log)
     assert any("goes on where it stopped" in said for said in log.infos)
     assert not [path for path in tmp_path.iterdir() if ".mend" in path.name]
+    assert (pixels(ended.results["MENDED"]) == pixels(mended.results["MENDED"])).all()
+
+
+@needs_dask
+def test_a_cluster_mends_the_same(feathered: Files, scanned: Run, mended: Run, tmp_path: Path) -> None:
+    with two_workers(tmp_path) as address:
+        ended = mend(feathered, scanned, tmp_path, SCHEDULER=address)
+    assert ended.complaint is None
     assert (pixels(ended.results["MENDED"]) == pixels(mended.results["MENDED"])).all()
 
 

@@ -150,7 +150,8 @@ def _mended(request: RunRequest) -> MendedRun:
         made[place], middle[place] = eased(first, second, weight, band, fade, both), (first + second) / 2
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
     unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
-    otherwise = _shown_otherwise(*(judged_plane(one.astype(np.float32), names) for one in (before, after)), unmixed)
+    was, is_now = (judged_plane(one.astype(np.float32), names) for one in (before, after))
+    otherwise = _shown_otherwise(was, is_now, unmixed)
     if otherwise > _MOST_OTHERWISE:
         raise RasterError(messages.IMAGES_OF_OTHER_GROUND(share=otherwise))
     corner = read.window.column, read.window.row
