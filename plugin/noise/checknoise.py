@@ -87,7 +87,8 @@ class CheckNoise(RasterListAlgorithm):
             tr(
                 "One row per window, raster and band: relative variances, kurtosis of each level's details (3 for "
                 "Gaussian noise), sigma in DN, the most that grain can be, the verdict low, uncertain, moderate or "
-                "strong, and beside it the amount of noise by the signal to noise ratio: little, some or much."
+                "strong, and beside it the amount of noise by the signal to noise ratio: little, some or much; "
+                "at most some where texture can hide it, uncertain where texture can hide much."
             ),
         )
         self.addDescribed(

@@ -32,6 +32,7 @@ AMOUNT_WORDS = {
     NoiseAmount.LITTLE: QT_TR_NOOP("little"),
     NoiseAmount.SOME: QT_TR_NOOP("some"),
     NoiseAmount.MUCH: QT_TR_NOOP("much"),
+    NoiseAmount.AT_MOST_SOME: QT_TR_NOOP("at most some"),
     NoiseAmount.UNCERTAIN: QT_TR_NOOP("uncertain"),
     NoiseAmount.NOT_MEASURABLE: QT_TR_NOOP("not measurable"),
 }

@@ -41,11 +41,11 @@ class OrthoAlgorithm(SensorAlgorithm):
 
     RASTER_LISTS = (DEM,)
 
-    def addOrientations(self, optional: bool) -> None:
+    def addOrientations(self) -> None:
         """Of aerial photos."""
         every = tr("All files (*)")  # *.*, QGIS's own, leaves out folders
         self.addDescribed(
-            QgsProcessingParameterFile(EXTERIOR, tr("Exterior orientation"), optional=optional, fileFilter=every),
+            QgsProcessingParameterFile(EXTERIOR, tr("Exterior orientation"), optional=True, fileFilter=every),
             tr(
                 "Where the camera of an aerial photo was and how it looked: a table with filename, x, y, z, omega, "
                 "phi and kappa, or a file of OpenSfM (an OpenDroneMap project's folder, too), Metashape, Pix4D, "
@@ -98,12 +98,12 @@ class OrthoAlgorithm(SensorAlgorithm):
             tr("GeoTIFF, or cloud optimised GeoTIFF with overviews."),
         )
 
-    def _block(self, run: Run) -> FrameBlock:
+    def _block(self, run: Run, exterior: str) -> FrameBlock:
         """The orientations and the ground. Raises SettingsError without an exterior one."""
         from ..toolkit.layers import system_wkt
         from .measure.oriented_frames import FrameFiles, read_block
 
-        interior, exterior = run.path(INTERIOR), run.path(EXTERIOR)
+        interior = run.path(INTERIOR)
         if not exterior:
             raise SettingsError(messages.ORIENTATION_INCOMPLETE())
         dem_datum, datum = height_datums(run, DEM_HEIGHTS, EXTERIOR_HEIGHTS)
@@ -156,7 +156,7 @@ class Orthorectify(OrthoAlgorithm):
             ),
         ):
             self.addDescribed(QgsProcessingParameterFile(name, label, optional=True), purpose)
-        self.addOrientations(optional=True)
+        self.addOrientations()
         self.addGround(tr("Terrain heights under the whole image, in any reference system."))
         self.addTerrainError()
         self.addGrid(tr("Of the orthoimage. Empty: that of the extent, or the UTM zone of the image's centre."))
@@ -221,7 +221,7 @@ class Orthorectify(OrthoAlgorithm):
         if is_photo and (path or run.path(RPC)):
             raise SettingsError(messages.ORIENTATION_AND_MODEL())
         if is_photo:
-            frame = self._block(run).frame(image)
+            frame = self._block(run, run.path(EXTERIOR)).frame(image)
             run.tell(*frame.notices)
             return frame.sight
         datum = height_datums(run, DEM_HEIGHTS, EXTERIOR_HEIGHTS)[0]

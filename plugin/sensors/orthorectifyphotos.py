@@ -13,7 +13,8 @@ from ..imagery.errors import CancelledError, SeamInspectorError, SensorModelErro
 from ..toolkit.algorithms.run import Run
 from ..toolkit.translation import tr
 from .measure import messages
-from .orthorectify import DEM, EXTERIOR, HEIGHT, OUTPUT, OrthoAlgorithm, told
+from .orthorectify import DEM, EXTERIOR, HEIGHT, INTERIOR, OUTPUT, OrthoAlgorithm, told
+from .sensor_parameters import GEOID
 
 PHOTOS, PHOTO_COUNT, LEFT_OUT_COUNT = "PHOTOS", "PHOTO_COUNT", "LEFT_OUT_COUNT"
 
@@ -25,16 +26,22 @@ class OrthorectifyPhotos(OrthoAlgorithm):
     NAME = QT_TR_NOOP("Orthorectify a block of photos")
     HELP = QT_TR_NOOP(
         "Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file "
-        "of their orientations names. Of an OpenDroneMap project reconstruction.json, or the folder, is enough. A "
+        "of their orientations names. Of an OpenDroneMap project the folder, or reconstruction.json, is enough. A "
         "photo that can't be used is named, and the others are made."
     )
 
     def initAlgorithm(self, configuration: Any = None) -> None:
-        self.addOrientations(optional=False)
         self.addDescribed(
-            QgsProcessingParameterFile(PHOTOS, tr("Photos"), QgsProcessingParameterFile.Behavior.Folder, optional=True),
-            tr("Their folder. Empty: images in an OpenDroneMap project, else that of the exterior orientation."),
+            QgsProcessingParameterFile(
+                PHOTOS, tr("Folder of an OpenDroneMap project, or of photos"),
+                QgsProcessingParameterFile.Behavior.Folder, optional=True,
+            ),
+            tr(
+                "Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation's "
+                "project, else in the folder of its file."
+            ),
         )
+        self.addOrientations()
         self.addGround(tr(
             "Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an "
             "OpenDroneMap project."
@@ -49,6 +56,8 @@ class OrthorectifyPhotos(OrthoAlgorithm):
         })
 
     def check(self, run: Run) -> None:
+        if not (run.path(EXTERIOR) or run.path(PHOTOS)):
+            raise SettingsError(messages.NO_BLOCK())
         if run.parameters.get(HEIGHT) not in (None, "") and run.parameters.get(DEM):
             raise SettingsError(messages.DEM_AND_HEIGHT())
 
@@ -62,13 +71,14 @@ class OrthorectifyPhotos(OrthoAlgorithm):
         from .measure.rpc import open_image
 
         self.check(run)
-        exterior, output = Path(run.path(EXTERIOR)), Path(run.text(OUTPUT))
+        exterior, output = Path(run.path(EXTERIOR) or run.path(PHOTOS)), Path(run.text(OUTPUT))
         if self._dem is None and run.parameters.get(HEIGHT) in (None, ""):
             self._dem = project_terrain(exterior)
             run.tell(messages.PROJECT_TERRAIN(name=self._dem.path))
-        block = self._block(run)
-        folder = Path(run.path(PHOTOS)) if run.path(PHOTOS) else project_photos(exterior)
-        photos, left_out = block_photos(block.exteriors, folder, output)
+        block = self._block(run, str(exterior))
+        folder = Path(run.path(PHOTOS)) if run.path(PHOTOS) and run.path(EXTERIOR) else project_photos(exterior)
+        read = [run.path(name) for name in (EXTERIOR, INTERIOR, GEOID)] + [self._dem.path if self._dem else ""]
+        photos, left_out = block_photos(block.exteriors, folder, output, map(Path, filter(None, read)))
         run.tell(*left_out)
         wkt, size, count = "", None, 0
         for number, photo in enumerate(photos):
@@ -91,6 +101,6 @@ class OrthorectifyPhotos(OrthoAlgorithm):
             wkt, size, count = made.wkt, made.pixel_size, count + 1
             run.tell_once(made.notices)
             run.inform(f"{photo.name}: {told(made)}")
-        if left_out and not count:
+        if left_out and not count and not run.is_cancelled():
             raise SensorModelError(left_out[-1])
         return {OUTPUT: str(output), PHOTO_COUNT: count, LEFT_OUT_COUNT: len(left_out)}

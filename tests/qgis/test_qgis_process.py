@@ -9,7 +9,9 @@ from pathlib import Path
 
 import pytest
 from qgis.core import QgsCoordinateTransformContext, QgsVectorFileWriter, QgsVectorLayer
+from seam_inspector.plugin.sensors.measure.rpc import write_rpc
 
+from tests.numbers.sensors.sensor_scenes import made_rational, places
 from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 from tests.qgis.runs import assert_sentence
 from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, windows
@@ -207,3 +209,24 @@ def test_noise_and_radiometry(qgis_process: Process, scene: Scene, seamlines: st
     assert run.returncode == 0, run.stderr
     opened = QgsVectorLayer(str(table), "result", "ogr")
     assert {feature["check"] for feature in opened.getFeatures()} >= {"contrast", "seam_step"}
+
+
+def test_every_sensor_model_is_fitted_with_the_libraries_that_qgis_has(qgis_process: Process, tmp_path: Path) -> None:
+    ground, rpc = places(16, 3), made_rational(3, 5, 0.001)
+    write_rpc(rpc, tmp_path / "vendor_RPC.TXT")
+    image = rpc.project(ground) + [3.5, -1.25]
+    members = [
+        {"type": "Feature", "properties": {"column": column, "row": row},
+         "geometry": {"type": "Point", "coordinates": position}}
+        for (column, row), position in zip(image.tolist(), ground.tolist())
+    ]  # fmt: skip
+    points, table = tmp_path / "gcps.geojson", tmp_path / "models.csv"
+    points.write_text(json.dumps({"type": "FeatureCollection", "features": members}), encoding="utf-8")
+    run = qgis_process(
+        "run", "--json", "seaminspector:comparesensormodels", f"--GCPS={points}", f"--OUTPUT={table}",
+        f"--IMAGE_RPC={tmp_path / 'vendor_RPC.TXT'}",
+    )
+    assert run.returncode == 0, run.stderr
+    results = json.loads(run.stdout[run.stdout.index("{") :])["results"]
+    assert results["RECOMMENDED"] == "rpc_bias shift"
+    assert re.search(r"^pushbroom,.*[1-9]", table.read_text(encoding="utf-8"), re.M)

@@ -28,8 +28,10 @@ class NoiseAmount(str, Enum):
     """A ratio of 10 to 40."""
     MUCH = "much"
     """A ratio below 10."""
+    AT_MOST_SOME = "at most some"
+    """A ratio of 10 or more: little was found, and coarse grain that can hide in the texture would make it some."""
     UNCERTAIN = "uncertain"
-    """Coarse grain that can hide in the texture would make it more."""
+    """Coarse grain that can hide in the texture would make it much."""
     NOT_MEASURABLE = "not measurable"
     """There is no noise figure, or no signal to compare it with."""
 
@@ -65,7 +67,9 @@ def noise_amount(
     if possible is None:
         return found if found is NoiseAmount.MUCH else NoiseAmount.UNCERTAIN
     most = _amount(max(map(_sigma, possible)) / _BY_CHANCE, signal, are_whole)
-    return NoiseAmount.UNCERTAIN if _ORDER.index(most) > _ORDER.index(found) else found
+    if _ORDER.index(most) <= _ORDER.index(found):
+        return found
+    return NoiseAmount.AT_MOST_SOME if most is NoiseAmount.SOME else NoiseAmount.UNCERTAIN
 
 
 def _amount(noise: float, signal: float, are_whole: bool) -> NoiseAmount:

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Callable
@@ -24,6 +25,7 @@ TUKEY_SIGMAS = 4.685  # biweight, 95 % efficient for normal errors
 ROBUST_STEPS = 15  # of each stage; the weights have settled before
 MIN_CHECK_POINTS = 5  # fewer say little about an error: leave-one-out instead
 MAX_LEFT_OUT = 40  # fits of leave-one-out; with more points they are left out in groups
+LEFT_OUT_GROUPS = 10  # of control points beside check points
 MAX_STANDARD_ERRORS = 1.0  # by which a model of fewer unknowns may be worse (the rule of Breiman et al. 1984)
 CHECK_POINTS, LEAVE_ONE_OUT = "check_points", "leave_one_out"
 
@@ -158,7 +160,8 @@ def _on_ground(fitted: FittedModel, points: Points) -> np.ndarray:
     given, seen = points.ground[:, :2], partial(_seen, fitted.model, points.wkt)
     found = locate(seen, points.image, heights, given, metres, partly=True)
     bent = ~np.isfinite(found).all(axis=1)
-    found[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
+    if bent.any():
+        found[bent] = locate(seen, points.image[bent], heights[bent], given[bent], metres, partly=True, steps=1)
     return (found - given) * metres
 
 
@@ -256,7 +259,8 @@ class JudgedModel:
     reason: Message | None = None
     """Why there are no errors, or why to distrust them."""
     misses: np.ndarray | None = None
-    """(n,) errors of all points, m on the ground; NaN for those that the fit has seen or that are blunders."""
+    """(n,) errors of points that a fit has not seen, m on the ground: check points, control points left out in turn;
+    NaN for blunders."""
     unknowns: float = 0.0
     """How many the points have determined."""
 
@@ -302,39 +306,39 @@ def compare(
 def _judged(
     request: ModelRequest, points: Points, robust: bool, one_by_one: bool, cancelled: Callable[[], bool]
 ) -> JudgedModel:
-    count = len(points) if one_by_one else int(np.count_nonzero(~points.check))
     given = replace(points, check=np.zeros(len(points), bool)) if one_by_one else points
+    control = int(np.count_nonzero(~given.check))
     try:
         done = adjust(request, given, robust)
-        unseen = points.check & ~done.blunder
-        px, metres = done.residuals_px, done.residuals_m
-        if one_by_one:
-            unseen, px, metres = _left_out(request, given, ~done.blunder, cancelled)
+        unseen = given.check & ~done.blunder
+        px, metres = (np.where(unseen[:, None], one, np.nan) for one in (done.residuals_px, done.residuals_m))
+        with nullcontext() if one_by_one else suppress(SeamInspectorError):  # fewer points may be too few
+            _leave_out(request, given, ~given.check & ~done.blunder, px, metres, cancelled)
     except SeamInspectorError as error:
-        return JudgedModel(request, None, None, count, None, error.message)
-    errors = accuracy(px[unseen], metres[unseen]) if unseen.any() else None
-    misses = np.where(unseen, np.linalg.norm(metres, axis=1), np.nan)
+        return JudgedModel(request, None, None, control, None, error.message)
+    judging = np.isfinite(metres).all(axis=1) if one_by_one else unseen
+    errors = accuracy(px[judging], metres[judging]) if judging.any() else None
     fitted = done.fitted
     doubt = None if fitted.converged else messages.NOT_CONVERGED(iterations=fitted.iterations)
     return JudgedModel(
-        request, errors, done.control, done.control.count, fitted.condition, doubt, misses, fitted.unknowns
+        request, errors, done.control, done.control.count, fitted.condition, doubt, np.linalg.norm(metres, axis=1),
+        fitted.unknowns,
     )
 
 
-def _left_out(
-    request: ModelRequest, points: Points, used: np.ndarray, cancelled: Callable[[], bool]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Residuals of the ``used`` points, each left out of the fit in turn: (n,) bool which, (n, 2) px and (n, 2) m."""
-    px, metres = np.full((2, len(points), 2), np.nan)
+def _leave_out(
+    request: ModelRequest, points: Points, used: np.ndarray, px: np.ndarray, metres: np.ndarray,
+    cancelled: Callable[[], bool],
+) -> None:
+    """Put the residuals of the ``used`` control points, each left out of the fit in turn, into (n, 2) px and m."""
     seen = np.flatnonzero(used)
-    turns = min(len(seen), MAX_LEFT_OUT)
+    turns = min(len(seen), LEFT_OUT_GROUPS if points.check.any() else MAX_LEFT_OUT)
     for turn in range(turns):
         if cancelled():
             break
         left_out = np.arange(len(seen)) % turns == turn
         done = adjust(request, replace(points.only(used), check=left_out))
         px[seen[left_out]], metres[seen[left_out]] = done.residuals_px[left_out], done.residuals_m[left_out]
-    return np.isfinite(metres).all(axis=1), px, metres
 
 
 def recommend(rows: Sequence[JudgedModel], flat: bool) -> tuple[JudgedModel | None, Message]:

@@ -109,9 +109,15 @@ def read_cameras(content: Any, path: Path) -> Cameras:
 
 
 def orientation_file(path: Path) -> Path:
-    """The file itself, or the reconstruction of an OpenDroneMap project's folder."""
+    """The file itself, or the reconstruction of an OpenDroneMap project's folder. Raises SensorModelError for another
+    folder."""
+    if not path.is_dir():
+        return path
     inside = (path / "opensfm" / _RECONSTRUCTION, path / _RECONSTRUCTION)
-    return next((one for one in inside if one.is_file()), path) if path.is_dir() else path
+    found = next((one for one in inside if one.is_file()), None)
+    if found is None:
+        raise SensorModelError(messages.NO_PROJECT(folder=path))
+    return found
 
 
 def document(path: Path) -> Any:

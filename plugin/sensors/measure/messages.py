@@ -231,10 +231,17 @@ IMAGE_NOT_ORIENTED = Message(
 )
 ORIENTATION_INCOMPLETE = Message("An interior orientation needs an exterior one; give it, too.")
 # blocks of photos
+NO_BLOCK = Message(
+    "Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos' orientations (EXTERIOR)."
+)
+NO_PROJECT = Message(
+    "{folder} is no OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos' "
+    "orientations (EXTERIOR)."
+)
 PHOTO_MISSING = Message("{name} is oriented and is not in {folder}; it is left out.", WARNING)
 PHOTO_LEFT_OUT = Message("{name} is left out: {why}", WARNING)
 NO_PHOTOS = Message("None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).")
-ORTHO_IS_PHOTO = Message("The orthoimage would be written over the photo {path}; choose another folder.")
+ORTHO_IS_INPUT = Message("The orthoimage would be written over {path}, which is read; choose another folder.")
 PROJECT_TERRAIN = Message("The terrain is that of the project: {name}.", INFO)
 ORIENTATION_AND_MODEL = Message("Orientations of a frame camera and a model or RPC file are given; choose one of them.")
 EXTERIOR_WITHOUT_SYSTEM = Message(

@@ -1,6 +1,7 @@
 """The files of a block: photos that its orientations name, and what an OpenDroneMap project has beside them."""
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -46,9 +47,11 @@ class BlockPhoto:
     """What is made of it."""
 
 
-def block_photos(exteriors: Exteriors, folder: Path, output: Path) -> tuple[list[BlockPhoto], list[Message]]:
-    """The photos that are oriented and in a folder, and what to say of others; ``output`` is there then. Raises
-    SeamInspectorError where none can be made."""
+def block_photos(
+    exteriors: Exteriors, folder: Path, output: Path, read: Iterable[Path] = ()
+) -> tuple[list[BlockPhoto], list[Message]]:
+    """The photos that are oriented and in a folder, and what to say of others; ``output`` is there then, and nothing in
+    it that is ``read`` is replaced. Raises SeamInspectorError where none can be made."""
     try:
         there = [one for one in sorted(folder.iterdir()) if one.suffix.lower() in PHOTO_ENDINGS]
     except OSError:
@@ -67,12 +70,21 @@ def block_photos(exteriors: Exteriors, folder: Path, output: Path) -> tuple[list
         photos[path] = BlockPhoto(name, path, output / f"{path.name}.tif" if taken else ortho)
     if not photos:
         raise SensorModelError(messages.NO_PHOTOS(folder=folder, name=exteriors.name))
-    inputs = {one.resolve() for one in there}
-    met = next((one.ortho for one in photos.values() if one.ortho.resolve() in inputs), None)
+    inputs = {_identity(one) for one in (*there, *read)} - {None}
+    met = next((one.ortho for one in photos.values() if _identity(one.ortho) in inputs), None)
     if met is not None:
-        raise SettingsError(messages.ORTHO_IS_PHOTO(path=met))
+        raise SettingsError(messages.ORTHO_IS_INPUT(path=met))
     try:
         output.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise SettingsError(imagery_messages.FILE_NOT_WRITTEN(path=output, error=system_reason(error))) from None
     return list(photos.values()), missing
+
+
+def _identity(path: Path) -> tuple[int, int] | None:
+    """Of a file, whatever leads to it; None where there is none."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_dev, found.st_ino

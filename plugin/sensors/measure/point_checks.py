@@ -27,7 +27,8 @@ TURNED_LEAVES = 0.1  # of what points miss the RPC by, once they are read in a t
 TURNED_MISS = 0.02  # half images: what they miss it by at least for that to be asked
 _FEWEST_TURNED = 3  # fewer follow a turned reading by chance
 FOOT_M = 0.3048
-IN_FEET_LEAVES, IN_FEET_PX = 0.15, 3.0  # of what points miss the RPC by, once heights are feet; what they miss at least
+IN_FEET_PX = 3.0  # what points miss the RPC by at least, by a half of them or, where most lie at one height, by a fifth
+IN_FEET_LEAVES = ((0.5, 0.15), (0.8, 0.05))  # of what such a share of them misses it by, once heights are feet
 _FEWEST_IN_FEET = 4
 
 
@@ -48,14 +49,16 @@ def check_plausible(points: Points) -> None:
 
 
 def check_inside(points: Points, size: tuple[int, int], rpc: Rational | None) -> list[Message]:
-    """What to say of points outside an image of ``size`` (columns, rows) that its RPC sees there, too: it is a part.
-    Raises SensorModelError for others: rows counted upwards, columns and rows interchanged, or out of the image."""
+    """What to say of points outside an image of ``size`` (columns, rows) that its RPC, but for a shift, sees there too:
+    it is a part. Raises SensorModelError for others: rows counted upwards, columns and rows interchanged, or out of the
+    image."""
     inside = _inside(points.image, size)
     if inside.all():
         return []
     if rpc is not None:
-        away = np.abs(points.image - _seen(points, rpc)) / np.abs(rpc.image.scale)
-        agrees = (away <= TURNED_MISS).all(axis=1)
+        misses = points.image - _seen(points, rpc)
+        shift = np.median(misses, axis=0) if len(points) >= _FEWEST_TURNED else np.zeros(2)
+        agrees = (np.abs(misses - shift) <= TURNED_MISS * np.abs(rpc.image.scale)).all(axis=1)
         if agrees[~inside].all():
             return [messages.POINTS_BEYOND_IMAGE(
                 count=int(np.count_nonzero(~inside)), names=", ".join(points.named(~inside)[:_SHOWN])
@@ -95,12 +98,13 @@ def check_against_rpc(points: Points, rpc: Rational) -> list[Message]:
         beyond[np.isnan(beyond)] = np.inf
         raise SensorModelError(messages.RPC_SEES_NO_POINTS(distance=float(np.median(beyond))))
     _check_turned((points.image - rpc.image.offset)[~far], (seen - rpc.image.offset)[~far], half)
-    missed = _scatter((points.image - seen)[~far])
-    if np.count_nonzero(~far) >= _FEWEST_IN_FEET and missed > IN_FEET_PX:
-        left = _scatter((points.image - _seen(points, rpc, FOOT_M))[~far])
-        if left < IN_FEET_LEAVES * missed:
-            raise SensorModelError(messages.HEIGHTS_IN_FEET(missed=missed, left=left))
-    return _beyond_rpc_heights(points, rpc, missed)
+    if np.count_nonzero(~far) >= _FEWEST_IN_FEET:
+        as_feet = _seen(points, rpc, FOOT_M)
+        for share, leaves in IN_FEET_LEAVES:
+            missed, left = (_scatter((points.image - places)[~far], share) for places in (seen, as_feet))
+            if missed > IN_FEET_PX and left < leaves * missed:
+                raise SensorModelError(messages.HEIGHTS_IN_FEET(missed=missed, left=left))
+    return _beyond_rpc_heights(points, rpc, _scatter((points.image - seen)[~far]))
 
 
 def _seen(points: Points, rpc: Rational, unit: float = 1.0) -> np.ndarray:
@@ -139,9 +143,9 @@ def _check_turned(image: np.ndarray, seen: np.ndarray, half: np.ndarray) -> None
                 raise SensorModelError(messages.RPC_SEES_INTERCHANGED() if plain else messages.RPC_SEES_TURNED())
 
 
-def _scatter(misses: np.ndarray) -> float:
-    """How far from their median misses (n, 2) usually lie: a shift and single blunders play no part."""
-    return float(np.median(np.linalg.norm(misses - np.median(misses, axis=0), axis=1)))
+def _scatter(misses: np.ndarray, share: float = 0.5) -> float:
+    """How far from their median a share of misses (n, 2) lies at most: a shift and single blunders play no part."""
+    return float(np.quantile(np.linalg.norm(misses - np.median(misses, axis=0), axis=1), share))
 
 
 ImageBox = tuple[float, float, float, float]

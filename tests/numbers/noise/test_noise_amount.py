@@ -1,6 +1,8 @@
 """How much noise there is whatever the scene: sigma without texture, signal to noise, and the second verdict."""
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -10,7 +12,7 @@ from seam_inspector.plugin.noise.measure.band_noise import BandNoise, NoiseAmoun
 from seam_inspector.plugin.noise.measure.noise_amount import ACCEPTABLE_RATIO, EXCELLENT_RATIO, noise_amount
 
 from tests.examples import at_most
-from tests.numbers.synthetic import patchy_texture, texture
+from tests.numbers.synthetic import luminance, patchy_texture, read_pixels, texture
 
 
 def measured(pixels: np.ndarray, whole: bool = True) -> BandNoise:
@@ -61,6 +63,21 @@ def test_grain_as_strong_as_that_is_never_little(size: float) -> None:
     for scale in (2, 25):
         found = measured(120 + scale * patchy_texture((512, 512), 3, 1) + 8 * grain / grain.std())
         assert found.amount != NoiseAmount.LITTLE
+
+
+def test_grain_that_texture_hides_is_bounded_and_the_bound_holds(data_folder: Path) -> None:
+    """Of places in real images: little was found, and some is the most that there is."""
+    said = []
+    for column, row in ((600, 500), (1800, 4000), (3000, 1700)):
+        ground = luminance(read_pixels(str(data_folder / "fiducials/unbc/15BCC02013_114.jpg"), column, row, 1024, 1024))
+        ground = ground.reshape(512, 2, 512, 2).mean(axis=(1, 3))
+        for size in (1, 2):
+            grain = ndimage.gaussian_filter(white(1), size, mode="wrap")
+            said += [measured(ground + share * ground.mean() * grain / grain.std()).amount for share in (0.05, 0.2)]
+    below, above = said[::2], said[1::2]  # ratios of 20 and of 5
+    assert below.count(NoiseAmount.AT_MOST_SOME) >= 4
+    assert set(below) <= {NoiseAmount.AT_MOST_SOME, NoiseAmount.SOME}
+    assert set(above) <= {NoiseAmount.UNCERTAIN, NoiseAmount.MUCH}
 
 
 def test_figures_follow_the_scale_of_values_and_rounding_is_no_noise() -> None:

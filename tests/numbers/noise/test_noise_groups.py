@@ -331,6 +331,6 @@ def test_the_quiet_ground_of_one_window_bounds_the_noise_of_another_that_is_as_b
         group_noise.pooled([own, *others], "coif3")[0].bands["band_1"] for others in ([], [dark], [quiet, dark])
     )
     assert alone == beside_dark == own.bands["band_1"]
-    assert (alone.verdict.value, alone.amount.value) == ("uncertain", "uncertain")
+    assert (alone.verdict.value, alone.amount.value) == ("uncertain", "at most some")
     assert (beside_quiet.verdict.value, beside_quiet.amount.value) == ("low", "little")
     assert beside_quiet.largest_sigma == pytest.approx(quiet.bands["band_1"].largest_sigma)

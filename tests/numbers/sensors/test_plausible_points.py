@@ -65,8 +65,9 @@ def test_points_beyond_a_part_of_the_image_are_believed_where_its_rpc_sees_them(
     """A crop of whose points two lie outside, where columns and rows read the other way would lie inside."""
     given = seen_points()
     size = (int(np.median(given.image[:, 0])), sensor_scenes.ROWS)
-    (notice,) = check_inside(given, size, RPC)
-    assert "where its RPC sees them" in str(notice)
+    for shift in (0, [900, -1300]):  # as of a part that was cut out without a care for its RPC
+        (notice,) = check_inside(replace(given, image=given.image - shift), size, RPC)
+        assert "where its RPC sees them" in str(notice)
     image = given.image.copy()
     image[given.image[:, 0].argmax()] += [0, 2000]
     with pytest.raises(SensorModelError, match="outside the image"):
@@ -124,6 +125,10 @@ def test_heights_in_feet_are_found_by_what_the_rpc_misses() -> None:
     given = seen_points()
     with pytest.raises(SensorModelError, match=r"heights are in feet: as metres .* px, as feet by"):
         check_against_rpc(replace(given, ground=given.ground / [1, 1, 0.3048]), RPC)
+    ground = given.ground[:5] * [1, 1, 0] + [[0, 0, height] for height in (200, 205, 210, 300, 480)]
+    few = sensor_scenes.points(RPC.project(ground) + [7, -4], ground / [1, 1, 0.3048])  # most of them in the valley
+    with pytest.raises(SensorModelError, match="heights are in feet"):
+        check_against_rpc(few, RPC)
 
 
 @given(st.lists(st.tuples(st.floats(-3, 7), st.floats(-3, 7)), min_size=3, max_size=12, unique=True))

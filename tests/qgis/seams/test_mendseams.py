@@ -11,9 +11,10 @@ from osgeo import gdal
 from scipy import ndimage
 
 from tests.numbers.synthetic import texture, write_raster
+from tests.qgis.clusters import needs_dask, two_workers
 from tests.qgis.runs import Log, Run, algorithm, assert_refused, assert_sentence, run
 from tests.qgis.scenes import windows
-from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, Files, cut, drawn_seam, write_scene
+from tests.qgis.seams.scan_scenes import COLUMNS, ROWS, Files, cut, drawn_seam, seam_columns, write_scene
 
 pytestmark = pytest.mark.usefixtures("provider")
 
@@ -153,6 +154,23 @@ def test_images_three_pixels_apart_are_left_alone(tmp_path: Path) -> None:
     assert (pixels(ended.results["MENDED"]) == pixels(files.mosaic)).all()
 
 
+def test_what_another_date_shows_is_not_brought_into_the_mosaic(tmp_path: Path) -> None:
+    """Cars in the eastern orthoimage that were not there when the mosaic was made: beside the seam, not on it."""
+    files = scene(tmp_path)
+    scanned = scan(files)
+    later = gdal.Open(files.sources[1], gdal.GA_Update)
+    shown = later.ReadAsArray()
+    for row in range(40, ROWS - 40, 100):
+        column = int(seam_columns(ROWS, COLUMNS)[row]) + 60
+        shown[:, row : row + 24, column : column + 40] = 240
+    later.WriteArray(shown)
+    later = None
+    ended = mend(files, scanned, tmp_path)
+    assert [row["outcome"] for row in ended.rows("CUTS")] == ["left"] * len(ended.rows("CUTS"))
+    assert_sentence(ended.rows("CUTS")[0]["reason"], "% of the ground near the seam otherwise than the mosaic")
+    assert (pixels(ended.results["MENDED"]) == pixels(files.mosaic)).all()
+
+
 def sharpened(made: np.ndarray) -> np.ndarray:
     return made + 0.6 * (made - ndimage.gaussian_filter(made, (0, 1, 1)))
 
@@ -243,6 +261,14 @@ def test_what_was_stopped_goes_on(feathered: Files, scanned: Run, mended: Run, t
     ended = mend(feathered, scanned, tmp_path, log)
     assert any("goes on where it stopped" in said for said in log.infos)
     assert not [path for path in tmp_path.iterdir() if ".mend" in path.name]
+    assert (pixels(ended.results["MENDED"]) == pixels(mended.results["MENDED"])).all()
+
+
+@needs_dask
+def test_a_cluster_mends_the_same(feathered: Files, scanned: Run, mended: Run, tmp_path: Path) -> None:
+    with two_workers(tmp_path) as address:
+        ended = mend(feathered, scanned, tmp_path, SCHEDULER=address)
+    assert ended.complaint is None
     assert (pixels(ended.results["MENDED"]) == pixels(mended.results["MENDED"])).all()
 
 

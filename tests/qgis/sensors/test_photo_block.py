@@ -2,6 +2,8 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +12,7 @@ from osgeo import gdal
 
 from tests.numbers.sensors.test_orientation_files import odm
 from tests.numbers.synthetic import wkt
-from tests.qgis.runs import assert_sentence, run
+from tests.qgis.runs import Log, assert_sentence, run, run_unchecked
 
 pytestmark = pytest.mark.usefixtures("provider", "project")
 
@@ -43,9 +45,11 @@ def project_folder(tmp_path: Path) -> Path:
 
 
 def test_a_project_is_one_parameter_and_one_run(project_folder: Path, tmp_path: Path) -> None:
-    for number, exterior in enumerate((project_folder, project_folder / "opensfm" / "reconstruction.json")):
+    reconstruction = project_folder / "opensfm" / "reconstruction.json"
+    ways = {"PHOTOS": project_folder}, {"EXTERIOR": project_folder}, {"EXTERIOR": reconstruction}
+    for number, given in enumerate(ways):
         output = tmp_path / f"orthos{number}"
-        made = run("orthorectifyphotos", EXTERIOR=str(exterior), OUTPUT=str(output))
+        made = run("orthorectifyphotos", OUTPUT=str(output), **{name: str(path) for name, path in given.items()})
         assert made.complaint is None
         assert (made.results["PHOTO_COUNT"], made.results["LEFT_OUT_COUNT"]) == (2, 1)
         assert any("IMG_4.jpg is oriented and is not in" in one for one in made.log.warnings)
@@ -65,12 +69,37 @@ def test_a_photo_that_can_t_be_read_costs_none_of_the_others(project_folder: Pat
     assert any("IMG_2.tif is left out" in one for one in made.log.warnings)
 
 
+def test_a_run_that_is_cancelled_is_told_as_cancelled(project_folder: Path, tmp_path: Path) -> None:
+    stopped = Log()
+    stopped.cancel()
+    output = tmp_path / "orthos"
+    made = run_unchecked("orthorectifyphotos", stopped, EXTERIOR=str(project_folder), OUTPUT=str(output))
+    assert made.complaint is None
+    assert "cancelled" in made.log.warnings[-1]
+    assert not list(output.iterdir())
+
+
+def test_the_terrain_model_is_not_written_over(project_folder: Path, tmp_path: Path) -> None:
+    output = tmp_path / "orthos"
+    output.mkdir()
+    terrain, link = output / "IMG_2.tif", tmp_path / "terrain.tif"
+    shutil.copy(project_folder / "odm_dem" / "dsm.tif", terrain)
+    os.link(terrain, link)
+    before = terrain.read_bytes()
+    for dem in (terrain, link):
+        refused = run("orthorectifyphotos", EXTERIOR=str(project_folder), DEM=str(dem), OUTPUT=str(output))
+        assert_sentence(refused.complaint, "IMG_2.tif, which is read")
+        assert terrain.read_bytes() == before
+
+
 def test_what_can_t_be_done_is_said(project_folder: Path, tmp_path: Path) -> None:
     given = {"EXTERIOR": str(project_folder), "OUTPUT": str(tmp_path / "orthos")}
     for changed, words in (
-        ({"OUTPUT": str(project_folder / "images")}, "would be written over the photo"),
+        ({"OUTPUT": str(project_folder / "images")}, "would be written over"),
         ({"OUTPUT": str(project_folder / "opensfm" / "reconstruction.json")}, "can't be written"),
         ({"EXTERIOR": str(tmp_path / "nothing")}, "nothing"),
+        ({"EXTERIOR": None}, "Choose the folder of an OpenDroneMap project"),
+        ({"EXTERIOR": None, "PHOTOS": str(project_folder / "images")}, "images is no OpenDroneMap project"),
         ({"HEIGHT": 5000}, "img_3.TIF is left out: The camera of"),
         ({"PHOTOS": str(project_folder / "opensfm")}, "None of the photos that reconstruction.json names"),
         ({"HEIGHT": 400, "DEM": str(project_folder / "odm_dem" / "dsm.tif")}, "choose one of them"),

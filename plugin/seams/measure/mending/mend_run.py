@@ -42,6 +42,8 @@ _AS_ELSEWHERE = 1.5  # times what sources leave over far from the seam
 _MOST_UNKNOWN = 0.5  # of the pixels beside a seam, that follow no source for sure
 _LEAST_LEFT = 0.002  # of the fine detail: what rounding leaves over
 _EXACT_PX = 16.0  # from a seam
+_MOST_OTHERWISE = 0.005  # of the squares that only one image shows: of images that the mosaic was made from, none
+_LEAST_OBJECT = 25.0  # grey values by which something stands out: more than tones differ between images
 _RIM_PX = 2  # of an image
 _RIM_CELLS = 8  # of a patch, in which it is led over to the mosaic's tones
 _STRAIGHTENED_PX = 3.0
@@ -147,6 +149,11 @@ def _mended(request: RunRequest) -> MendedRun:
         first, second = (dressed(ground, side, images[side][place], band, own[side]) for side in _SIDES)
         made[place], middle[place] = eased(first, second, weight, band, fade, both), (first + second) / 2
     after = np.where(pixels, _stored(made, request.mosaic, before.dtype), before)
+    unmixed = enlarged(inside & (part.from_any > reach) & ~part.flipped, CELL_PX) & pixels
+    was, is_now = (judged_plane(one.astype(np.float32), names) for one in (before, after))
+    otherwise = _shown_otherwise(was, is_now, unmixed)
+    if otherwise > _MOST_OTHERWISE:
+        raise RasterError(messages.IMAGES_OF_OTHER_GROUND(share=otherwise))
     corner = read.window.column, read.window.row
     old_step, new_step = (
         tone_step(judged_plane(bands - middle, names), points - corner, both)
@@ -218,6 +225,14 @@ class _Pixels:
     def both(self) -> np.ndarray:
         """(rows, columns) bool: where the mosaic and those beside the run have pixels."""
         return np.logical_and(*map(self.valid, _SIDES))
+
+
+def _shown_otherwise(before: np.ndarray, after: np.ndarray, unmixed: np.ndarray) -> float:
+    """The share of squares in ``unmixed`` ground, (rows, columns) bool, that a patch changes by more than that ground
+    varies: there the images show something else than the mosaic."""
+    whole = in_squares(unmixed, CELL_PX).all(axis=(1, 3))
+    was, made = (in_squares(one, CELL_PX).mean(axis=(1, 3))[whole] for one in (before, after))
+    return float(np.mean(np.abs(made - was) > max(was.std(), _LEAST_OBJECT))) if was.size else 0.0
 
 
 def _stored(made: np.ndarray, mosaic: Raster, dtype: np.dtype) -> np.ndarray:

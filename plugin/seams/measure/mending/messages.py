@@ -14,6 +14,10 @@ IMAGES_MISFIT = Message(
 IMAGES_UNLIKE = Message(
     "The two orthoimages show nothing in common along the best cut; widen the corridor, or choose other images."
 )
+IMAGES_OF_OTHER_GROUND = Message(
+    "The orthoimages show {share:.1%} of the ground near the seam otherwise than the mosaic, as those of another date "
+    "do; choose those that it was made from."
+)
 TONES_NOT_TOLD = Message(
     "Near the seam there is too little ground that shows one orthoimage alone, so its tones can't be told."
 )
