@@ -514,7 +514,7 @@
         <translation>Pokaż wszystkie krzywe</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="150"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
         <source>mosaic</source>
         <translation>ortofotomapa</translation>
     </message>
@@ -804,7 +804,7 @@
         <translation>Filtruj okna</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="253"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="257"/>
         <source>all</source>
         <translation>wszystkie</translation>
     </message>
@@ -1589,12 +1589,12 @@
         <translation>Wysokości NMT</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="35"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="36"/>
         <source>Models</source>
         <translation>Modele</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="36"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="37"/>
         <source>One row per model: mean (root mean square) and largest errors in metres, the points used, or why not.</source>
         <translation>Jeden wiersz na model: błędy średnie (średniokwadratowe) i największe w metrach, użyte punkty albo przyczyna, dla której modelu nie użyto.</translation>
     </message>
@@ -1604,22 +1604,22 @@
         <translation>Raport</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="39"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="40"/>
         <source>The table with a chart and the recommendation.</source>
         <translation>Tabela z wykresem i zaleceniem.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="41"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="42"/>
         <source>Recommended model</source>
         <translation>Zalecany model</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="42"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="43"/>
         <source>Recommendation with its reason</source>
         <translation>Zalecenie z uzasadnieniem</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="43"/>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="44"/>
         <source>Models judged</source>
         <translation>Ocenione modele</translation>
     </message>
@@ -1694,7 +1694,7 @@
         <translation>Ortoobrazy, z których powstała ortofotomapa; ich wycinki stoją obok jej wycinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Title</source>
         <translation>Tytuł</translation>
     </message>
@@ -1884,27 +1884,27 @@
         <translation>Szum</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="95"/>
+        <location filename="../plugin/noise/checknoise.py" line="96"/>
         <source>The range of each group with its mean line, and the bands of one window. PNG, SVG or PDF.</source>
         <translation>Zakres każdej grupy z linią średniej oraz kanały jednego okna. PNG, SVG lub PDF.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="98"/>
+        <location filename="../plugin/noise/checknoise.py" line="99"/>
         <source>All figures with the chart on one HTML page.</source>
         <translation>Wszystkie wartości z wykresem na jednej stronie HTML.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="100"/>
+        <location filename="../plugin/noise/checknoise.py" line="101"/>
         <source>Windows with low noise</source>
         <translation>Okna z małym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="102"/>
+        <location filename="../plugin/noise/checknoise.py" line="103"/>
         <source>Windows with moderate noise</source>
         <translation>Okna z umiarkowanym szumem</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="103"/>
+        <location filename="../plugin/noise/checknoise.py" line="104"/>
         <source>Windows with strong noise</source>
         <translation>Okna z silnym szumem</translation>
     </message>
@@ -3574,37 +3574,37 @@
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; zainstaluj ją (projsync) albo podaj wysokości nad elipsoidą.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
         <source>{name} does not say what its heights refer to; they are taken as above the ellipsoid. Heights above sea level differ by up to 100 m: choose egm96 or egm2008 if they are such.</source>
         <translation>Nie podano, do czego odnoszą się wysokości ({name}); przyjęto wysokości nad elipsoidą. Wysokości nad poziomem morza różnią się nawet o 100 m: jeśli to takie, wybierz egm96 lub egm2008.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
         <source>The heights of {name} ({vertical}) are converted to the ellipsoid: {least:.1f} to {most:.1f} m are added.</source>
         <translation>Wysokości ({name}, {vertical}) przeliczono na elipsoidę: dodano od {least:.1f} do {most:.1f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="294"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="301"/>
         <source>The terrain model {name} does not cover the image, which lies at {west:.4f} to {east:.4f} degrees east, {south:.4f} to {north:.4f} degrees north; choose one that does.</source>
         <translation>NMT {name} nie pokrywa obrazu, który leży od {west:.4f} do {east:.4f} stopnia długości wschodniej i od {south:.4f} do {north:.4f} stopnia szerokości północnej; wybierz NMT, który go pokrywa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="298"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="305"/>
         <source>The terrain model {name} has no heights under {share:.1%} of the image (holes, or it ends there); the orthoimage is empty there, so fill or extend the terrain model.</source>
         <translation>NMT {name} nie ma wysokości pod {share:.1%} obrazu (luki albo tam się kończy); ortoobraz jest tam pusty, więc uzupełnij lub rozszerz NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="302"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="309"/>
         <source>The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma pod obrazem {count} mln pikseli, a największa dopuszczalna liczba to {most} mln; przepróbkuj go, najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="285"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="292"/>
         <source>No terrain model is given; choose one, or give a constant height on purpose where the terrain is flat.</source>
         <translation>Nie podano NMT; wybierz go albo, gdy teren jest płaski, podaj świadomie stałą wysokość.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="287"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="294"/>
         <source>Both a terrain model and a constant height are given; choose one of them.</source>
         <translation>Podano zarówno NMT, jak i stałą wysokość; wybierz jedno z nich.</translation>
     </message>
@@ -3614,27 +3614,27 @@
         <translation>Podano zarówno plik modelu, jak i plik RPC; wybierz jeden z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="318"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="325"/>
         <source>The pixel size is {size}; give a positive number of map units.</source>
         <translation>Wielkość piksela wynosi {size}; podaj dodatnią liczbę jednostek mapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="319"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="326"/>
         <source>An extent is given but no reference system; choose the orthoimage&apos;s reference system.</source>
         <translation>Podano zasięg, ale nie podano układu współrzędnych; wybierz układ współrzędnych ortoobrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="320"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="327"/>
         <source>The extent lies outside the image; choose one that overlaps it.</source>
         <translation>Zasięg leży poza obrazem; wybierz taki, który na niego zachodzi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="321"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="328"/>
         <source>The orthoimage would have {width} x {height} px; choose larger pixels or a smaller extent.</source>
         <translation>Ortoobraz miałby {width} × {height} px; wybierz większe piksele albo mniejszy zasięg.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="322"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="329"/>
         <source>The orthoimage could not be written ({error}); check the folder and the free space.</source>
         <translation>Nie udało się zapisać ortoobrazu ({error}); sprawdź katalog i wolne miejsce.</translation>
     </message>
@@ -3644,37 +3644,37 @@
         <translation>Pracę anulowano; niczego nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="339"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="346"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). A parametric model needs few points and does not swing between them.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Model parametryczny potrzebuje niewielu punktów i nie faluje między nimi.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="343"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="350"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The vendor&apos;s RPC holds the image&apos;s geometry and a few points remove its offset.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). RPC dostawcy zawiera geometrię obrazu, a kilka punktów usuwa jego przesunięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="347"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="354"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). Of the models without a parametric base quotients are the soundest, but they need many, well spread points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Z modeli nieparametrycznych najbardziej wiarygodne są ilorazowe, ale potrzebują wielu dobrze rozłożonych punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="351"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="358"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). It is the quotient of lowest order with one denominator and needs the fewest points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). To model ilorazowy najniższego stopnia z jednym mianownikiem; potrzebuje najmniej punktów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="355"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="362"/>
         <source>Take {model}: {rmse:.2f} m on points it has not seen (the best has {best:.2f} m), but polynomials suit small areas only and swing between the points, so watch the check points.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m), ale wielomiany nadają się tylko do małych obszarów i falują między punktami, więc obserwuj punkty kontrolne.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="359"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="366"/>
         <source>Use {model}: {rmse:.2f} m on points that took no part in its fit (the best has {best:.2f} m). The terrain is flat enough for a plane model, which serves for small areas only.</source>
         <translation>Użyj modelu {model}: {rmse:.2f} m na punktach, których nie widział (najlepszy ma {best:.2f} m). Teren jest dość płaski dla modelu płaskiego, który nadaje się tylko do małych obszarów.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="363"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="370"/>
         <source>No model could be fitted and judged; the table says why for each, so measure more points or correct them.</source>
         <translation>Nie udało się dopasować i ocenić żadnego modelu; przyczynę dla każdego podaje tabela, więc zmierz więcej punktów albo je popraw.</translation>
     </message>
@@ -4052,7 +4052,7 @@
         <translation>aliasing</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="262"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
         <source>not measured</source>
         <translation>niezmierzona</translation>
     </message>
@@ -4629,7 +4629,7 @@
         <translation>w tym oznaczone</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="278"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="322"/>
         <source>N</source>
         <translation>N</translation>
     </message>
@@ -4714,27 +4714,27 @@
         <translation>Pomiar przerwano. Zaznacz okno ponownie, aby je zmierzyć.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="128"/>
+        <location filename="../plugin/noise/noise_summary.py" line="129"/>
         <source>{finding}; sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
         <translation>{finding}; sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="176"/>
+        <location filename="../plugin/noise/noise_summary.py" line="177"/>
         <source>Low noise: the curve rises at every level</source>
         <translation>Mały szum: krzywa rośnie na każdym poziomie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="182"/>
+        <location filename="../plugin/noise/noise_summary.py" line="183"/>
         <source>Strong noise: the curve falls from level 1 to 2 and from 2 to 3</source>
         <translation>Silny szum: krzywa opada z poziomu 1 na 2 i z 2 na 3</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="184"/>
+        <location filename="../plugin/noise/noise_summary.py" line="185"/>
         <source>Moderate noise: the curve falls from level 1 to 2, then rises</source>
         <translation>Umiarkowany szum: krzywa opada z poziomu 1 na 2, potem rośnie</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="185"/>
+        <location filename="../plugin/noise/noise_summary.py" line="186"/>
         <source>Moderate noise</source>
         <translation>Umiarkowany szum</translation>
     </message>
@@ -6997,12 +6997,12 @@
         <translation>Taki sam jak ortofotomapa wszędzie, gdzie je porównano: znów ortofotomapa albo jedyny ortoobraz, z którego powstała; zaznacz go, jeśli to ten ortoobraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>wavelet</source>
         <translation>falka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>levels</source>
         <translation>liczba poziomów</translation>
     </message>
@@ -7052,12 +7052,12 @@
         <translation>Grupuj okna według</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="101"/>
+        <location filename="../plugin/noise/checknoise.py" line="102"/>
         <source>Windows whose texture could hide grain</source>
         <translation>Okna, których tekstura może skrywać ziarno</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/checknoise.py" line="193"/>
+        <location filename="../plugin/noise/checknoise.py" line="194"/>
         <source>group {group}</source>
         <translation>grupa {group}</translation>
     </message>
@@ -7077,37 +7077,37 @@
         <translation>niepewny</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="118"/>
+        <location filename="../plugin/noise/noise_summary.py" line="119"/>
         <source>no value</source>
         <translation>brak wartości</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="130"/>
+        <location filename="../plugin/noise/noise_summary.py" line="131"/>
         <source>{finding}; in {band} sigma {sigma} DN, kurtosis of level 1: {kurtosis} (Gaussian noise: 3).</source>
         <translation>{finding}; w kanale {band} sigma {sigma} DN, kurtoza poziomu 1: {kurtosis} (szum gaussowski: 3).</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="154"/>
+        <location filename="../plugin/noise/noise_summary.py" line="155"/>
         <source>sigma {sigma} DN, at most {largest} DN with grain, kurtosis by level {kurtosis}</source>
         <translation>sigma {sigma} DN, z ziarnem najwyżej {largest} DN, kurtoza na kolejnych poziomach {kurtosis}</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="168"/>
+        <location filename="../plugin/noise/noise_summary.py" line="169"/>
         <source>Grain: {sigma} DN, {size} px.</source>
         <translation>Ziarno: {sigma} DN, {size} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="171"/>
+        <location filename="../plugin/noise/noise_summary.py" line="172"/>
         <source>At most {sigma} DN.</source>
         <translation>Najwyżej {sigma} DN.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="178"/>
+        <location filename="../plugin/noise/noise_summary.py" line="179"/>
         <source>Uncertain</source>
         <translation>Szum niepewny</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="180"/>
+        <location filename="../plugin/noise/noise_summary.py" line="181"/>
         <source>Strong noise</source>
         <translation>Silny szum</translation>
     </message>
@@ -7292,112 +7292,112 @@
         <translation>{name} nie wymienia obrazu {image} dokładnie raz; wymienia: {names}. Wybierz plik tego obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="239"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="246"/>
         <source>Orientations of a frame camera and a model or RPC file are given; choose one of them.</source>
         <translation>Podano zarówno orientację kamery kadrowej, jak i plik modelu lub RPC; wybierz jedno z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="241"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
         <source>{name} names no coordinate reference system and the image has none; set that of the exterior orientation.</source>
         <translation>{name} nie podaje układu współrzędnych, a obraz go nie ma; ustaw układ orientacji zewnętrznej.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="251"/>
         <source>The exterior orientation is not in metres, in which alone a camera has its perspective; give x, y and z in a projected reference system in metres.</source>
         <translation>Orientacja zewnętrzna nie jest w metrach, a tylko w nich kamera ma swoją perspektywę; podaj x, y i z w płaskim układzie współrzędnych w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="248"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="255"/>
         <source>The camera of {name} is at {height:.0f} m, not above the terrain at {low:.0f} to {high:.0f} m; check the heights, their units and the reference system.</source>
         <translation>Kamera zdjęcia {name} jest na wysokości {height:.0f} m, a nie ponad terenem o wysokości od {low:.0f} do {high:.0f} m; sprawdź wysokości, ich jednostki i układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="256"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
         <source>The camera of {name} looks to the horizon or above it, so that a part of the image has no place on the ground; check omega, phi and kappa.</source>
         <translation>Kamera zdjęcia {name} patrzy na horyzont lub ponad niego, więc część obrazu nie ma miejsca w terenie; sprawdź omega, phi i kappa.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="263"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="270"/>
         <source>The terrain model {name} has no heights at all; choose another one.</source>
         <translation>NMT {name} nie zawiera żadnych wysokości; wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="264"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="271"/>
         <source>The exterior orientation is taken as in the image&apos;s own reference system.</source>
         <translation>Przyjęto, że orientacja zewnętrzna jest w układzie współrzędnych obrazu.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="274"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="281"/>
         <source>PROJ has no grid to convert heights of {vertical} to the ellipsoid; it has one for {there}, which is within a few metres of it: choose that, install the grid (projsync), or give a grid file of your own (GEOID).</source>
         <translation>PROJ nie ma siatki do przeliczenia wysokości {vertical} na elipsoidę; ma siatkę dla {there}, która różni się od nich najwyżej o kilka metrów: wybierz tę, zainstaluj siatkę (projsync) albo podaj własny plik siatki (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="278"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="285"/>
         <source>{name} is not a geoid grid (heights of sea level above the ellipsoid, m, rows from north to south); choose one, such as a .gtx or .tif of PROJ.</source>
         <translation>{name} nie jest siatką geoidy (wysokości poziomu morza nad elipsoidą, m, wiersze z północy na południe); wybierz taką, np. plik .gtx lub .tif z PROJ.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="281"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="288"/>
         <source>The grid {name} has no values at some of the places; choose one that covers them.</source>
         <translation>Siatka {name} nie ma wartości w niektórych z tych miejsc; wybierz siatkę, która je obejmuje.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="282"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="289"/>
         <source>Heights are said to refer to a grid file of your own and none is given; choose it (GEOID).</source>
         <translation>Wysokości mają odnosić się do własnego pliku siatki, a nie podano żadnego; wybierz go (GEOID).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="283"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
         <source>The grid file {name} is given and no heights refer to it; choose geoid for those that do.</source>
         <translation>Podano plik siatki {name}, ale żadne wysokości nie są do niej odniesione; wybierz geoid dla tych, które są.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="288"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="295"/>
         <source>The constant height is {height:.6g} m, which no place on earth has; give it in metres.</source>
         <translation>Stała wysokość wynosi {height:.6g} m, jakiej nie ma nigdzie na Ziemi; podaj ją w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="290"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="297"/>
         <source>The terrain model {name} has heights of {low:.6g} to {high:.6g} m, which no place on earth has; set its nodata value, or choose another one.</source>
         <translation>NMT {name} ma wysokości od {low:.6g} do {high:.6g} m, jakich nie ma nigdzie na Ziemi; ustaw jego wartość braku danych (nodata) albo wybierz inny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="306"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="313"/>
         <source>The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced there; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.0f} m: rzeźba terenu między nimi ginie, a ortoobraz jest tam przesunięty; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="310"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="317"/>
         <source>The terrain model {name} has meshes of {mesh:.1f} m: on a satellite image such fine ones may bend straight lines such as roads; meshes of 10 to 30 m serve best.</source>
         <translation>NMT {name} ma oczka {mesh:.1f} m: na obrazie satelitarnym tak drobne mogą wyginać linie proste, na przykład drogi; najlepsze są oczka od 10 do 30 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="314"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="321"/>
         <source>The image was taken {angle:.1f} degrees from the vertical (at most {largest:.1f} in its corners) from azimuth {azimuth:.0f}; an error of {error:g} m in the terrain&apos;s heights moves its middle by {shift:.2f} m.</source>
         <translation>Obraz wykonano pod kątem {angle:.1f}° od pionu (w narożnikach najwyżej {largest:.1f}°), z azymutu {azimuth:.0f}°; błąd wysokości terenu {error:g} m przesuwa jego środek o {shift:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="325"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="332"/>
         <source>The numbers of control points are &apos;{given}&apos;; give whole numbers from 1 to {most}, such as 6, 10, 20.</source>
         <translation>Jako liczby fotopunktów podano „{given}”; podaj liczby całkowite od 1 do {most}, na przykład 6, 10, 20.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="328"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="335"/>
         <source>The terrain is said to be {low:.6g} to {high:.6g} m high; give the lowest and then the highest height in metres.</source>
         <translation>Teren ma mieć wysokość od {low:.6g} do {high:.6g} m; podaj najpierw najniższą, potem najwyższą wysokość w metrach.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="331"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="338"/>
         <source>The image has no RPC to plan by; give the file that came with it, or leave the image out for a nominal scanner.</source>
         <translation>Obraz nie ma RPC, według którego można planować; podaj plik dostarczony z obrazem albo nie podawaj obrazu, aby przyjąć skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="334"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="341"/>
         <source>With {count} control points expect {usual:.2f} m over the image; nine times in ten at most {most:.2f} m.</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: oczekiwany błąd na obrazie {usual:.2f} m, w dziewięciu przypadkach na dziesięć najwyżej {most:.2f} m.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="336"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="343"/>
         <source>With {count} control points {failed} draws failed and count as the worst: {why}</source>
         <translation>{count} {count:fotopunkt|fotopunkty|fotopunktów}: nieudane losowania ({failed}) liczą się jako najgorsze: {why}</translation>
     </message>
@@ -7507,7 +7507,7 @@
         <translation>Obraz jest kwadratowy; skaner nominalny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="205"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="217"/>
         <source>Seed</source>
         <translation>Ziarno losowania</translation>
     </message>
@@ -7977,7 +7977,7 @@
         <translation>{grd:.2f} cm: {verdict}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
         <source>rules</source>
         <translation>reguły</translation>
     </message>
@@ -8237,77 +8237,67 @@
         <translation>Granica rysowana na profilach linii mozaikowania: ta, z którą skontrolowano okna.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="44"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="46"/>
         <source>least: {least:g}</source>
         <translation>najmniej: {least:g}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="47"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="49"/>
         <source>failed: {share:.2f} %</source>
         <translation>niezgodne: {share:.2f} %</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="49"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="51"/>
         <source>share of detail kept (kept_1)</source>
         <translation>zachowana część detali (kept_1)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="50"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="52"/>
         <source>metres that kept less (%)</source>
         <translation>metry, które zachowały mniej (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="128"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="137"/>
         <source>stated for this decision ({parameter})</source>
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="135"/>
-        <source>at least {kept:g} kept, sampled at level {level}, AQL {aql}</source>
-        <translation>zachowane co najmniej {kept:g}, próba na poziomie {level}, AQL {aql}</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="149"/>
-        <source>at least {kept:g} kept, at most {share:g} % failed, at most {run:g} m without a break</source>
-        <translation>zachowane co najmniej {kept:g}, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="289"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
         <source>{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s SEAMLINES to measure all of them.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
@@ -8392,7 +8382,7 @@
         <translation>Odcinek jest niezgodny tam, gdzie zachowuje mniej niż {least} detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="382"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="388"/>
         <source>can&apos;t be told</source>
         <translation>nie da się określić</translation>
     </message>
@@ -8407,192 +8397,192 @@
         <translation>O dostawie zdecydowano (acceptmosaic) według reguł „{rules}”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="138"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
         <source>density</source>
         <translation>gęstość</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>length of a piece of seam (m)</source>
         <translation>długość odcinka linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="139"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="140"/>
         <source>corridor (m)</source>
         <translation>korytarz (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="144"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
         <source>file of the rules</source>
         <translation>plik reguł</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="145"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="146"/>
         <source>which pieces fail</source>
         <translation>które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="147"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
         <source>layer of windows</source>
         <translation>warstwa okien</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="148"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="149"/>
         <source>reference system</source>
         <translation>układ współrzędnych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="151"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="152"/>
         <source>picture of losses</source>
         <translation>obraz strat</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="164"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
         <source>of seam</source>
         <translation>linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="165"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
         <source>of seam in the sample</source>
         <translation>linii w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="166"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
         <source>of it measured</source>
         <translation>z tego zmierzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="168"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
         <source>of it failed</source>
         <translation>z tego niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="170"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="171"/>
         <source>failed without a break</source>
         <translation>niezgodne bez przerwy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="232"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="236"/>
         <source>says which pieces fail</source>
         <translation>określa, które odcinki są niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="234"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>what the operator saw</source>
         <translation>co widział operator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="234"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
         <source>no loss in the window of a piece</source>
         <translation>bez straty w oknie odcinka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="238"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="242"/>
         <source>at least {least} in each piece</source>
         <translation>co najmniej {least} w każdym odcinku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="261"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
         <source>pieces that failed</source>
         <translation>odcinki niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="261"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="265"/>
         <source>pieces that passed</source>
         <translation>odcinki zgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="308"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="314"/>
         <source>{kept} kept</source>
         <translation>zachowano {kept}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="340"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="346"/>
         <source>{across} across.</source>
         <translation>Szerokość {across}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="341"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="347"/>
         <source>Left: {across} across</source>
         <translation>Po lewej: szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="342"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="348"/>
         <source>Left: a part of it, {across} across</source>
         <translation>Po lewej: jego część, szerokość {across}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="344"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="350"/>
         <source>{first}; right: where least is kept, {detail} across in full size.</source>
         <translation>{first}; z prawej: miejsce, gdzie zachowano najmniej, szerokość {detail}, w pełnej wielkości.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="352"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="358"/>
         <source>plan</source>
         <translation>plan</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="353"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="359"/>
         <source>code letter</source>
         <translation>znak literowy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="354"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="360"/>
         <source>lot</source>
         <translation>partia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="354"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="360"/>
         <source>{count} pieces of seam</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="355"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
         <source>sample</source>
         <translation>próba</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="355"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
         <source>{count} pieces of seam, of which {measured} were measured</source>
         <translation>{count} {count:odcinek|odcinki|odcinków} linii mozaikowania, w tym {measured} {measured:zmierzony|zmierzone|zmierzonych}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="357"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="363"/>
         <source>accepted up to</source>
         <translation>przyjęcie do</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="357"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="363"/>
         <source>{count} failed pieces in the sample</source>
         <translation>{count} {count:niezgodnego odcinka|niezgodnych odcinków|niezgodnych odcinków} w próbie</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="358"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="364"/>
         <source>found</source>
         <translation>stwierdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="359"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
         <source>producer&apos;s risk</source>
         <translation>ryzyko dostawcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="367"/>
         <source>consumer&apos;s risk</source>
         <translation>ryzyko odbiorcy</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="371"/>
         <source>seed of the drawing</source>
         <translation>ziarno losowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="378"/>
         <source>first and second observer</source>
         <translation>pierwszy i drugi obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="372"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="378"/>
         <source>first observer and tool</source>
         <translation>pierwszy obserwator i narzędzie</translation>
     </message>
@@ -8722,12 +8712,12 @@
         <translation>kappa; dolny koniec; górny koniec (95 %)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="231"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="262"/>
         <source>failed pieces in the delivery (%)</source>
         <translation>niezgodne odcinki w dostawie (%)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="232"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="263"/>
         <source>probability of acceptance (%)</source>
         <translation>prawdopodobieństwo przyjęcia (%)</translation>
     </message>
@@ -8927,172 +8917,172 @@
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="188"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="200"/>
         <source>A piece fails when it keeps less than 0, which none can, so every measured piece passes.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="193"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="200"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="202"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
         <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="208"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
         <source>The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
         <source>Both operators judged {count} windows and agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="226"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="230"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="234"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="245"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="237"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="238"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
         <source>The layers of seams are empty; choose those of a scan that found seams.</source>
         <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="241"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="242"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
         <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="267"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
         <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="270"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="277"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
@@ -9332,42 +9322,42 @@
         <translation>Próba (odcinki)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="180"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="192"/>
         <source>Lot size</source>
         <translation>Liczność partii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="181"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="193"/>
         <source>How many pieces of seam the whole lot has; 0: as many as the layers hold.</source>
         <translation>Ile odcinków linii mozaikowania ma cała partia; 0: tyle, ile zawierają warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="184"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="196"/>
         <source>Acceptance quality limit (AQL)</source>
         <translation>Akceptowany poziom jakości (AQL)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="195"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="207"/>
         <source>Inspection level</source>
         <translation>Poziom kontroli</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="196"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="208"/>
         <source>How large the sample is for its lot: II unless something else was agreed; S-1 is the smallest.</source>
         <translation>Jak duża jest próba w stosunku do partii: II, jeśli nie uzgodniono inaczej; S-1 daje próbę najmniejszą.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="199"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="211"/>
         <source>Inspection</source>
         <translation>Kontrola</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="200"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="212"/>
         <source>Normal; tightened after two of five lots were rejected; reduced after ten that were accepted.</source>
         <translation>Normalna; obostrzona po odrzuceniu dwóch z pięciu partii; ulgowa po przyjęciu dziesięciu.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="207"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="219"/>
         <source>Of the drawing: the same seed draws the same sample again.</source>
         <translation>To samo ziarno losuje ponownie tę samą próbę.</translation>
     </message>
@@ -9647,7 +9637,7 @@
         <translation>Średnia odległość przekracza granicę {limit:g} px.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="70"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="71"/>
         <source>Acceptance of an orthophoto mosaic</source>
         <translation>Odbiór ortofotomapy</translation>
     </message>
@@ -9972,12 +9962,12 @@
         <translation>„{parameter}” ma wartość {value:g}; podaj liczbę całkowitą od −{most} do {most}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="361"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="367"/>
         <source>{risk}: a delivery with {quality} of failed pieces is accepted</source>
         <translation>{risk}: przyjęcie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="223"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="254"/>
         <source>limiting quality {quality} %: accepted in {risk} % (consumer&apos;s risk)</source>
         <translation>jakość graniczna {quality} %: przyjęcie w {risk} % przypadków (ryzyko odbiorcy)</translation>
     </message>
@@ -10217,11 +10207,6 @@
         <location filename="../plugin/toolkit/messages.py" line="26"/>
         <source>&apos;{parameter}&apos; is {value}, which is not a coordinate reference system; choose one.</source>
         <translation>„{parameter}” ma wartość {value}, a to nie jest układ współrzędnych; wybierz układ.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="127"/>
-        <source>not stated: the software&apos;s default ({parameter})</source>
-        <translation>nie podano: wartość domyślna programu ({parameter})</translation>
     </message>
     <message>
         <location filename="../plugin/imagery/messages.py" line="141"/>
@@ -10896,17 +10881,12 @@
         <translation>Nie można odczytać linii mozaikowania z {path}; sprawdź, czy to plik wektorowy, i nazwę jego warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/comparesensormodels.py" line="25"/>
-        <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Of the models whose errors differ by no more than chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
-        <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia go na punktach, których nie użyto do dopasowania: na punktach kontrolnych albo, gdy jest ich mniej niż pięć, przewidując każdy punkt z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Z modeli, których błędy różnią się tylko przypadkowo, zalecany jest ten o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="252"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="259"/>
         <source>The orthoimage is up to {most:.1f} px from where the exact model sees it, since an RPC stands for the model.</source>
         <translation>Ortoobraz leży do {most:.1f} px od miejsca, w którym widzi go dokładny model, bo model zastępuje RPC.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="260"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="267"/>
         <source>The distortion of the camera shows no view at a part of the photo&apos;s edge; check its coefficients and the size of the image that they belong to.</source>
         <translation>Dystorsja kamery nie daje żadnego promienia na części brzegu zdjęcia; sprawdź jej współczynniki i rozmiar obrazu, do którego należą.</translation>
     </message>
@@ -11076,237 +11056,232 @@
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, scan with a longer PIECE, or judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki z co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy obok nich, skanuj z dłuższym PIECE albo oceń tam okna wzrokowo (JUDGE observer); pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="155"/>
-        <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({count} pieces, {metres:.0f} m). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.</source>
-        <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają wartość graniczną (odcinków: {count}, {metres:.0f} m). Oceń okna na nich wzrokowo albo skanuj z dłuższym PIECE, które daje węższe przedziały.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="158"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="170"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
         <source>What would decide it: the layers of seams as their scans wrote them, without features taken away.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, bez usuniętych obiektów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="169"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
         <source>Layers of seams that were changed since their scan: {count} ({names}); the decision is on what they hold now.</source>
         <translation>Warstwy linii mozaikowania zmienione po skanowaniu: {count} ({names}); decyzja dotyczy tego, co zawierają teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
         <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
         <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
         <source>The run was stopped: there is neither report nor XML.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="310"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
         <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
         <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="317"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="330"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="321"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
         <source>the file does not say where it lies</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="334"/>
         <source>its pixels are {pixel:.4g} m instead of {wanted:.4g} m</source>
         <translation>piksel ma {pixel:.4g} m zamiast {wanted:.4g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
         <source>its reference system is another one</source>
         <translation>ma inny układ odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="336"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="337"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="338"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
         <source>whether it has data everywhere can&apos;t be told</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="169"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="170"/>
         <source>of what was measured failed</source>
         <translation>zmierzonych metrów niezgodne</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="177"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="178"/>
         <source>failures: {count}, in sheets: {sheets} of {all}</source>
         <translation>usterki: {count}, w arkuszach: {sheets} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="211"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="215"/>
         <source>No seams</source>
         <translation>Bez linii</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="262"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="266"/>
         <source>ground without detail</source>
         <translation>teren bez detali</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="333"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="339"/>
         <source>Orthoimage {name}</source>
         <translation>Ortoobraz {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="179"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="180"/>
         <source>detail kept along the seams</source>
         <translation>szczegóły zachowane wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="182"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
         <source>sheets with findings: {count} of {all}</source>
         <translation>arkusze z uwagami: {count} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
         <source>With findings</source>
         <translation>Z uwagami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="183"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
         <source>No findings</source>
         <translation>Bez uwag</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>radiometry</source>
         <translation>radiometria</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="190"/>
         <source>Not checked</source>
         <translation>Nie sprawdzono</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="192"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="196"/>
         <source>&apos;Check radiometry&apos; checks it</source>
         <translation>sprawdza to „Sprawdź radiometrię”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="184"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="185"/>
         <source>completeness and form of the files</source>
         <translation>kompletność i postać plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="186"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="188"/>
         <source>&apos;Check a delivery&apos; checks it</source>
         <translation>sprawdza to „Sprawdź dostawę”</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="320"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
         <source>The mosaic</source>
         <translation>Ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="320"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="326"/>
         <source>Its orthoimages, cut hard</source>
         <translation>Te same ortoobrazy, cięte ostro</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="274"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="278"/>
         <source>sheet: {verdict}</source>
         <translation>arkusz: {verdict}</translation>
     </message>
@@ -11326,52 +11301,52 @@
         <translation>lista ortoobrazów</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="22"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
         <source>Of the report; empty: Acceptance of an orthophoto mosaic.</source>
         <translation>Raportu; puste: Odbiór ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="23"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Contract</source>
         <translation>Umowa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="23"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
         <source>Number of the order or contract that the delivery belongs to.</source>
         <translation>Numer zamówienia lub umowy, do której należy dostawa.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
         <source>Producer</source>
         <translation>Wykonawca</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="24"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="27"/>
         <source>Who made the delivery.</source>
         <translation>Kto wykonał dostawę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>Client</source>
         <translation>Zamawiający</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="25"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
         <source>Who ordered the delivery and decides on it.</source>
         <translation>Kto zamówił dostawę i o niej decyduje.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
         <source>Delivery</source>
         <translation>Dostawa</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="26"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
         <source>What the delivery is called.</source>
         <translation>Nazwa dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="28"/>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="31"/>
         <source>Date of the delivery</source>
         <translation>Data dostawy</translation>
     </message>
@@ -11728,7 +11703,7 @@
         <translation>Odbiór dostawy od plików</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="142"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="143"/>
         <source>commit of the plugin</source>
         <translation>wersja źródeł wtyczki (commit)</translation>
     </message>
@@ -11778,42 +11753,37 @@
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
-        <source>{count} failures, {metres:.1f} m, end at the edge of a sheet where no seam goes on (no. {numbers}): they may be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.</source>
-        <translation>Usterki kończące się na brzegu arkusza, za którym nie biegnie żadna linia mozaikowania: {count}, {metres:.1f} m (nr {numbers}); za brzegiem mogą być dłuższe. Aby to sprawdzić, przeskanuj arkusz razem z sąsiednimi jako jedną ortofotomapę (VRT).</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
         <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="272"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
         <source>The {parameter} {value} is none of the standard&apos;s; known are {known}.</source>
         <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="302"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="189"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="193"/>
         <source>images rejected: {rejected}, undecided: {open} of {all}</source>
         <translation>obrazy odrzucone: {rejected}, nierozstrzygnięte: {open} z {all}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="359"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="365"/>
         <source>{risk}: a delivery with {quality} of failed pieces is rejected</source>
         <translation>{risk}: odrzucenie dostawy, w której udział niezgodnych odcinków wynosi {quality}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="167"/>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="168"/>
         <source>measured, of the {metres} on ground with detail</source>
         <translation>zmierzono z {metres} w terenie z detalami</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/paper/charts.py" line="220"/>
+        <location filename="../plugin/acceptance/paper/charts.py" line="251"/>
         <source>good quality {quality} %: rejected in {risk} % (producer&apos;s risk)</source>
         <translation>dobra jakość {quality} %: odrzucenie z prawdopodobieństwem {risk} % (ryzyko dostawcy)</translation>
     </message>
@@ -11853,17 +11823,12 @@
         <translation>Liczność próby: iso2859 – według ISO 2859-1 dla partii w serii; iso2859_2 – według ISO 2859-2 dla partii izolowanej; risk – najmniejsza, która zachowuje poniższe ryzyka; count – taka, jaką podasz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="190"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="202"/>
         <source>The percentage of failing pieces with which an isolated lot should hardly ever be accepted, as ISO 2859-2 has it: three times what you want at least.</source>
         <translation>Odsetek niezgodnych odcinków, przy którym partia izolowana powinna być przyjmowana bardzo rzadko, zgodnie z ISO 2859-2: co najmniej trzykrotność tego, czego oczekujesz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="141"/>
-        <source>at least {kept:g} kept, sampled as an isolated lot, LQ {lq:g} %</source>
-        <translation>zachowane co najmniej {kept:g}, próba z partii izolowanej, LQ {lq:g} %</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="188"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="200"/>
         <source>Limiting quality (LQ)</source>
         <translation>Jakość graniczna (LQ)</translation>
     </message>
@@ -11871,11 +11836,6 @@
         <location filename="../plugin/noise/checknoise.py" line="43"/>
         <source>Measures how much random noise an image has, from film, scanner or sensor. In an image with little noise the relative variance of the details rises from level to level; noise lifts level 1 above level 2 (moderate) and, where it is strong, level 2 above level 3 (Pyka 2009). Grain coarser than a pixel is looked for in the spectrum of the quietest ground; where texture could hide it, the verdict is uncertain. The rule compares noise with the scene; the amount beside it is the ratio of the signal to the noise. Photographs and scans need no place on the map. Two groups of images, of another camera, film or process, are compared; where they show the same ground each window is measured on both, with the same pixels left out. Windows are grouped by a field of theirs, as land use or scale.</source>
         <translation>Mówi, ile szumu losowego ma obraz, czy to film, skan, czy matryca. W obrazie o małym szumie wariancja względna detali rośnie z poziomu na poziom; szum podnosi poziom 1 ponad poziom 2 (umiarkowany), a gdy jest silny, poziom 2 ponad poziom 3 (Pyka 2009). Ziarna grubszego niż piksel szuka się w widmie najspokojniejszego terenu; gdzie tekstura mogłaby je ukryć, ocena jest niepewna. Reguła porównuje szum ze sceną; ilość podana obok to stosunek sygnału do szumu. Zdjęcia i skany nie muszą leżeć na mapie. Porównuje się dwie grupy obrazów, z innej kamery, filmu lub procesu; gdzie pokazują ten sam teren, każde okno mierzy się na obu, z pominięciem tych samych pikseli. Okna grupuje się według ich pola, na przykład użytkowania terenu lub skali.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/noise/checknoise.py" line="88"/>
-        <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, the most that grain can be, the verdict low, uncertain, moderate or strong, and beside it the amount of noise by the signal to noise ratio: little, some or much.</source>
-        <translation>Jeden wiersz na okno, raster i kanał: wariancja względna, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN, największe możliwe ziarno, ocena low, uncertain, moderate lub strong, a obok niej poziom szumu według stosunku sygnału do szumu: little, some lub much.</translation>
     </message>
     <message>
         <location filename="../plugin/noise/noise_summary.py" line="32"/>
@@ -11893,12 +11853,12 @@
         <translation>duży</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="144"/>
+        <location filename="../plugin/noise/noise_summary.py" line="145"/>
         <source>Amount: {amount}; {sigma} DN without texture, signal to noise {ratio}.</source>
         <translation>Poziom szumu: {amount}; {sigma} DN bez tekstury, stosunek sygnału do szumu {ratio}.</translation>
     </message>
     <message>
-        <location filename="../plugin/noise/noise_summary.py" line="143"/>
+        <location filename="../plugin/noise/noise_summary.py" line="144"/>
         <source>Amount: {amount}.</source>
         <translation>Poziom szumu: {amount}.</translation>
     </message>
@@ -11918,87 +11878,87 @@
         <translation>Mierzy, ile lokalnego kontrastu ortofotomapa zachowała w każdym oknie. Ortofotomapa i każdy ortoobraz źródłowy, który sięga okna, są wycinane i rozkładane falkami, a to, co ortofotomapa ma z najdrobniejszych detali ortoobrazów przy linii mozaikowania, jest porównywane z tym, co ma z nich dalej: wszystko, co zrobiono z całą ortofotomapą, przestaje się liczyć. Strata jest istotna (significant), gdy wzdłuż linii mozaikowania zachowano 70 % lub mniej, a kontrast jest osłabiony (reduced), gdy na pewno zachowano mniej niż wszystko. Jest też reguła z artykułu (Pyka 2010), według udziałów wariancji w całych wycinkach: połowa detali lub mniej względem każdego ortoobrazu to strata istotna.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="43"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="44"/>
         <source>Mend seams</source>
         <translation>Napraw linie mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="45"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="46"/>
         <source>Cuts failed seams anew. Each new cut runs where the two orthoimages agree, around roofs, cars and trees that they show in different places. Its pixels come from the orthoimages in the mosaic&apos;s own tones and sharpness, and only tones are eased. Patches and a virtual mosaic are written; the mosaic itself is never touched. Then the new cuts are measured as a scan does it, and only what keeps more detail than before stays. Where the orthoimages fit nowhere, the seam stays as it is and the table gives the reason.</source>
         <translation>Tnie na nowo linie mozaikowania z usterkami. Nowe cięcie biegnie tam, gdzie oba ortoobrazy są zgodne, wokół dachów, samochodów i drzew, które pokazują w różnych miejscach. Piksele pochodzą z ortoobrazów w tonach i ostrości ortofotomapy; łagodzone są tylko tony. Zapisywane są łaty i wirtualna ortofotomapa, a sama ortofotomapa nie jest zmieniana. Potem nowe cięcia są mierzone tak jak w skanowaniu i zostaje tylko to, co zachowuje więcej detali niż przedtem. Gdzie ortoobrazy nigdzie do siebie nie pasują, linia pozostaje bez zmian, a przyczyna jest podana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="62"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="63"/>
         <source>The seams as Scan a whole mosaic writes them, all of them. Or windows: then the mosaic is scanned first, and the seams in the windows are mended.</source>
         <translation>Wszystkie linie mozaikowania, jak zapisuje je skanowanie całej ortofotomapy. Albo okna: wtedy ortofotomapa jest najpierw skanowana, a naprawiane są linie w oknach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="69"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="70"/>
         <source>failed: pieces that keep less than 70 %. reduced: also those that measurably lost some detail. all: every piece.</source>
         <translation>failed: odcinki, które zachowują mniej niż 70 %. reduced: także te, które mierzalnie straciły detale. all: wszystkie odcinki.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="76"/>
         <source>How far a new cut may move to either side of the seam; at most 800 pixels.</source>
         <translation>Jak daleko nowe cięcie może odejść w każdą stronę od linii mozaikowania; najwyżej 800 pikseli.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="81"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="82"/>
         <source>Width over which the two orthoimages are mixed at the cut. 0: a hard cut.</source>
         <translation>Szerokość, na której oba ortoobrazy są mieszane przy cięciu. 0: twarde cięcie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="88"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="89"/>
         <source>A folder for the patches, cloud-optimised GeoTIFFs with an alpha band; or the name of one .tif for all of them.</source>
         <translation>Katalog na łaty, czyli pliki COG z kanałem alfa; albo nazwa jednego pliku .tif na wszystkie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="94"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="95"/>
         <source>A virtual raster: the mosaic with the patches above it. It needs both where they are.</source>
         <translation>Raster wirtualny: ortofotomapa, a nad nią łaty. Jedne i drugie muszą pozostać na swoich miejscach.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="98"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="99"/>
         <source>Each seam as it runs now, with what it kept before and after, and its step of tone before and after.</source>
         <translation>Każda linia mozaikowania w nowym przebiegu, z tym, co zachowywała przed i po, oraz ze skokiem tonu przed i po.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="67"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="68"/>
         <source>What to mend</source>
         <translation>Co naprawić</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="74"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="75"/>
         <source>Width of the corridor (metres)</source>
         <translation>Szerokość korytarza (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="79"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="80"/>
         <source>Blend (pixels)</source>
         <translation>Wtapianie (piksele)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="86"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="87"/>
         <source>Patches</source>
         <translation>Łaty</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="93"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="94"/>
         <source>Mended mosaic</source>
         <translation>Naprawiona ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="97"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="98"/>
         <source>Cuts</source>
         <translation>Cięcia</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="103"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="104"/>
         <source>Length of the seams that are mended (metres)</source>
         <translation>Długość naprawionych linii mozaikowania (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="104"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="105"/>
         <source>Length of the seams that stay as they were (metres)</source>
         <translation>Długość linii mozaikowania, które pozostały bez zmian (metry)</translation>
     </message>
@@ -12048,62 +12008,62 @@
         <translation>Wzdłuż najlepszego cięcia oba ortoobrazy nie pokazują niczego wspólnego; poszerz korytarz albo wybierz inne obrazy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="18"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="22"/>
         <source>Near the seam there is too little ground that shows one orthoimage alone, so its tones can&apos;t be told.</source>
         <translation>Przy linii mozaikowania jest za mało terenu z jednym tylko ortoobrazem, więc nie da się określić jego tonów.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="20"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="24"/>
         <source>One of the two orthoimages has no pixels along the new cut.</source>
         <translation>Jeden z dwóch ortoobrazów nie ma pikseli wzdłuż nowego cięcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="21"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="25"/>
         <source>{name} lacks bands of the mosaic: {bands}.</source>
         <translation>W {name} brakuje kanałów ortofotomapy: {bands}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="22"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="26"/>
         <source>The new cut keeps no more detail than the old seam, so its patch is left out.</source>
         <translation>Nowe cięcie nie wypada w pomiarze lepiej niż stara linia, więc jego łata została pominięta.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="25"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="29"/>
         <source>&apos;{what}&apos; can&apos;t be mended; give one of: {known}.</source>
         <translation>„{what}” nie określa, co naprawić; podaj jedno z: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="28"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="32"/>
         <source>The layer of seams lacks fields of a scan ({fields}); give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>W warstwie linii mozaikowania brakuje pól skanowania ({fields}); podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="30"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="34"/>
         <source>The layer of seams holds no piece of seam; give the layer SEAMS that Scan a whole mosaic writes.</source>
         <translation>Warstwa nie zawiera żadnego odcinka linii mozaikowania; podaj warstwę SEAMS, którą zapisuje skanowanie całej ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="31"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="35"/>
         <source>A patch would be written over {path}, which is an input; choose another folder.</source>
         <translation>Łata zastąpiłaby plik wejściowy {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="33"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
         <source>Mending was stopped; start it again with the same outputs, and it goes on where it was.</source>
         <translation>Naprawa została przerwana; uruchom ją ponownie z tymi samymi wynikami, a będzie kontynuowana.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="35"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
         <source>Mending goes on where it stopped; seams that are cut already: {done}.</source>
         <translation>Naprawa jest kontynuowana; linie już pocięte na nowo: {done}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="37"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="41"/>
         <source>{metres:.0f} m of the seams name no two orthoimages that are given, so they stay as they are.</source>
         <translation>{metres:.0f} m linii mozaikowania nie wymienia dwóch podanych ortoobrazów, więc pozostają bez zmian.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/measure/mending/messages.py" line="39"/>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="43"/>
         <source>None of the seams is to be mended; choose another WHAT.</source>
         <translation>Żadna linia mozaikowania nie wymaga naprawy; wybierz inne WHAT.</translation>
     </message>
@@ -12232,7 +12192,7 @@
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
         <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
     </message>
@@ -12387,12 +12347,12 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="173"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
         <source>Layers of seams without the totals of their scan, as exports are: {count} ({names}). Seams that were left out of them can&apos;t be noticed; decide on the GeoPackage that the scan wrote.</source>
         <translation>Warstwy linii mozaikowania bez sum swojego badania, jak po eksporcie: {count} ({names}). Nie da się zauważyć linii, które w nich pominięto; decyduj na podstawie pliku GeoPackage zapisanego przez badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
         <source>{metres:.0f} m of the seams lie on others and count again</source>
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
@@ -12407,7 +12367,7 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
         <source>{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; inspect the whole lot instead (PLAN all), or draw a sample by stated risks (&apos;Plan an inspection&apos;, PLAN risk with BAD_SHARE {value}).</source>
         <translation>{parameter} {value} nie występuje w dostępnych tu tablicach ISO 2859-2, które mają {known}; zamiast tego skontroluj całą partię (PLAN all) albo wylosuj próbę według podanych ryzyk („Zaplanuj kontrolę”, PLAN risk, BAD_SHARE {value}).</translation>
     </message>
@@ -12554,24 +12514,19 @@
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}. Z wielu dalszych linii mozaikowania wykonanych w ten sam sposób niezgodne byłoby od {low:.2%} do {high:.2%} (przedział 95 %); to nie rozstrzyga.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
         <source>{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have no line.</source>
         <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="266"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
         <source>{parameter} is &apos;{value}&apos;, which is no date; write it as 2026-11-23 or 23.11.2026.</source>
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/paper/paper_head.py" line="29"/>
-        <source>As it should appear in the report: 2026-11-23 or 23.11.2026.</source>
-        <translation>Tak, jak ma stać w raporcie: 2026-11-23 albo 23.11.2026.</translation>
     </message>
     <message>
         <location filename="../plugin/acceptance/paper/quality_document.py" line="163"/>
@@ -12599,7 +12554,7 @@
         <translation>Najmniejsza dopuszczalna długość boku okna: 100 m przy pikselu 0,10 m daje 1024 piksele, czyli 102,4 m.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/stated_rules.py" line="185"/>
+        <location filename="../plugin/acceptance/stated_rules.py" line="197"/>
         <source>The percentage of failing pieces up to which lots should nearly always be accepted, by ISO 2859-1.</source>
         <translation>Procent niezgodnych odcinków, do którego partie powinny być prawie zawsze przyjmowane, według ISO 2859-1.</translation>
     </message>
@@ -12644,7 +12599,7 @@
         <translation>Zakres wartości muszą tworzyć dwie liczby, najpierw mniejsza, np. 0,4095.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/algorithms/mendseams.py" line="100"/>
+        <location filename="../plugin/seams/algorithms/mendseams.py" line="101"/>
         <source>Each seam before and after, in figures and in pictures at 2x.</source>
         <translation>Każda linia mozaikowania przed i po, w liczbach i na obrazach w powiększeniu 2x.</translation>
     </message>
@@ -12909,22 +12864,17 @@
         <translation>{name} jest odczytany w układzie {system} z przesunięciem z {offsets}, dokąd OpenDroneMap przelicza go w przybliżeniu: błąd do kilku decymetrów w bloku kilometrowym.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="234"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="241"/>
         <source>{name} is oriented and is not in {folder}; it is left out.</source>
         <translation>{name} ma orientację, a nie ma go w {folder}; zostaje pominięte.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="236"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="243"/>
         <source>None of the photos that {name} names is in {folder}; choose their folder (PHOTOS).</source>
         <translation>W {folder} nie ma żadnego ze zdjęć, które wymienia {name}; wskaż ich katalog (PHOTOS).</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="237"/>
-        <source>The orthoimage would be written over the photo {path}; choose another folder.</source>
-        <translation>Ortoobraz zastąpiłby zdjęcie {path}; wybierz inny katalog.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/measure/messages.py" line="238"/>
+        <location filename="../plugin/sensors/measure/messages.py" line="245"/>
         <source>The terrain is that of the project: {name}.</source>
         <translation>Teren pochodzi z projektu: {name}.</translation>
     </message>
@@ -12934,47 +12884,37 @@
         <translation>Wszystkie pliki (*)</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="25"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="26"/>
         <source>Orthorectify a block of photos</source>
         <translation>Ortorektyfikacja bloku zdjęć</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="27"/>
-        <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. Of an OpenDroneMap project reconstruction.json, or the folder, is enough. A photo that can&apos;t be used is named, and the others are made.</source>
-        <translation>Umieszcza na mapie, nad NMT i w jednej siatce pikseli, wszystkie zdjęcia lotnicze bloku: te, które wymienia plik ich orientacji. Z projektu OpenDroneMap wystarczy reconstruction.json albo sam katalog. Zdjęcie, którego nie da się użyć, jest wymienione, a pozostałe powstają.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="36"/>
-        <source>Their folder. Empty: images in an OpenDroneMap project, else that of the exterior orientation.</source>
-        <translation>Ich katalog. Puste: images w projekcie OpenDroneMap, w innym razie katalog orientacji zewnętrznej.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="39"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="46"/>
         <source>Terrain heights under all photos, in any reference system. Empty: the terrain or surface model of an OpenDroneMap project.</source>
         <translation>Wysokości terenu pod wszystkimi zdjęciami, w dowolnym układzie współrzędnych. Puste: model terenu albo pokrycia z projektu OpenDroneMap.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="42"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="49"/>
         <source>Of the orthoimages. Empty: the UTM zone of the first photo.</source>
         <translation>Ortoobrazów. Puste: strefa UTM pierwszego zdjęcia.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="45"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="52"/>
         <source>A folder: a GeoTIFF of each photo, under its name; empty where the photo or the terrain model ends.</source>
         <translation>Katalog: GeoTIFF każdego zdjęcia pod jego nazwą; pusty tam, gdzie kończy się zdjęcie albo NMT.</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="44"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="51"/>
         <source>Orthoimages</source>
         <translation>Ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="48"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="55"/>
         <source>Orthoimages made</source>
         <translation>Wykonane ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/sensors/orthorectifyphotos.py" line="48"/>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="55"/>
         <source>Photos without an orthoimage</source>
         <translation>Zdjęcia bez ortoobrazu</translation>
     </message>
@@ -13020,10 +12960,6 @@
     <message>
         <source>Unclear: pieces whose measurement is too rough to say on which side of the limit they are; they count by their value.</source>
         <translation>Niejasne: odcinki zmierzone zbyt zgrubnie, aby na pewno powiedzieć, po której stronie granicy leżą; liczą się według swojej wartości.</translation>
-    </message>
-    <message>
-        <source>Visible loss, in just noticeable differences (JND) of contrast at 2x on a screen; below 1 an eye does not see it.</source>
-        <translation>Widoczna strata: w ledwie zauważalnych różnicach (JND) kontrastu, tak jak widzi ją oko w powiększeniu 2x na ekranie; poniżej 1 jej nie widać.</translation>
     </message>
     <message>
         <source>Mended seams</source>
@@ -13074,11 +13010,6 @@
         <translation>Sprawdza pliki dostawy i ich radiometrię, bada ortofotomapę i rozstrzyga o niej za jednym razem: na wejściu katalog lub indeks, na wyjściu raport ze wspólną stroną tytułową, rekord jakości, usterki i arkusze z ocenami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
-        <source>{metres:.1f} m are unclear: the limit of {limit:g} lies within their 95 % intervals.</source>
-        <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:g} leży w ich przedziałach 95 %.</translation>
-    </message>
-    <message>
         <source>Shares are of the metres that were measured. A failure that crosses the edge of a sheet counts in each with the metres that lie there.</source>
         <translation>Udziały odnoszą się do zmierzonych metrów. Usterka, która przechodzi przez krawędź arkusza, liczy się w każdym z nich metrami, które w nim leżą.</translation>
     </message>
@@ -13103,6 +13034,149 @@
         <location filename="../plugin/toolkit/messages.py" line="19"/>
         <source>Windows without a number of their own: {count}; they got the next free ones.</source>
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
+        <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
+        <source>Failures that end at the edge of a sheet where no seam goes on: {count}, {metres:.1f} m (no. {numbers}); they may be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.</source>
+        <translation>Usterki kończące się na brzegu arkusza, za którym nie biegnie żadna linia mozaikowania: {count}, {metres:.1f} m (nr {numbers}); za brzegiem mogą być dłuższe. Aby to sprawdzić, przeskanuj arkusz razem z sąsiednimi jako jedną ortofotomapę (VRT).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
+        <source>Sheets were scanned apart, so pieces begin anew where seams cross their borders ({count}). With other pieces, as in one scan of all sheets, the failed metres may differ by {within:.0f} m (95 % interval), and by what only one of the scans can measure.</source>
+        <translation>Arkusze zeskanowano osobno, więc odcinki zaczynają się od nowa tam, gdzie linie mozaikowania przecinają ich brzegi ({count}). Przy innych odcinkach, jak w jednym skanie wszystkich arkuszy, liczba niezgodnych metrów może się różnić o {within:.0f} m (przedział 95 %) oraz o to, co zmierzy tylko jeden ze skanów.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
+        <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.</source>
+        <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają wartość graniczną ({metres:.0f} m, odcinków: {count}). Oceń okna na nich wzrokowo albo skanuj z dłuższym PIECE, które daje węższe przedziały.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <source>What would decide it: a scan with a shorter PIECE. Failures end inside of pieces, so a sum of pieces of {piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.</source>
+        <translation>Co by rozstrzygnęło: skan z krótszym PIECE. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="299"/>
+        <source>not visible</source>
+        <translation>niewidoczna</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="189"/>
+        <source>about {share} of the area has no data; &apos;Check a delivery&apos; checks it</source>
+        <translation>około {share} powierzchni bez danych; sprawdza to „Sprawdź dostawę”</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/acceptance_report.py" line="296"/>
+        <source>{length} unclear</source>
+        <translation>niejasne: {length}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/paper/paper_head.py" line="32"/>
+        <source>2026-11-23 or 23.11.2026; the report writes the first.</source>
+        <translation>2026-11-23 albo 23.11.2026; w raporcie stoi pierwszy zapis.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="57"/>
+        <source>below it a loss is called significant</source>
+        <translation>poniżej niej strata uchodzi za istotną</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="58"/>
+        <source>Beeldmateriaal (NL) lets 2 % deviate if it is not contiguous</source>
+        <translation>Beeldmateriaal (NL) dopuszcza 2 % odstępstw, jeśli nie są ciągłe</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="59"/>
+        <source>half a standard window of 100 m</source>
+        <translation>połowa standardowego okna 100 m</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="60"/>
+        <source>nothing is accepted on a guess</source>
+        <translation>niczego nie przyjmuje się na podstawie domysłu</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="160"/>
+        <source>at least {kept:g} % kept, at most {share:g} % failed, at most {run:g} m without a break, at least {measured:g} % measured</source>
+        <translation>zachowane co najmniej {kept:g} %, najwyżej {share:g} % niezgodnych, najwyżej {run:g} m bez przerwy, zmierzone co najmniej {measured:g} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="138"/>
+        <source>the software&apos;s default ({parameter}): {origin}</source>
+        <translation>wartość domyślna programu ({parameter}): {origin}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="146"/>
+        <source>at least {kept:g} % kept, at least {measured:g} % measured, sampled at level {level}, AQL {aql}</source>
+        <translation>zachowane co najmniej {kept:g} %, zmierzone co najmniej {measured:g} %, próba na poziomie {level}, AQL {aql}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/stated_rules.py" line="152"/>
+        <source>at least {kept:g} % kept, at least {measured:g} % measured, sampled as an isolated lot, LQ {lq:g} %</source>
+        <translation>zachowane co najmniej {kept:g} %, zmierzone co najmniej {measured:g} %, próba z partii izolowanej, LQ {lq:g} %</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/checknoise.py" line="88"/>
+        <source>One row per window, raster and band: relative variances, kurtosis of each level&apos;s details (3 for Gaussian noise), sigma in DN, the most that grain can be, the verdict low, uncertain, moderate or strong, and beside it the amount of noise by the signal to noise ratio: little, some or much; at most some where texture can hide it, uncertain where texture can hide much.</source>
+        <translation>Jeden wiersz na okno, raster i kanał: wariancja względna, kurtoza detali każdego poziomu (3 dla szumu gaussowskiego), sigma w DN, największe możliwe ziarno, ocena low, uncertain, moderate lub strong, a obok niej poziom szumu według stosunku sygnału do szumu: little, some lub much; at most some, gdy umiarkowany szum może kryć się w teksturze, uncertain, gdy może się w niej kryć duży.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/noise/noise_summary.py" line="35"/>
+        <source>at most some</source>
+        <translation>co najwyżej umiarkowany</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/measure/mending/messages.py" line="18"/>
+        <source>The orthoimages show {share:.1%} of the ground near the seam otherwise than the mosaic, as those of another date do; choose those that it was made from.</source>
+        <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy szwie inaczej niż mozaika, jak ortoobrazy z innego terminu; wybierz te, z których ją wykonano.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/comparesensormodels.py" line="25"/>
+        <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Of the models whose errors, there and at control points left out in turn, differ by no more than chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
+        <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych punktach dostosowania, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="235"/>
+        <source>Choose the folder of an OpenDroneMap project (PHOTOS), or the file of the photos&apos; orientations (EXTERIOR).</source>
+        <translation>Wskaż katalog projektu OpenDroneMap (PHOTOS) albo plik orientacji zdjęć (EXTERIOR).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="238"/>
+        <source>{folder} is no OpenDroneMap project, as opensfm/reconstruction.json is not in it; choose the file of the photos&apos; orientations (EXTERIOR).</source>
+        <translation>{folder} nie jest projektem OpenDroneMap, ponieważ nie ma w nim opensfm/reconstruction.json; wskaż plik orientacji zdjęć (EXTERIOR).</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/measure/messages.py" line="244"/>
+        <source>The orthoimage would be written over {path}, which is read; choose another folder.</source>
+        <translation>Ortoobraz zastąpiłby plik {path}, z którego odczytywane są dane; wybierz inny katalog.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="28"/>
+        <source>Puts all aerial photos of a block on the map over a terrain model, on one grid of pixels: those that the file of their orientations names. Of an OpenDroneMap project the folder, or reconstruction.json, is enough. A photo that can&apos;t be used is named, and the others are made.</source>
+        <translation>Umieszcza na mapie wszystkie zdjęcia lotnicze bloku, z użyciem NMT i na jednej siatce pikseli: te, które wymienia plik ich orientacji. W przypadku projektu OpenDroneMap wystarczy katalog albo reconstruction.json. Zdjęcie, którego nie można użyć, jest wymieniane, a pozostałe powstają.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="40"/>
+        <source>Of a project nothing else is needed. Empty: the photos are in images of the exterior orientation&apos;s project, else in the folder of its file.</source>
+        <translation>W przypadku projektu nie trzeba podawać nic więcej. Puste: zdjęcia są w katalogu images projektu, z którego pochodzi orientacja zewnętrzna, w przeciwnym razie w katalogu jej pliku.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/sensors/orthorectifyphotos.py" line="36"/>
+        <source>Folder of an OpenDroneMap project, or of photos</source>
+        <translation>Katalog projektu OpenDroneMap lub katalog zdjęć</translation>
+    </message>
+    <message>
+        <source>Visible loss, in just noticeable differences (JND) of contrast at 2x on a screen; below 1 an eye does not see it. A piece fails by the detail that it lost, whether an eye sees that or not.</source>
+        <translation>Widoczna strata: w ledwie zauważalnych różnicach (JND) kontrastu, tak jak widzi ją oko w powiększeniu 2x na ekranie; poniżej 1 jej nie widać. O niezgodności odcinka decydują utracone detale, niezależnie od tego, czy oko to widzi.</translation>
+    </message>
+    <message>
+        <source>In the pictures at 2x dashes lie on the seam, and chequers where there is no data.</source>
+        <translation>Na zdjęciach w powiększeniu 2x kreski leżą na linii mozaikowania, a szachownica oznacza brak danych.</translation>
     </message>
 </context>
 </TS>
