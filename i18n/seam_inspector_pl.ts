@@ -13133,12 +13133,12 @@
     <message>
         <location filename="../plugin/seams/measure/mending/messages.py" line="18"/>
         <source>The orthoimages show {share:.1%} of the ground near the seam otherwise than the mosaic, as those of another date do; choose those that it was made from.</source>
-        <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy szwie inaczej niż mozaika, jak ortoobrazy z innego terminu; wybierz te, z których ją wykonano.</translation>
+        <translation>Ortoobrazy przedstawiają {share:.1%} terenu przy linii mozaikowania inaczej niż ortofotomapa, jak ortoobrazy z innego terminu; wybierz te, z których ją wykonano.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/comparesensormodels.py" line="25"/>
         <source>Fits every sensor model that the points allow and judges each on points that its fit has not seen: check points, or, where they are fewer than five, every point predicted from the others. The table is that of Kurczynski and Wolniewicz. Of the models whose errors, there and at control points left out in turn, differ by no more than chance, the one with the fewest unknowns is recommended; plane polynomials for flat ground only.</source>
-        <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych punktach dostosowania, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
+        <translation>Dopasowuje każdy model sensora, na który pozwalają punkty, i ocenia każdy na punktach, których dopasowanie nie widziało: na punktach kontrolnych, a gdy jest ich mniej niż pięć, na każdym punkcie przewidzianym z pozostałych. Tabela jest taka jak u Kurczyńskiego i Wolniewicza. Spośród modeli, których błędy, tam oraz na kolejno pomijanych fotopunktach, różnią się nie bardziej niż przypadkowo, zalecany jest model o najmniejszej liczbie niewiadomych; wielomiany płaskie tylko dla terenu płaskiego.</translation>
     </message>
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="235"/>
@@ -13176,7 +13176,7 @@
     </message>
     <message>
         <source>In the pictures at 2x dashes lie on the seam, and chequers where there is no data.</source>
-        <translation>Na zdjęciach w powiększeniu 2x kreski leżą na linii mozaikowania, a szachownica oznacza brak danych.</translation>
+        <translation>Na wycinkach w powiększeniu 2x linia mozaikowania jest przerywana, a szachownica oznacza brak danych.</translation>
     </message>
 </context>
 </TS>

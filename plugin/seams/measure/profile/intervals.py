@@ -17,7 +17,7 @@ MOST_KEPT = 1.05
 """No seam adds detail of its sources: energies that surely tell of more are not of the ground that they are compared
 with."""
 WIDEST = float(np.log(2))
-"""Of the logarithm's interval, end to end: a measure that says less is left out where another one lies within it."""
+"""Of the logarithm's interval, end to end: a measure that says less is left out where there is another."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,8 +56,7 @@ def together(energy: Kept, mixture: Kept, left: np.ndarray) -> tuple[Kept, np.nd
     """
     has_energy, has_mixture = ~np.isnan(energy.value), mixture.low <= MOST_KEPT  # never of NaN
     mixture = Kept(*(np.where(has_mixture, end, np.nan) for end in _ends(mixture)))
-    is_told = (energy.width <= WIDEST) | (energy.high < mixture.low)  # as of a blur, which no mixture sees
-    has_energy &= ~has_mixture | (energy.low <= MOST_KEPT) & is_told
+    has_energy &= ~has_mixture | (energy.low <= MOST_KEPT) & (energy.width <= WIDEST)
     both = has_energy & has_mixture
     agree = both & (energy.low <= mixture.high) & (mixture.low <= energy.high)
     by_mixture = has_mixture & ~has_energy | both & ~agree & (mixture.value < energy.value) & (left <= MOST_LEFT)
