@@ -184,13 +184,6 @@ def test_where_they_contradict_each_other_the_lower_one_judges() -> None:
     assert judged(high, low) == (0.5, Measure.MIXTURE)
 
 
-def test_a_wide_energy_judges_where_it_surely_says_less() -> None:
-    """A strip blurred under heavy compression: no mixture sees that, and few cells tell how much is left."""
-    cut = kept(1.0, 0.96, 1.04)
-    assert judged(kept(0.12, 0.08, 0.18), cut) == (0.12, Measure.ENERGY)
-    assert judged(kept(0.7, 0.45, 1.1), cut) == (1.0, Measure.MIXTURE)
-
-
 def test_a_mixture_that_does_not_explain_the_mosaic_does_not_judge() -> None:
     low, high = kept(0.5, 0.45, 0.55), kept(0.9, 0.8, 1.0)
     assert judged(high, low, MOST_LEFT) == (0.5, Measure.MIXTURE)
