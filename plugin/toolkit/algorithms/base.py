@@ -236,7 +236,10 @@ class ReadyModel(QgsProcessingModelAlgorithm):
         return {**{name: value for name, value in known.items() if value is not None}, **needed, **given}
 
     def _passed_on(self) -> Iterator[str]:
-        """Names of the model's outputs that are inputs of its steps."""
+        """Names of the model's outputs that are inputs of its steps, or that it always makes."""
+        for output in self.destinationParameterDefinitions():
+            if not output.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional:
+                yield output.name()
         steps = self.childAlgorithms()
         taken = {
             (source.outputChildId(), source.outputName())

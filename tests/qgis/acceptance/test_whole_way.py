@@ -7,13 +7,13 @@ from pathlib import Path
 
 import pytest
 from osgeo import gdal
-from qgis.core import QgsGeometry, QgsProject, QgsRectangle
+from qgis.core import QgsGeometry, QgsProcessingContext, QgsProject, QgsRectangle
 from seam_inspector.plugin.seams.desk.accepting import DECISION, WHOLE_WAY, offered_form
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs
 
 from tests.numbers.acceptance.public_schemas import faults
 from tests.pages import outline
-from tests.qgis.runs import algorithm, assert_refused, run
+from tests.qgis.runs import Log, algorithm, assert_refused, run
 from tests.qgis.scenes import layer
 from tests.qgis.seams.scan_scenes import Files, write_scene
 
@@ -99,15 +99,14 @@ def test_one_call_goes_from_the_folder_to_the_record(folder: Path, scene: Files,
 def test_what_a_step_needs_of_another_has_not_to_be_asked_for(
     folder: Path, scene: Files, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Neither the seams nor an absolute path: the sheets are found from where their layer lies."""
+    """Neither the mosaic, the seams nor an absolute path: the sheets are found from where their layer lies."""
     monkeypatch.chdir(folder.parent)
-    made = run(
-        "accept_delivery", folder=folder.name, sources=scene.sources, piece=20.0,
-        **{"check:checked_sheets": str(tmp_path / "sheets.gpkg"), "check:mosaic": str(tmp_path / "all.vrt"),
-           "accept:report": str(tmp_path / "decision.html")},
-    )  # fmt: skip
-    assert made.complaint is None
-    page = outline((tmp_path / "decision.html").read_text(encoding="utf-8"))
+    report, log = tmp_path / "decision.html", Log()
+    values = {"folder": folder.name, "sources": scene.sources, "piece": 20.0, "accept:report": str(report)}
+    results, succeeded = algorithm("accept_delivery").run(values, QgsProcessingContext(), log)
+    assert succeeded, log.errors
+    assert Path(results["check:mosaic"]).is_file()
+    page = outline(report.read_text(encoding="utf-8"))
     assert {row[0]: row[1:] for row in page.rows if len(row) == 3}["radiometry"][0] == "Rejected"
 
 
