@@ -28,7 +28,7 @@ from ...toolkit.background_tasks import BackgroundTasks, Cancelled, End, Job, Ou
 from ...toolkit.desk.message_bar import BarQuestion, bar_level, write_log
 from ...toolkit.desk.widgets import single_shot
 from ...toolkit.layer_styles import load_style
-from ...toolkit.translation import filled, sentence, shown_number, tr
+from ...toolkit.translation import filled, grouped_number, sentence, tr
 from ..jobs import ScanDone, ScanFiles, ScanNews, ScanOrder, scan_job, time_left
 from ..measure.scan import messages
 from ..measure.scan.whole_scan import JOURNAL_ENDING
@@ -194,7 +194,7 @@ def scan_sentence(done: ScanDone, notes: int = 0) -> str:
         if done.failed_metres:
             words = tr("Scanned {metres} m of seams: significant loss on {failed} m")
         words = filled(words,
-            metres=shown_number(done.seam_metres, 0), failed=shown_number(done.failed_metres, 0)
+            metres=grouped_number(done.seam_metres), failed=grouped_number(done.failed_metres)
         ) + "."
     return f"{words} " + filled(tr("Notes in the log: {count}."), count=notes) if notes else words
 

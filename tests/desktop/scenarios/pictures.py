@@ -208,7 +208,6 @@ def scan(desk: Desk, shots: Path) -> None:
     desk.dock.scans.found.connect(found.append)
     desk.dock.scan.trigger()
     desk.wait(lambda: found, 400, "the scan's end")
-    desk.rest_mouse()
     desk.wait_for_map()
     desk.screenshot(shots / "scan.png")
     messages = (item for item in iface.messageBar().items())
