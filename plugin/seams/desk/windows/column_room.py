@@ -137,12 +137,14 @@ class ColumnMeter:
             samples = {
                 "cause": [cause_word(cause.value) for cause in Cause], "paper_verdict": list(verdicts),
                 "observer": observers, "observer_2": observers,
-                "window_id": ["000"], "sources": ["00"], "loss": ["8,888 m²"],
+                "window_id": ["000"], "sources": ["00"], "loss": ["888 m²"],
             }  # fmt: skip
             natural = width(*samples.get(column.name, ["0.00"]))
             least, airy = natural, natural + em
         if column.name == "cause":
             least = width(cause_word(Cause.FEATHERING.value))
+        if column.name == "loss":
+            airy = width("88,888 m²")
         return Widths(max(least, title), max(natural, title), max(airy, title) + em)
 
     def _heading(self, title: str, is_sorted: bool) -> int:
