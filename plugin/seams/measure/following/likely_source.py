@@ -21,6 +21,7 @@ from .best_ground import (
     MIN_STAND_IN_FACTOR,
     MIN_STAND_IN_STRANGE,
     MIN_STRANGE,
+    BestGround,
     learn_best_ground,
 )
 from .boxes import box_means, enlarged, near_border, opened, square_sums, widened
@@ -44,6 +45,8 @@ _STRIP_CELLS = 4  # a side of the least part that no source explains: a seam lea
 _ALIKE_CELLS = 12  # the same where a source does resemble it
 _MIXED_LEFT = 0.5  # of what one source leaves over: with less a mixture explains the mosaic
 _AS_STRONG = 0.85  # of the energy that a source would have, for it to stand in for another
+_NOWHERE_FACTOR = 50.0  # times as much as other sources leave over on their ground; one that was resampled had 34
+_NOWHERE_UNEVEN = 0.1  # of its ground, where it leaves over far more than on its best; one that was resampled had 0.05
 _EVEN_PART, _EVEN_SHARE = 0.5, 0.4  # of what is left over around: most cells leave so much, of a step of tones few do
 
 
@@ -195,15 +198,27 @@ def _unexplained(
 
 
 def _stand_ins(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, labels: np.ndarray) -> np.ndarray:
-    """Where a source leaves over many times as much as it does on its own best ground, (cell rows, cell columns) bool:
-    there it stands in for one of the same ground. One that was resampled leaves over as much everywhere."""
+    """Where a source stands in for one of the same ground, (cell rows, cell columns) bool: it leaves over many times as
+    much as it does on its own best ground, or all over its part as much more than the others do on theirs, and
+    unevenly. One that was resampled leaves over evenly what is finest."""
     found = np.zeros(textured.shape, bool)
     for number in present(labels):
-        own = textured & (labels == number)
+        own, others = textured & (labels == number), textured & (labels != number)
         ground = learn_best_ground(wide[own], left[own])
-        if ground is not None:
-            found |= own & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
+        if ground is None:
+            continue
+        found |= own & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
+        best = learn_best_ground(wide[others], left[others])
+        if best is not None and _is_nowhere_true(ground, best, wide[own], left[own]):
+            found |= own & (left > MIN_STAND_IN_STRANGE * wide)
     return found
+
+
+def _is_nowhere_true(ground: BestGround, others: BestGround, own: np.ndarray, left: np.ndarray) -> bool:
+    """Whether a source stands in for another wherever it is followed, by the mosaic's energy there and what is left."""
+    expected = ground.response(own)
+    is_more = expected >= np.maximum(MIN_STAND_IN_STRANGE, _NOWHERE_FACTOR * others.response(own))
+    return bool(np.median(is_more) and ground.strangeness(own, left)[1].mean() >= _NOWHERE_UNEVEN)
 
 
 def _strange_parts(
