@@ -285,3 +285,16 @@ def test_a_part_begins_at_its_least_size() -> None:
         sizes = np.bincount(ndimage.label(found == 1)[0].ravel())[1:]
         assert sizes.min() >= SMALLEST_PART_PX
     assert SMALLEST_PART_PX % FINE.grid_px**2 == 0
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_source_that_is_nowhere_true_is_told_by_the_ground_of_others(seed: int) -> None:
+    """It differs from the missing image everywhere, by relief more in some places than in others, and has no ground of
+    its own; one that was resampled differs as much, and evenly."""
+    first, missing, other = (plane(25, number) for number in (seed, seed + 10, seed + 20))
+    relief = np.clip(texture(SHAPE, 3.0, seed + 30), -1, 2)
+    mosaic = np.rint(cut_at(BORDER, first, missing))
+    found = found_in(mosaic, [first, missing + 0.22 * 1.7**relief * (other - missing.mean())]).unexplained
+    assert found[:, BORDER + 20 : -10].mean() > 0.6
+    assert not found[:, : BORDER - 20].any()
+    assert not found_in(mosaic, [first, missing + 0.2 * (other - missing.mean())]).unexplained.any()
