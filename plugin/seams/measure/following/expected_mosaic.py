@@ -32,6 +32,7 @@ from .source_filters import (
 FEWEST_UNSURE_PIXELS = 16000  # that a filter is learned from where its source is followed for sure nearly nowhere
 MIN_LEFT_UNMIXED = 0.01  # of the fine detail, that sources on their own sides leave over, for them to be mixed
 MOST_LEFT_OF_THAT = 0.5  # where both mixed explain it
+MOST_LEFT_BY_MIXED = 10.0  # times what they leave over one by one; true mixtures have up to 4
 MOST_LEFT_MIXED = 0.05  # of the fine detail, for a filter to be believed that was learned where sources may be mixed
 MIN_THIRD_SHARE = 0.25  # of the pixels, that a third image surely has where two are mixed everywhere
 MOST_LEFT_OF_THIRD = 0.05  # of what seemed to be a smaller part of a third: the two mixed explain it
@@ -113,7 +114,7 @@ def expected_mosaic(
     if filters is None:
         found, labels, in_tone = window.learned()
     else:
-        found, labels = filters, window.labels(filters)
+        found, labels = filters, window.labels(window.likely(filters))
         in_tone = window.in_tone(labels)
     toned = {i: one.plane for i, one in in_tone.items()}
     shown = {i: found.applied(i, plane) for i, plane in toned.items()}
@@ -157,14 +158,13 @@ class _Window:
     has_warped: bool
     interpolated: Collection[int]
 
-    def labels(
-        self, filters: Filters | None, left_out: Collection[int] = (), strange: np.ndarray | bool = True
-    ) -> np.ndarray:
-        """(rows, columns) uint8; ``strange``: where no source may explain the mosaic."""
+    def likely(self, filters: Filters | None, left_out: Collection[int] = ()) -> LikelySource:
+        """Of the sources that are followed at first."""
         sources = {i: self.fine[1 + i] for i in sorted(self.following.followed) if i not in left_out}
-        likely = _likely(
-            self.fine[0], sources, self.following, self.valid, filters, self.sampling, self.interpolated
-        )
+        return _likely(self.fine[0], sources, self.following, self.valid, filters, self.sampling, self.interpolated)
+
+    def labels(self, likely: LikelySource, strange: np.ndarray | bool = True) -> np.ndarray:
+        """(rows, columns) uint8; ``strange``: where no source may explain the mosaic."""
         unexplained = np.logical_and(likely.unexplained, strange & (not self.has_warped))
         found = likely.labels | (unexplained * np.uint8(UNKNOWN))
         return found if self.known is None else np.where(self.known == UNKNOWN, found, self.known)
@@ -177,7 +177,8 @@ class _Window:
 
     def learned(self) -> tuple[Filters, np.ndarray, dict[int, Levelled]]:
         """What came over the sources, their labels, and themselves in tone."""
-        labels = self.labels(None)
+        likely = self.likely(None)
+        labels = self.labels(likely)
         in_tone, unmixed = self.in_tone(labels), _sure_unmixed(labels, self.following)
         anywhere = _sure(labels, unmixed)
         own, fine = self.fine[0], dict(enumerate(self.fine[1:]))
@@ -185,8 +186,9 @@ class _Window:
         made = self._made(in_tone, found, labels)
         pair, few = self._mixable(made, labels)
         ground = self._ground(in_tone, found, made, labels, pair, few) if len(pair) == 2 else None
-        if ground is not None:
-            return self._mixed(labels, found, pair, few, *ground)
+        mixed = None if ground is None else self._mixed(likely, labels, found, pair, few, *ground)
+        if mixed is not None:
+            return mixed
         # A filter that was learned of a mixture takes what that took.
         is_doubtful = np.count_nonzero(anywhere) > np.count_nonzero(unmixed)
         if is_doubtful and share_left(own, made, labels, present(labels)) > MOST_LEFT_MIXED:
@@ -194,16 +196,20 @@ class _Window:
         return found, labels, in_tone
 
     def _mixed(
-        self, labels: np.ndarray, found: Filters, pair: Sequence[int], few: Sequence[int], ground: MixedGround,
-        gains: Mapping[int, np.ndarray],
-    ) -> tuple[Filters, np.ndarray, dict[int, Levelled]]:
-        """The same where two sources are mixed nearly everywhere."""
+        self, alone: LikelySource, labels: np.ndarray, found: Filters, pair: Sequence[int], few: Sequence[int],
+        ground: MixedGround, gains: Mapping[int, np.ndarray],
+    ) -> tuple[Filters, np.ndarray, dict[int, Levelled]] | None:
+        """The same where two sources are mixed nearly everywhere; None where one by one, ``alone``, they explain far
+        more than with what the mixture says came over them."""
         found = found.with_own(dict(zip(pair, ground.taps)), range(len(self.planes)))
         # What resembled the mosaic as long as nobody knew what it was mixed of is no seam.
         made = ground.mosaic[SAMPLE]
         chance = {i for i in few if share_left(self.fine[0], made, labels, [i]) <= MOST_LEFT_OF_THIRD}
         kept = {*pair, *present(labels)} - chance
-        labels = self.labels(found, [i for i in self.following.followed if i not in kept], labels == UNKNOWN)
+        likely = self.likely(found, [i for i in self.following.followed if i not in kept])
+        if likely.left > MOST_LEFT_BY_MIXED * alone.left:
+            return None
+        labels = self.labels(likely, labels == UNKNOWN)
         means = square_means(self.mosaic)
         again = {
             i: levelled(means, self.planes[i], labels == i, labels == i, gain=gain)
