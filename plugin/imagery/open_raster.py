@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
@@ -123,8 +123,8 @@ class OpenRaster:
     def raster(self) -> Raster:
         """What the raster is."""
         band, transform = self.dataset.GetRasterBand(1), self.dataset.GetGeoTransform(can_return_null=True)
-        if transform is not None and 0 in (transform[1] or transform[2], transform[5] or transform[4]):
-            transform = None  # all its pixels would lie on one line
+        if transform is not None and not _has_inverse(transform):
+            transform = None  # its pixels would lie on one line, or nowhere
         kind = np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
         bits = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE")
         return Raster(
@@ -281,6 +281,11 @@ def damaged(name: str, window: PixelWindow, why: str) -> Message:
     return messages.DAMAGED(name=name, left=window.column, right=right, top=window.row, bottom=bottom, why=why)
 
 
+def _has_inverse(transform: Sequence[float]) -> bool:
+    back = gdal.InvGeoTransform(transform)
+    return back is not None and all(map(math.isfinite, (*transform, *back)))
+
+
 def _opened(ref: RasterRef) -> gdal.Dataset | None:
     """None where GDAL opens no first part."""
     first = open_dataset(ref.path, RASTERS)
@@ -290,6 +295,13 @@ def _opened(ref: RasterRef) -> gdal.Dataset | None:
     whole = gdal.BuildVRT("", list(ref.paths), resolution="user", xRes=width, yRes=-height)
     whole.SetMetadata(first.GetMetadata("IMAGE_STRUCTURE"), "IMAGE_STRUCTURE")
     return whole
+
+
+def check_amounts(path: str, name: str) -> None:
+    """Raise RasterError for a raster that no memory can hold; nothing is said of what can't be opened."""
+    dataset = open_dataset(path, RASTERS)
+    if dataset is not None and dataset.RasterCount:
+        _check_amounts(dataset, name)
 
 
 def _check_amounts(dataset: gdal.Dataset, name: str) -> None:

@@ -62,6 +62,8 @@ FOUND = (
     "checkradiometry/windows/RASTERS/bands/41286105",
     "fitsensormodel/bias/IMAGE_RPC/one_endless_line/599400605",
     "scanmosaic/lone/MOSAIC/sparse/555636332",
+    "interiororientation/template/PHOTO/geotransform/761095921",
+    "inspect_mosaic/index/mosaic/one_huge_block/553833707",
 )
 """Cases that crashed, hung, took all memory or said something else than a sentence once."""
 QUICK = {

@@ -60,6 +60,15 @@ def test_a_geotransform_that_says_nothing_is_no_place(
     assert image.grid == Grid(0, 0, 1, 1, 64, 64)
 
 
+@pytest.mark.parametrize("numbers", ["5, 1, 2, 7, 2, 4", "5, 1e300, 1e300, 7, 1e300, 1e300", "nan, 1, 0, 7, 0, -1",
+                                     "5, inf, 0, 7, 0, -1", "5, 1e-320, 0, 7, 0, -1e-320"])
+def test_pixels_on_one_line_or_nowhere_have_no_place(tmp_path: Path, numbers: str) -> None:
+    path = tmp_path / "placed.vrt"
+    path.write_text(f'<VRTDataset rasterXSize="9" rasterYSize="9"><GeoTransform>{numbers}</GeoTransform>'
+                    '<VRTRasterBand dataType="Byte" band="1"/></VRTDataset>')
+    assert not describe(RasterRef(str(path))).has_place
+
+
 @pytest.mark.parametrize("array", [np.zeros((8, 8), np.complex64)])
 def test_what_has_no_real_values_is_refused(make_raster: MakeRaster, array: np.ndarray) -> None:
     with pytest.raises(RasterError, match="complex"):
