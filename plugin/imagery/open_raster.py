@@ -72,6 +72,9 @@ LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 """Compressions that are lossy unless the file says otherwise."""
 
 
+_MOST_OF_A_TILE = 1 << 24  # pixels that are worked on at once: what is made of them takes several times their room
+
+
 class PixelBlock(NamedTuple):
     """Pixels and which of them are no measurements."""
 
@@ -223,7 +226,7 @@ class OpenRaster:
         """Pieces that together are the window, row by row, each on whole tiles or strips of the file.
 
         They have about ``most_pixels`` pixels, or one tile or strip where that is larger, so that every one of the
-        file is decoded once.
+        file is decoded once; rows of it where it is huge, which GDAL holds meanwhile.
         """
         tile_width, tile_height = self.dataset.GetRasterBand(1).GetBlockSize()
         tile_width = min(tile_width, self.columns)
@@ -237,7 +240,10 @@ class OpenRaster:
             for left in range(window.column // wide * wide, window.column + window.width, wide):
                 column, row = max(left, window.column), max(top, window.row)
                 right = min(left + wide, window.column + window.width)
-                yield PixelWindow(column, row, right - column, min(top + high, window.row + window.height) - row)
+                bottom = min(top + high, window.row + window.height)
+                rows = max(max(_MOST_OF_A_TILE, most_pixels) // wide, 1)
+                for start in range(row, bottom, rows):
+                    yield PixelWindow(column, start, right - column, min(rows, bottom - start))
 
     def _block(self, data: np.ndarray, mask: np.ndarray | None) -> PixelBlock:
         """All bands into those that are measured and what is invalid in them; ``mask`` is 0 there."""

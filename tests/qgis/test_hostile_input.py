@@ -64,6 +64,7 @@ FOUND = (
     "scanmosaic/lone/MOSAIC/sparse/555636332",
     "interiororientation/template/PHOTO/geotransform/761095921",
     "inspect_mosaic/index/mosaic/one_huge_block/553833707",
+    "accept_delivery/sources/folder/sparse/390607293",
 )
 """Cases that crashed, hung, took all memory or said something else than a sentence once."""
 QUICK = {
