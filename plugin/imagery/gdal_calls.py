@@ -76,7 +76,7 @@ def open_dataset(path: str, access: Access, flags: int = gdal.OF_READONLY) -> gd
     drivers = _HELD_BY_ITSELF if access is RASTERS and _is_not_looked_at(path) else access.drivers
     with gdal_silenced():
         try:
-            return gdal.OpenEx(path, access.kind | flags, list(drivers))
+            return gdal.OpenEx(readable_path(path), access.kind | flags, list(drivers))
         except RuntimeError:
             return None
 
