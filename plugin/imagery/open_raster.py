@@ -4,7 +4,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from typing import Any, Callable, NamedTuple
@@ -26,6 +26,7 @@ from .gdal_calls import (
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
+from .remote_files import remote_parts, remote_settings
 
 
 @dataclass(frozen=True)
@@ -109,8 +110,9 @@ class OpenRaster:
                 failure = messages.NOT_PERMITTED(name=ref.name)
             for part in ref.parts:
                 check_raster_path(part, ref.name)
-            dataset = gdal_call(lambda: _opened(ref), failure)
-            read_metadata(dataset)
+            with _network(ref):
+                dataset = gdal_call(lambda: _opened(ref), failure)
+                read_metadata(dataset)
         if dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
         _check_amounts(dataset, ref.name)
@@ -202,7 +204,8 @@ class OpenRaster:
         """What a call reads of a window."""
         def attempt(dataset: gdal.Dataset) -> np.ndarray:
             failure = messages.NOT_READABLE(name=self.ref.name)
-            return np.asarray(gdal_pixels(lambda: call(dataset), failure, partial(damaged, self.ref.name, window)))
+            with _network(self.ref):
+                return np.asarray(gdal_pixels(lambda: call(dataset), failure, partial(damaged, self.ref.name, window)))
 
         try:
             return attempt(self.dataset)
@@ -290,6 +293,11 @@ def damaged(name: str, window: PixelWindow, why: str) -> Message:
 def _has_inverse(transform: Sequence[float]) -> bool:
     back = gdal.InvGeoTransform(transform)
     return back is not None and all(map(math.isfinite, (*transform, *back)))
+
+
+def _network(ref: RasterRef) -> AbstractContextManager[None]:
+    """What comes over the network has an end, whoever reads it: a server that drips is given up."""
+    return remote_settings({}) if remote_parts(ref.path) else nullcontext()
 
 
 def _opened(ref: RasterRef) -> gdal.Dataset | None:

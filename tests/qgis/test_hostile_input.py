@@ -66,6 +66,7 @@ FOUND = (
     "inspect_mosaic/index/mosaic/one_huge_block/553833707",
     "accept_delivery/sources/folder/sparse/390607293",
     "comparesensormodels/heights/GCPS/all_numbers/161795838",
+    "orthorectifyphotos/table/INTERIOR/structure/486750580",
 )
 """Cases that crashed, hung, took all memory or said something else than a sentence once."""
 QUICK = {
