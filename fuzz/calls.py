@@ -128,7 +128,7 @@ CALLS: tuple[Call, ...] = tuple(Call(*one) for one in (
         "RASTERS": _files("mosaic.tif", "picture.png"), "WINDOWS": _file("windows.gpkg"), "VALUE_RANGE": [0, 255],
         "SEAMLINES": _file("seams.geojson"), "GREY_AREAS": _file("grey.gpkg")}),
     ("checkradiometry", "rules", {"RASTERS": _files("float.tif", "webp.tif"), "RULES": _file("radiometry.json")}),
-    ("checkradiometry", "sheets", {"SHEETS": _file("ordered.gpkg")}),
+    ("checkradiometry", "sheets", {"SHEETS": _file("scan/index.gpkg")}),
     ("measureresolution", "bars", {
         "RASTER": _file("target.tif"), "GROUPS": _file("bars.gpkg"), "WIDTH": 3.0, "BARS": 3, "BAND": 0,
         "REFERENCE_GROUP": 1, "REFERENCE_GRD": 100.0, "STEP": 1.12, "CRITERION": 0.5, "FULL_AMPLITUDE": "coarsest"}),

@@ -5,8 +5,14 @@ Each makes twice the bytes when ``Broken.scale`` is 2; the worker plays what tak
 from __future__ import annotations
 
 import json
+import re
+import sqlite3
+import zlib
+from contextlib import closing
+from xml.sax.saxutils import escape
 
 from fuzz.breakages.broken import RASTERS, Broken, breakage
+from fuzz.breakages.of_several import wrapped
 
 _BYTES = 400_000
 _MARKUP = ("<SourceFilename ", "<!--", "<a ", "&", "<![CDATA[", "]]>", "<a>", "</a>", 'a="', "<?a ", "<SourceFilename>")
@@ -65,4 +71,49 @@ def many_brackets(broken: Broken) -> None:
 def long_lines(broken: Broken) -> None:
     unit = broken.random.choice((",", "\n", '"', "1,", "a: ", "- ", "{", " ", "x\n", "1\n"))
     text = broken.path.read_text(encoding="utf-8", errors="replace")
-    broken.path.write_text(text + _long(broken, unit), encoding="utf-8")
+    most = 4_000 if "," in unit else _BYTES  # QGIS itself takes minutes for a table of so many columns
+    broken.path.write_text(text + _long(broken, unit, most), encoding="utf-8")
+
+
+@breakage(*RASTERS, grows=True)
+def long_packed(broken: Broken) -> str:
+    """In archives and VRTs in each other."""
+    path = broken.renamed("long.vrt")
+    path.write_text(f'<VRTDataset rasterXSize="9" rasterYSize="9">{_long(broken, broken.random.choice(_MARKUP))}')
+    return wrapped(broken, str(path))
+
+
+@breakage(".qgs", grows=True)
+def long_settings(broken: Broken) -> None:
+    """Of what the plugin keeps in a project."""
+    count = broken.scale * 20_000
+    of_one_sign = _long(broken, broken.random.choice(("[", '{"a":', "9", '"', "[[],", "1,")))
+    of_many_keys = json.dumps({f"key_{number}": "x" for number in range(count)})
+    of_many_sources = json.dumps({"sources": [f"layer_{number}" for number in range(count)]})
+    kept = escape(broken.random.choice((of_one_sign, of_many_keys, of_many_sources)))
+    text = broken.path.read_text(encoding="utf-8")
+    broken.path.write_text(re.sub(r'(?<=type="QString">)\{.*?\}(?=</)', lambda _: kept, text), encoding="utf-8")
+
+
+@breakage(".qgs", grows=True)
+def many_marks(broken: Broken) -> None:
+    """Windows that are said to be outdated, which are not there."""
+    marks = "".join(f'<Option type="QString" value="{number}"/>' for number in range(broken.scale * 10_000))
+    text = broken.path.read_text(encoding="utf-8")
+    broken.path.write_text(re.sub(r'<Option type="QString" value="1"/>', marks, text), encoding="utf-8")
+
+
+@breakage(".unsaved", grows=True)
+def many_records(broken: Broken) -> None:
+    """Of windows that nobody drew, or of one that is very long."""
+    count = broken.scale * 5_000
+    outline = "010300000001000000040000" + "00" * 66  # a triangle without an extent
+    window = {"wkb": broken.random.choice((None, outline)), "values": {"remark": "x" * 50}, "stale": True}
+    if broken.random.random() < 0.3:
+        records = [("1", _long(broken, broken.random.choice(("[", '{"a":', "9", '"'))))]
+    else:
+        records = [(str(number), json.dumps({**window, "number": number})) for number in range(2, count)]
+    with closing(sqlite3.connect(broken.path)) as database:
+        rows = ((key, zlib.crc32(said.encode()), said.encode()) for key, said in records)
+        database.executemany("INSERT OR REPLACE INTO records (key, checksum, payload) VALUES (?, ?, ?)", rows)
+        database.commit()

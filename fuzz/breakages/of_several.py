@@ -37,7 +37,11 @@ def twice(broken: Broken) -> str | None:
 @breakage(*RASTERS)
 def packed(broken: Broken) -> str:
     """In an archive, a VRT, or several of them in each other."""
-    path = _again(broken, broken.random.choice((0, 1, 1, 2))) or str(broken.path)
+    return wrapped(broken, _again(broken, broken.random.choice((0, 1, 1, 2))) or str(broken.path))
+
+
+def wrapped(broken: Broken, path: str) -> str:
+    """A path in one to three of those, each in the one before."""
     for number in range(broken.random.choice((1, 2, 3))):
         path = broken.random.choice((_zipped, _in_vrt, _inline, _by_vrt))(broken, path, number)
     return path

@@ -31,6 +31,12 @@ def leading_to(places: Mapping[str, str]) -> Iterator[None]:
             _checked.pop(path, None)
 
 
+def leads_as_checked(path: Path, place: str | None = None) -> bool:
+    """Whether an output leads where it did when it was held against the inputs; ``place``: where it leads now."""
+    now = os.path.realpath(path) if place is None else place
+    return _checked.get(os.path.abspath(path), now) == now
+
+
 def unfinished_name(path: Path) -> str:
     """What the names of the folders in which a file is written begin with: known by the file, however long its name."""
     return f".unfinished-{zlib.crc32(os.fsencode(path.name)):08x}-"
@@ -80,7 +86,7 @@ class UnfinishedFile:
     def __init__(self, path: Path) -> None:
         """Raises OSError where no file can be."""
         place = os.path.realpath(path)  # the file that a link points to is replaced, not the link
-        if _checked.get(os.path.abspath(path), place) != place:
+        if not leads_as_checked(path, place):
             raise PermissionError(errno.EPERM, os.strerror(errno.EPERM))
         self._path = Path(place)
         if self.replaces and not os.access(self._path, os.W_OK):

@@ -76,7 +76,7 @@ def open_dataset(path: str, access: Access, flags: int = gdal.OF_READONLY) -> gd
     drivers = _HELD_BY_ITSELF if access is RASTERS and _is_not_looked_at(path) else access.drivers
     with gdal_silenced():
         try:
-            return gdal.OpenEx(path, access.kind | flags, list(drivers))
+            return gdal.OpenEx(readable_path(path), access.kind | flags, list(drivers))
         except RuntimeError:
             return None
 
@@ -333,6 +333,7 @@ def _look_in_file_system(path: str) -> _PathLook:
             rest = rest.partition(",")[2]
         elif handler not in _ARCHIVES:
             return _PathLook(_Refused.ENDLESS)
+        rest = rest.lstrip("{")  # around an archive in an archive
         rest = f"/{rest}" if rest.startswith("vsi") else rest
     file = rest.replace("{", "").replace("}", "")
     while file and not os.path.exists(file) and file != os.path.dirname(file):
@@ -350,7 +351,7 @@ def _look(path: str, file: str, mode: int, *identity: int) -> _PathLook:
     if _is_special(file, mode):
         return _PathLook(_Refused.ENDLESS)
     if stat.S_ISDIR(mode):
-        return _PathLook()
+        return _PathLook(_Refused.ENDLESS if path != file and _is_file_of_gdal(path) else None)
     with gdal_silenced():
         try:
             driver = gdal.IdentifyDriverEx(path, gdal.OF_RASTER)
@@ -369,6 +370,12 @@ def _look(path: str, file: str, mode: int, *identity: int) -> _PathLook:
     else:
         look = _PathLook(driver="" if driver is None else driver.ShortName, identity=identity)
     return look._replace(beside=_in_archive(path))
+
+
+def _is_file_of_gdal(path: str) -> bool:
+    """Whether GDAL has a file where the system has none that it could come from."""
+    found = gdal.VSIStatL(path)
+    return found is not None and not found.IsDirectory()
 
 
 @lru_cache(_MOST_PARTS)
@@ -464,7 +471,8 @@ def _places(text: str, folder: str, is_relative: bool) -> Iterator[str]:
     if not is_relative or text.count(":") > _MOST_COLONS:
         yield text
         return
-    yield os.path.normpath(os.path.join(folder, text))
+    joined = os.path.join(folder, text)
+    yield joined if joined.startswith("/vsi") else os.path.normpath(joined)  # else // before an archive's place is lost
     if ":" in text or "<" in text:
         yield from _files_in(text, folder)
 

@@ -3,8 +3,8 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Iterator
-from contextlib import suppress
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from typing import Any, Callable, NamedTuple
@@ -26,6 +26,7 @@ from .gdal_calls import (
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
+from .remote_files import remote_parts, remote_settings
 
 
 @dataclass(frozen=True)
@@ -72,6 +73,9 @@ LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 """Compressions that are lossy unless the file says otherwise."""
 
 
+_MOST_OF_A_TILE = 1 << 24  # pixels that are worked on at once: what is made of them takes several times their room
+
+
 class PixelBlock(NamedTuple):
     """Pixels and which of them are no measurements."""
 
@@ -106,8 +110,9 @@ class OpenRaster:
                 failure = messages.NOT_PERMITTED(name=ref.name)
             for part in ref.parts:
                 check_raster_path(part, ref.name)
-            dataset = gdal_call(lambda: _opened(ref), failure)
-            read_metadata(dataset)
+            with _network(ref):
+                dataset = gdal_call(lambda: _opened(ref), failure)
+                read_metadata(dataset)
         if dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
         _check_amounts(dataset, ref.name)
@@ -123,8 +128,8 @@ class OpenRaster:
     def raster(self) -> Raster:
         """What the raster is."""
         band, transform = self.dataset.GetRasterBand(1), self.dataset.GetGeoTransform(can_return_null=True)
-        if transform is not None and 0 in (transform[1] or transform[2], transform[5] or transform[4]):
-            transform = None  # all its pixels would lie on one line
+        if transform is not None and not _has_inverse(transform):
+            transform = None  # its pixels would lie on one line, or nowhere
         kind = np.dtype(gdal_array.GDALTypeCodeToNumericTypeCode(band.DataType))
         bits = band.GetMetadataItem("NBITS", "IMAGE_STRUCTURE")
         return Raster(
@@ -199,7 +204,8 @@ class OpenRaster:
         """What a call reads of a window."""
         def attempt(dataset: gdal.Dataset) -> np.ndarray:
             failure = messages.NOT_READABLE(name=self.ref.name)
-            return np.asarray(gdal_pixels(lambda: call(dataset), failure, partial(damaged, self.ref.name, window)))
+            with _network(self.ref):
+                return np.asarray(gdal_pixels(lambda: call(dataset), failure, partial(damaged, self.ref.name, window)))
 
         try:
             return attempt(self.dataset)
@@ -223,7 +229,7 @@ class OpenRaster:
         """Pieces that together are the window, row by row, each on whole tiles or strips of the file.
 
         They have about ``most_pixels`` pixels, or one tile or strip where that is larger, so that every one of the
-        file is decoded once.
+        file is decoded once; rows of it where it is huge, which GDAL holds meanwhile.
         """
         tile_width, tile_height = self.dataset.GetRasterBand(1).GetBlockSize()
         tile_width = min(tile_width, self.columns)
@@ -237,7 +243,10 @@ class OpenRaster:
             for left in range(window.column // wide * wide, window.column + window.width, wide):
                 column, row = max(left, window.column), max(top, window.row)
                 right = min(left + wide, window.column + window.width)
-                yield PixelWindow(column, row, right - column, min(top + high, window.row + window.height) - row)
+                bottom = min(top + high, window.row + window.height)
+                rows = max(max(_MOST_OF_A_TILE, most_pixels) // wide, 1)
+                for start in range(row, bottom, rows):
+                    yield PixelWindow(column, start, right - column, min(rows, bottom - start))
 
     def _block(self, data: np.ndarray, mask: np.ndarray | None) -> PixelBlock:
         """All bands into those that are measured and what is invalid in them; ``mask`` is 0 there."""
@@ -281,6 +290,16 @@ def damaged(name: str, window: PixelWindow, why: str) -> Message:
     return messages.DAMAGED(name=name, left=window.column, right=right, top=window.row, bottom=bottom, why=why)
 
 
+def _has_inverse(transform: Sequence[float]) -> bool:
+    back = gdal.InvGeoTransform(transform)
+    return back is not None and all(map(math.isfinite, (*transform, *back)))
+
+
+def _network(ref: RasterRef) -> AbstractContextManager[None]:
+    """What comes over the network has an end, whoever reads it: a server that drips is given up."""
+    return remote_settings({}) if remote_parts(ref.path) else nullcontext()
+
+
 def _opened(ref: RasterRef) -> gdal.Dataset | None:
     """None where GDAL opens no first part."""
     first = open_dataset(ref.path, RASTERS)
@@ -290,6 +309,13 @@ def _opened(ref: RasterRef) -> gdal.Dataset | None:
     whole = gdal.BuildVRT("", list(ref.paths), resolution="user", xRes=width, yRes=-height)
     whole.SetMetadata(first.GetMetadata("IMAGE_STRUCTURE"), "IMAGE_STRUCTURE")
     return whole
+
+
+def check_amounts(path: str, name: str) -> None:
+    """Raise RasterError for a raster that no memory can hold; nothing is said of what can't be opened."""
+    dataset = open_dataset(path, RASTERS)
+    if dataset is not None and dataset.RasterCount:
+        _check_amounts(dataset, name)
 
 
 def _check_amounts(dataset: gdal.Dataset, name: str) -> None:

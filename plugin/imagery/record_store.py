@@ -82,6 +82,8 @@ class RecordStore:
                     self.was_damaged = True
                     path.unlink()
                 elif _is_at(path, found):
+                    if isinstance(error, OSError) and not path.stat().st_size:  # made here, and no room for more
+                        path.unlink()
                     raise
             else:
                 if _is_at(path, found):

@@ -62,6 +62,11 @@ FOUND = (
     "checkradiometry/windows/RASTERS/bands/41286105",
     "fitsensormodel/bias/IMAGE_RPC/one_endless_line/599400605",
     "scanmosaic/lone/MOSAIC/sparse/555636332",
+    "interiororientation/template/PHOTO/geotransform/761095921",
+    "inspect_mosaic/index/mosaic/one_huge_block/553833707",
+    "accept_delivery/sources/folder/sparse/390607293",
+    "comparesensormodels/heights/GCPS/all_numbers/161795838",
+    "orthorectifyphotos/table/INTERIOR/structure/486750580",
 )
 """Cases that crashed, hung, took all memory or said something else than a sentence once."""
 QUICK = {

@@ -22,11 +22,11 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QUrl
-from seam_inspector.plugin.toolkit.algorithms import base
+from seam_inspector.plugin.toolkit.algorithms import base, outputs
 
 from tests.numbers.synthetic import write_raster
 from tests.qgis.runs import algorithm, assert_refused, assert_sentence, run, run_unchecked
-from tests.qgis.scenes import SHARP, Scene, layer, line, saved, windows
+from tests.qgis.scenes import BLURRED, SHARP, Scene, layer, line, saved, windows
 from tests.qgis.test_provider import NAMES
 
 pytestmark = pytest.mark.usefixtures("provider")
@@ -126,6 +126,42 @@ def test_a_link_that_is_changed_after_the_check_leads_to_no_input(
     assert_sentence(run_unchecked("simulatebayer", RASTER=str(image), OUTPUT=str(output)).complaint, "can't be written")
     assert {path: path.read_bytes() for path in before} == before
     assert (free / image.name).read_bytes() == b"older"
+
+
+def fields(path: Path) -> list[str]:
+    return list(QgsVectorLayer(str(path), "a", "ogr").fields().names())
+
+
+@pytest.mark.parametrize("when", ["before the check", "while it goes on"])
+def test_a_layer_s_link_that_is_changed_leads_to_no_input(
+    scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, when: str
+) -> None:
+    given = Path(saved(windows(SHARP, BLURRED), tmp_path / "windows.gpkg"))
+    link, free, before = tmp_path / "out.gpkg", tmp_path / "free.gpkg", fields(given)
+
+    def turn(target: Path) -> None:
+        link.unlink(missing_ok=True)
+        link.symlink_to(target)
+
+    whole, one = base.refuse_outputs, outputs._output
+
+    def checked(*arguments: Any) -> dict[str, str]:
+        turn(given if when == "before the check" else free)
+        leads = whole(*arguments)
+        turn(given)
+        return leads
+
+    def looked_at(*arguments: Any) -> Any:
+        turn(free)
+        return one(*arguments)
+
+    turn(free)
+    monkeypatch.setattr(base, "refuse_outputs", checked)
+    monkeypatch.setattr(outputs, "_output", looked_at)
+    complaint = run_unchecked("predictloss", WINDOWS=str(given), SOURCES=scene.sources, OUTPUT=str(link)).complaint
+    assert_sentence(complaint, "can't be written|would be written over")
+    assert fields(given) == before
+    assert not free.exists()
 
 
 def test_layers_of_the_project_and_their_ids(image: Path, project: QgsProject) -> None:

@@ -107,8 +107,8 @@ class UnsavedWindows(QObject):
     def close(self, is_left: bool = False) -> None:
         """Write what is to be written and follow the layer no more. ``is_left``: QGIS itself asks what is to become of
         its changes."""
-        while self._touched:
-            self._write()
+        if self._touched:
+            self._write(len(self._touched))  # in one go: QGIS goes through all that was added each time it is asked
         self._writer.stop()
         self._saved.stop()
         for signal, slot in self._connections:
@@ -156,9 +156,9 @@ class UnsavedWindows(QObject):
         numbers = {feature.id(): whole_number(feature.attribute(index)) for feature in features}
         self._numbers = {fid: number for fid, number in numbers.items() if number is not None}
 
-    def _write(self) -> None:
+    def _write(self, most: int = _AT_ONCE) -> None:
         """In the keeper's thread, some ms later on the disk; only the next action waits for that."""
-        fids = list(self._touched)[:_AT_ONCE]
+        fids = list(self._touched)[:most]
         for fid in fids:
             del self._touched[fid]
         there = {one.id(): one for one in self._layer.getFeatures(QgsFeatureRequest().setFilterFids(fids))}

@@ -70,7 +70,8 @@ class Cameras:
         if found is None and self.cameras:
             known = ", ".join(map(str, self.cameras))
             raise SensorModelError(messages.CAMERA_UNKNOWN(name=self.name, names=known))
-        return self.cameras[str(found)]()
+        with np.errstate(all="ignore"):  # what is not finite is refused
+            return self.cameras[str(found)]()
 
     def of(self, camera: str, size: tuple[int, int]) -> FrameInterior:
         """One by its name, scaled to an image of ``size`` (columns, rows). Raises SensorModelError for what can't be
@@ -206,8 +207,7 @@ def _orthority_camera(values: Mapping[str, Any], path: Path) -> FileCamera:
     size = np.array(values["im_size"], float)
     sensor = values.get("sensor_size")
     # Without a sensor's size the focal length is one of sensor widths.
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # what is not finite is refused
-        focal = np.array(values["focal_len"], float) * (size / np.array(sensor, float) if sensor else size[0])
+    focal = np.array(values["focal_len"], float) * (size / np.array(sensor, float) if sensor else size[0])
     offset = np.array([values.get("cx") or 0.0, values.get("cy") or 0.0], float)
     given = {key: float(values.get(key) or 0.0) for key in _LENSES[kind]}
     return _camera(size, focal, size / 2 + offset * size.max(), lens_of(kind, given))

@@ -166,4 +166,5 @@ def _transformed(places: np.ndarray, transform: Sequence[float]) -> np.ndarray:
     """(n, 2) by a geotransform."""
     left, across, skew_x, top, skew_y, down = transform
     x, y = places.T
-    return np.column_stack([left + across * x + skew_x * y, top + skew_y * x + down * y])
+    with np.errstate(invalid="ignore", over="ignore"):  # what has no place is told where points are looked at
+        return np.column_stack([left + across * x + skew_x * y, top + skew_y * x + down * y])

@@ -15,6 +15,7 @@ from ...imagery.reference_systems import transform_points
 from . import limits, messages
 
 WGS84 = "EPSG:4326"
+_MOST_YAML = 300_000  # characters, of some hundred cameras: PyYAML reads a hundred thousand in a second
 
 
 def file_content(path: Path) -> bytes:
@@ -26,11 +27,11 @@ def file_content(path: Path) -> bytes:
 
 
 def yaml_document(text: str, name: str) -> Any:
-    """What a YAML text says; None for one that is none. Raises SensorModelError without PyYAML."""
+    """What a YAML text says; None for one that is none, or too long. Raises SensorModelError without PyYAML."""
     try:
         import yaml
 
-        return yaml.safe_load(text)
+        return yaml.safe_load(text) if len(text) <= _MOST_YAML else None
     except ImportError:
         raise SensorModelError(messages.YAML_MISSING(name=name)) from None
     except (yaml.YAMLError, RecursionError, ValueError):

@@ -14,7 +14,7 @@ from osgeo import gdal
 from qgis.core import QgsFeature, QgsFeatureSink, QgsProcessingException
 from qgis.PyQt import sip
 
-from ...imagery.atomic_files import UnfinishedFile, drop_unfinished
+from ...imagery.atomic_files import UnfinishedFile, drop_unfinished, leads_as_checked
 from ...imagery.errors import Message, cell_text
 from ...imagery.gdal_calls import FEATURES, gdal_silenced, open_dataset
 from .. import messages
@@ -164,8 +164,13 @@ class FeatureSinks:
 
 
 def _unfinished(place: DataPlace | None) -> UnfinishedFile | None:
-    """None for what is no file of its own, or must be written in its place."""
-    if place is None or place.table or place.path.startswith("/vsi"):
+    """None for what is no file of its own, or must be written in its place. Raises QgsProcessingException for what
+    leads elsewhere by now."""
+    if place is None or place.path.startswith("/vsi"):
+        return None
+    if not leads_as_checked(Path(place.path)):
+        raise QgsProcessingException(_why_not(place, ""))
+    if place.table:
         return None
     try:
         return UnfinishedFile(Path(place.path))

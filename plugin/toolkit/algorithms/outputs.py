@@ -9,7 +9,7 @@ import os
 import re
 import sqlite3
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import closing
 from pathlib import Path
 from typing import Any, NamedTuple, Union
@@ -155,7 +155,7 @@ def refuse_outputs(
     paths = [_place(*one).path for one in wanted if is_file(one[1])]
     leads = {os.path.abspath(path): os.path.realpath(path) for path in paths if not path.startswith("/vsi")}
     outputs: list[_Output] = []
-    for output in (_output(*one) for one in wanted):
+    for output in (_output(*one, leads) for one in wanted):
         for other in outputs:
             if any(output.meets(DataPlace(file, other.place.table)) for file in other.files.values()):
                 path, first = output.place.path, other.title
@@ -251,10 +251,12 @@ def _is_locked(path: str) -> bool:
     return False
 
 
-def _output(definition: QgsProcessingParameterDefinition, text: str) -> _Output:
+def _output(definition: QgsProcessingParameterDefinition, text: str, leads: Mapping[str, str]) -> _Output:
+    """``leads``: where links lead, as it is held against the inputs, whatever they lead to when this is asked."""
     place = _place(definition, text)
     stem, ending = os.path.splitext(place.path)
-    files = [place.path, text, *(stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ()))]
+    files = [place.path, text, leads.get(os.path.abspath(place.path), place.path)]
+    files += [stem + other for other in _WRITTEN_BESIDE.get(ending.lower(), ())]
     if not place.path.lower().endswith(".vrt"):  # GDAL removes a raster with its sidecars before it writes a new one
         files += _dataset_files(place.path, gdal.OF_RASTER)
     return _Output(definition.description(), place, {_identity(file): file for file in files})

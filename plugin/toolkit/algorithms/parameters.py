@@ -28,7 +28,7 @@ from qgis.PyQt.QtCore import QT_TR_NOOP
 from ...imagery import limits as imagery_limits
 from ...imagery import messages as imagery_messages
 from ...imagery.errors import SettingsError
-from ...imagery.gdal_calls import check_raster_path, is_endless
+from ...imagery.gdal_calls import check_raster_path, is_endless, is_remote
 from .. import messages
 from ..translation import tr
 
@@ -191,10 +191,15 @@ def check_files(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> No
 
 
 def check_rasters(algorithm: QgsProcessingAlgorithm, values: dict[str, Any]) -> None:
-    """Raise RasterError for what GDAL must not open, before QGIS does for a model."""
+    """Raise RasterError for what GDAL must not open, and what no memory can hold, before QGIS opens it for a model."""
+    from ...imagery.open_raster import check_amounts
+
     for definition in algorithm.parameterDefinitions():
         for path in _paths(values.get(definition.name())) if takes_rasters(definition) else ():
-            check_raster_path(path, os.path.basename(path))
+            name = os.path.basename(path)
+            check_raster_path(path, name)
+            if not is_remote(path):
+                check_amounts(path, name)
 
 
 def takes_rasters(definition: QgsProcessingParameterDefinition) -> bool:

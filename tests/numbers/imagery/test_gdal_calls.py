@@ -110,6 +110,33 @@ def test_no_vrt_leads_there_however_it_is_written(tmp_path: Path, made: Callable
     assert "is a VRT that leads to" in refusal(paths[given])
 
 
+def packed_twice(folder: Path, inner: str) -> str:
+    """A VRT in an archive in an archive, which names by its place there another one with this text."""
+    with zipfile.ZipFile(folder / "inner.zip", "w") as file:
+        outer = vrt("../inner.vrt").replace("<SourceFilename>", "<SourceFilename relativeToVRT='1'>")
+        file.writestr("a/outer.vrt", outer)
+        file.writestr("inner.vrt", inner)
+    with zipfile.ZipFile(folder / "outer.zip", "w") as file:
+        file.write(folder / "inner.zip", "b/inner.zip")
+    return f"/vsizip/{{/vsizip/{{{folder}/outer.zip}}/b/inner.zip}}/a/outer.vrt"
+
+
+@pytest.mark.parametrize("is_named", [False, True])
+@pytest.mark.parametrize("how", ["once", "twice"])
+def test_names_by_a_place_in_an_archive_lead_nowhere(tmp_path: Path, how: str, is_named: bool) -> None:
+    """Given itself, or named by a VRT."""
+    os.mkfifo(tmp_path / "pipe")
+    for target in (str(tmp_path / "pipe"), MEMORY):
+        twice = packed_twice(tmp_path, vrt(target))
+        path = twice if how == "twice" else f"/vsizip/{tmp_path}/inner.zip/a/outer.vrt"
+        (tmp_path / "named.vrt").write_text(vrt(path))
+        assert "is a VRT that leads to" in refusal(tmp_path / "named.vrt" if is_named else path)
+    (tmp_path / "pipe").unlink()
+    twice = packed_twice(tmp_path, vrt(write_raster(tmp_path / "sound.tif", np.ones((1, 64, 64), np.uint8))))
+    for path in (twice, f"/vsizip/{tmp_path}/inner.zip/a/outer.vrt"):
+        assert OpenRaster(RasterRef(path)).read(PixelWindow(0, 0, 64, 64)).bands.all()
+
+
 def test_a_name_of_bytes_that_are_no_text_leads_nowhere(tmp_path: Path) -> None:
     pipe = os.fsencode(tmp_path) + b"/pipe\xff\xe9.tif"
     os.mkfifo(pipe)

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from osgeo import gdal
+from seam_inspector.plugin.imagery import open_raster
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import Grid, PixelWindow
 from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
@@ -60,6 +61,15 @@ def test_a_geotransform_that_says_nothing_is_no_place(
     assert image.grid == Grid(0, 0, 1, 1, 64, 64)
 
 
+@pytest.mark.parametrize("numbers", ["5, 1, 2, 7, 2, 4", "5, 1e300, 1e300, 7, 1e300, 1e300", "nan, 1, 0, 7, 0, -1",
+                                     "5, inf, 0, 7, 0, -1", "5, 1e-320, 0, 7, 0, -1e-320"])
+def test_pixels_on_one_line_or_nowhere_have_no_place(tmp_path: Path, numbers: str) -> None:
+    path = tmp_path / "placed.vrt"
+    path.write_text(f'<VRTDataset rasterXSize="9" rasterYSize="9"><GeoTransform>{numbers}</GeoTransform>'
+                    '<VRTRasterBand dataType="Byte" band="1"/></VRTDataset>')
+    assert not describe(RasterRef(str(path))).has_place
+
+
 @pytest.mark.parametrize("array", [np.zeros((8, 8), np.complex64)])
 def test_what_has_no_real_values_is_refused(make_raster: MakeRaster, array: np.ndarray) -> None:
     with pytest.raises(RasterError, match="complex"):
@@ -107,6 +117,14 @@ def test_blocks_cover_a_window_once_and_keep_to_their_size(
     assert seen.sum() == window.width * window.height
     inside = seen[window.row : window.row + window.height, window.column : window.column + window.width]
     assert (inside == 1).all()
+
+
+def test_a_huge_tile_is_worked_on_row_by_row(make_raster: MakeRaster, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(open_raster, "_MOST_OF_A_TILE", 210 * 40)
+    path = make_raster("whole.tif", orthoimage((300, 210)), options=["TILED=YES", "BLOCKXSIZE=224", "BLOCKYSIZE=304"])
+    blocks = list(OpenRaster(RasterRef(path)).blocks(PixelWindow(5, 10, 200, 200), 100))
+    assert [(one.row, one.height) for one in blocks] == [(10, 40), (50, 40), (90, 40), (130, 40), (170, 40)]
+    assert {(one.column, one.width) for one in blocks} == {(5, 200)}
 
 
 def test_a_thinned_read_has_every_so_many_th_pixel(rasters: dict[str, str]) -> None:

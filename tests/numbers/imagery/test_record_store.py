@@ -17,6 +17,8 @@ from hypothesis import strategies as st
 from seam_inspector.plugin.imagery.errors import SettingsError
 from seam_inspector.plugin.imagery.record_store import RecordKeeper, RecordStore
 
+from tests.numbers.disks import full_disk
+
 KIND = "Tests, 2"
 
 
@@ -211,6 +213,13 @@ def test_what_is_no_file_of_its_own_is_neither_opened_nor_waited_for(tmp_path: P
     keeper.close()
     assert len(told) == 1
     assert os.path.lexists(path)
+
+
+def test_where_there_is_no_room_for_the_first_record_nothing_is_left(tmp_path: Path) -> None:
+    path = tmp_path / "records"
+    with full_disk(1), pytest.raises(OSError, match=r"."):
+        RecordStore(path, KIND)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_who_waits_for_a_while_only_goes_on_while_the_disk_is_busy(tmp_path: Path) -> None:

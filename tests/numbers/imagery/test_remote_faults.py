@@ -12,6 +12,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery import remote_files
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import OpenRaster
 from seam_inspector.plugin.imagery.raster_pool import open_raster, rasters_kept, reading_threads
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.remote_files import RemoteError
@@ -136,6 +137,18 @@ def test_a_server_that_drips_is_named(server: RangeServer, monkeypatch: pytest.M
     monkeypatch.setattr(remote_files, "PATIENCE_S", 1.0)
     with pytest.raises(RemoteError, match=r"server of cog\.tif sends less than 1000 bytes a second"):
         raster.read(WINDOW)
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("one_second")
+@pytest.mark.parametrize("is_open", [False, True])
+def test_a_server_that_drips_is_given_up_by_whoever_reads(server: RangeServer, is_open: bool) -> None:
+    """Also of a raster that is not kept open, by a thread that knows of no network."""
+    path = server.address("cog.tif")
+    opened = OpenRaster(RasterRef(path)) if is_open else None
+    server.fault = lambda asked: Fault(dripping=0.3)
+    with pytest.raises(RasterError, match=r"cog\.tif"):
+        (opened or OpenRaster(RasterRef(path))).read(WINDOW)
 
 
 def test_nobody_waits_for_attempts_of_a_run_that_ended(server: RangeServer, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from osgeo import gdal, ogr
 from seam_inspector.plugin.imagery.gdal_calls import is_remote, readable_path
 from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.raster_pool import open_raster
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.remote_files import remote_parts, remote_settings
@@ -38,6 +39,7 @@ def test_only_the_tiles_of_the_window_are_fetched_and_once(server: RangeServer, 
 def test_a_plain_address_is_read_in_parts_too(server: RangeServer, folder: Path) -> None:
     np.testing.assert_array_equal(read(server.address("cog.tif")), expected(folder))
     assert server.sent < (folder / "cog.tif").stat().st_size / 2
+    assert describe(RasterRef(server.address("cog.tif"))).grid == describe(RasterRef(server.vsi("cog.tif"))).grid
 
 
 def test_a_mask_beside_a_plain_file_counts(server: RangeServer) -> None:

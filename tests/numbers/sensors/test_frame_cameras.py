@@ -254,6 +254,7 @@ def test_a_reduced_image_is_seen_by_the_camera_of_the_whole_one(folder: Path) ->
 
 @pytest.mark.parametrize(("files", "complaint"), [
     ({"camera.yaml": "a: [1"}, "no camera that can be read"),
+    ({"camera.yaml": YAML + "# " + 300_000 * "x"}, "no camera that can be read"),  # which PyYAML reads for long
     ({"camera.yaml": YAML.replace("[80, 60]\n  focal", "[1.0e-320, 1.0e-320]\n  focal")}, "no camera that can be read"),
     ({"camera.yaml": YAML.replace("60\n  sensor", "1.0e+300\n  sensor")}, "no camera that can be read"),
     ({"camera.yaml": YAML + "  cx: 1.0e+300\n"}, "no camera that can be read"),

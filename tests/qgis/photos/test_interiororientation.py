@@ -260,6 +260,17 @@ def test_bad_positions(scene: PhotoScene) -> None:
         assert_sentence(complaint(scene, POSITIONS=given), words)
 
 
+def test_positions_on_a_photo_whose_pixels_lie_on_one_line(scene: PhotoScene, tmp_path: Path) -> None:
+    """It is on its own pixels, as one that was never georeferenced."""
+    wrapped = tmp_path / "photo.vrt"
+    gdal.Translate(str(wrapped), str(scene.photo), format="VRT").FlushCache()
+    text = wrapped.read_text().replace("<VRTRasterBand", "<GeoTransform>5,1,2,7,2,4</GeoTransform><VRTRasterBand", 1)
+    wrapped.write_text(text)
+    outcome = run("interiororientation", **{**scene.inputs, "PHOTO": str(wrapped)}, **CROSS,
+                  POSITIONS=points(dict(scene.frame.places)))
+    assert outcome.complaint is None
+
+
 def test_the_report_shows_where_a_failed_mark_should_be(blotted: PhotoScene, tmp_path: Path) -> None:
     report = tmp_path / "report.html"
     outcome = run("interiororientation", **blotted.inputs, **CROSS, REPORT=str(report))

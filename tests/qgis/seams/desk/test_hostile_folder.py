@@ -8,18 +8,27 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from qgis.core import QgsCoordinateReferenceSystem, QgsGeometry, QgsLineString, QgsPolygon, QgsProject
+from qgis.core import (
+    QgsCoordinateReferenceSystem,
+    QgsFeatureRequest,
+    QgsGeometry,
+    QgsLineString,
+    QgsPolygon,
+    QgsProject,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtCore import QObject
 from seam_inspector.plugin.imagery.record_store import RecordStore
 from seam_inspector.plugin.resolution.line_layers import create_bar_layer
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import Inputs, load_inputs
 from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging
 from seam_inspector.plugin.seams.desk.mosaic_scans import _is_ours
-from seam_inspector.plugin.seams.desk.unsaved_windows import _KIND, left_by
+from seam_inspector.plugin.seams.desk.unsaved_windows import _KIND, UnsavedWindows, left_by
 from seam_inspector.plugin.seams.desk.windows.windows_mosaic import KnownMosaic, _known
 from seam_inspector.plugin.seams.jobs import ScanFiles
 from seam_inspector.plugin.seams.tables.window_layer import free_path
 
-from tests.qgis.scenes import layer
+from tests.qgis.scenes import layer, saved, windows
 from tests.qgis.seams.desk.session_desk import Desk
 
 OUTSIDE = ("/etc/passwd", "../outside", "/vsicurl/http://127.0.0.1:9/x")
@@ -42,8 +51,8 @@ def test_what_was_not_saved_brings_words_and_names_no_file(desk: Desk, tmp_path:
     assert desk.layer().commitChanges()
     assert desk.project.write(str(tmp_path / "project.qgz"))
     desk.project.clear()
-    (windows,) = tmp_path.glob("windows*.gpkg")
-    kept = RecordStore(windows.with_name(f"{windows.name}.unsaved"), _KIND)
+    (found,) = tmp_path.glob("windows*.gpkg")
+    kept = RecordStore(found.with_name(f"{found.name}.unsaved"), _KIND)
     kept.save("project", str(outside).encode())
     for place, record in enumerate((*BAD, ODD)):
         kept.save(f"{OUTSIDE[1]}{place}", json.dumps(record).encode())
@@ -55,6 +64,31 @@ def test_what_was_not_saved_brings_words_and_names_no_file(desk: Desk, tmp_path:
     assert set(desk.rows()) in ({1}, {1, 9})
     assert outside.read_text() == "mine"
     desk.layer().rollBack()
+
+
+def test_many_windows_are_written_in_one_go_as_the_layer_is_left(
+    qgis_app: object, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """QGIS goes through all that was added each time it is asked: a few at a time would take the square of the time."""
+    places = saved(windows(*[(0, 0, 64, 64)] * 60, window_id=("integer", list(range(60)))), tmp_path / "windows.gpkg")
+    opened = QgsVectorLayer(str(places), "windows", "ogr")
+    opened.startEditing()
+    owner = QObject()
+    unsaved = UnsavedWindows(opened, tmp_path / "windows.gpkg.unsaved", lambda layer, number: False, owner)
+    asked: list[object] = []
+    for one in opened.getFeatures():
+        opened.changeAttributeValue(one.id(), opened.fields().indexOf("window_id"), 100 + one.id())
+
+    def counted(request: QgsFeatureRequest) -> Any:
+        asked.append(request)
+        return QgsVectorLayer.getFeatures(opened, request)
+
+    monkeypatch.setattr(opened, "getFeatures", counted)
+    unsaved.close()
+    assert len(asked) == 1
+    left = left_by(tmp_path / "windows.gpkg.unsaved")
+    assert left is not None
+    assert left.unsaved == 120  # 60 that are no more, and 60 with other numbers
 
 
 @pytest.mark.skipif(os.name == "nt", reason="links and pipes of POSIX")
