@@ -18,6 +18,7 @@ FOR_QGIS_ON_QT6="libspatialindex8 libspatialite8t64 libsqlite3-mod-spatialite li
 PACKAGES="gdal-bin python3-gdal python3-numpy python3-pywt python3-scipy python3-matplotlib
     python3-jinja2 python3-yaml python3-markdown-it python3-pytest python3-pytest-xdist python3-hypothesis python3-skimage
     python3-opencv python3-distributed python3-hatchling python3-lxml python3-threadpoolctl python3-venv
+    libopenblas0-pthread
     python3-pip git xvfb xauth libgl1-mesa-dri fonts-dejavu-core fonts-open-sans procps poppler-utils"
 if [ -n "$QGIS" ]; then PACKAGES="$PACKAGES $FOR_QGIS_ON_QT6"; else PACKAGES="$PACKAGES $DEBIANS_QGIS"; fi
 
