@@ -127,6 +127,7 @@ class Chroot:
             "PYTHONPATH": "/checkout/build/plugins",
             "QGIS_PLUGINPATH": "/checkout/build/plugins",
             **({"SEAM_INSPECTOR_DATA": "/data"} if self.data else {}),
+            **({"QGIS_PREFIX_PATH": "/opt/qgis6"} if self.qgis else {}),  # else its Python finds half of its providers
             **variables,
         }
         words = ["env", "-C", "/checkout", *_pairs(given), "timeout", "-k", "20", str(seconds), "python3", *arguments]
