@@ -140,9 +140,11 @@ translate: link ## Collect new texts into the translations, then compile them
 soak: link ## Inspect 5,000 windows and judge 500 in the real application, and tell what grows; FEWER=20 for a try
 	$(PYTHON) -m tests.desktop.soak $(if $(FEWER),--fewer $(FEWER))
 
-package: link ## Make the plugin's zip and the wheel for Python without QGIS of the last commit, in build/, and check the zip
-	@zip=$$($(PYTHON) -m tools.make_package) && wheel=$$($(PYTHON) -m tools.make_wheel) && \
-		$(PYTHON) -m tools.check_package "$$zip" && echo "$$zip" && echo "$$wheel"
+package: ## Make the plugin's zip and the wheel for Python without QGIS of the last commit, in build/, and check the zip
+	@tools/install.sh package
+	@python=$(PYTHON); [ -e .venv/stamp ] || python=.venv-package/bin/python; \
+		zip=$$("$$python" -m tools.make_package) && wheel=$$("$$python" -m tools.make_wheel) && \
+		"$$python" -m tools.check_package "$$zip" && echo "$$zip" && echo "$$wheel"
 
 icon: link ## Draw the PNG of the icon anew from its SVG
 	QT_QPA_PLATFORM=offscreen $(PYTHON) tools/draw_icon.py
@@ -150,4 +152,4 @@ icon: link ## Draw the PNG of the icon anew from its SVG
 clean: ## Remove what was built; .venv and the chroots of test-matrix stay
 	[ ! -d build ] || find build -mindepth 1 -maxdepth 1 -not -name chroots -exec rm -rf {} +
 	rm -rf output .qgis-settings .mypy_cache .pytest_cache .ruff_cache .hypothesis i18n/*.qm
-	find . -name __pycache__ -not -path './.venv/*' -not -path './build/*' -prune -exec rm -rf {} +
+	find . -name __pycache__ -not -path './.venv*/*' -not -path './build/*' -prune -exec rm -rf {} +

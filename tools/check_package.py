@@ -175,7 +175,7 @@ def _said(module: str, *arguments: str, folder: str) -> list[str]:
     if run.returncode not in (0, 1):  # 1: something was found
         sys.exit(f"{module}: {run.stderr.strip()}")
     if "No module named" in run.stderr:
-        sys.exit(f"{module} is not installed: requirements-dev.txt names what checks a package.")
+        sys.exit(f"{module} is not installed: requirements-package.txt names what checks a package.")
     return run.stdout.splitlines()
 
 

@@ -1,14 +1,19 @@
 #!/bin/sh
-# install.sh [demo]: installs what the Makefile's targets need, or only what `make demo` needs; nothing when it is all there:
+# install.sh [demo|package]: installs what the Makefile's targets need, or only what `make demo` or `make package` needs;
+# nothing when it is all there:
 # - QGIS and its tools from the system's packages (Debian 12 or Ubuntu 22.04, or newer)
-# - Python packages into .venv, which sees the system's ones: QGIS's bindings exist only there; the demo does without
+# - Python packages into .venv, which sees the system's ones: QGIS's bindings exist only there; the demo does without, and
+#   the package has its few in .venv-package where there is no .venv
 set -eu
 cd "$(dirname "$0")/.."
 
 PYTHON=/usr/bin/python3 # another python3 on the path would not see QGIS
 PACKAGES="qgis python3-qgis python3-gdal python3-numpy python3-pywt python3-scipy python3-matplotlib python3-jinja2
     python3-yaml"
-if [ "${1:-}" != demo ]; then
+[ "${1:-}" != package ] || [ ! -e .venv/stamp ] || set -- # whoever has .venv makes the package with it
+if [ "${1:-}" = package ]; then
+    PACKAGES="git python3-venv python3-pip qttools5-dev-tools"
+elif [ "${1:-}" != demo ]; then
     PACKAGES="$PACKAGES git gdal-bin libopenblas0-pthread python3-venv python3-pip pyqt5-dev-tools qttools5-dev-tools
         xvfb xauth libgl1-mesa-dri fonts-dejavu-core fonts-open-sans procps poppler-utils"
     # It prints the reports in a test, which is skipped without it: Ubuntu has it as a snap alone, not from apt-get
@@ -49,6 +54,16 @@ if [ -n "$missing" ]; then
     apt install -y --no-install-recommends $missing
 fi
 [ "${1:-}" != demo ] || exit 0
+if [ "${1:-}" = package ]; then
+    if [ "$(cat .venv-package/stamp 2>/dev/null || true)" != "$(cat requirements-package.txt)" ]; then
+        echo "Installing Python packages into .venv-package"
+        rm -rf .venv-package
+        "$PYTHON" -m venv .venv-package
+        .venv-package/bin/python -m pip install --quiet --disable-pip-version-check -r requirements-package.txt
+        cp requirements-package.txt .venv-package/stamp
+    fi
+    exit 0
+fi
 
 # The stamp tells what .venv was made from: a changed requirement or a new system Python makes it anew.
 stamp=$(cat requirements*.txt && "$PYTHON" -c 'import numpy, sys; print(sys.version, numpy.__version__)')

@@ -123,7 +123,7 @@
             </Option>
           </data_defined_properties>
           <symbol alpha="1" clip_to_extent="1" name="@0@2" type="marker" force_rhr="0">
-            <layer pass="0" enabled="1" class="SvgMarker" locked="0">
+            <layer pass="0" enabled="1" class="SvgMarker" locked="0" userFlags="DisableSelectionRecoloring">
               <Option type="Map">
                 <Option name="name" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMTEiIGZpbGw9IiMyMDIwMjAiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PHBhdGggZD0iTTQuNSAxMiBRMTIgMy41IDE5LjUgMTIgUTEyIDIwLjUgNC41IDEyIFoiIGZpbGw9Im5vbmUiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMi43IiBmaWxsPSIjZmZmZmZmIi8+PC9zdmc+" type="QString"/>
                 <Option name="size" value="4" type="QString"/>
@@ -266,7 +266,7 @@
             </Option>
           </data_defined_properties>
           <symbol alpha="1" clip_to_extent="1" name="@1@2" type="marker" force_rhr="0">
-            <layer pass="0" enabled="1" class="SvgMarker" locked="0">
+            <layer pass="0" enabled="1" class="SvgMarker" locked="0" userFlags="DisableSelectionRecoloring">
               <Option type="Map">
                 <Option name="name" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMTEiIGZpbGw9IiMyMDIwMjAiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PHBhdGggZD0iTTQuNSAxMiBRMTIgMy41IDE5LjUgMTIgUTEyIDIwLjUgNC41IDEyIFoiIGZpbGw9Im5vbmUiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMi43IiBmaWxsPSIjZmZmZmZmIi8+PC9zdmc+" type="QString"/>
                 <Option name="size" value="4" type="QString"/>
@@ -409,7 +409,7 @@
             </Option>
           </data_defined_properties>
           <symbol alpha="1" clip_to_extent="1" name="@2@2" type="marker" force_rhr="0">
-            <layer pass="0" enabled="1" class="SvgMarker" locked="0">
+            <layer pass="0" enabled="1" class="SvgMarker" locked="0" userFlags="DisableSelectionRecoloring">
               <Option type="Map">
                 <Option name="name" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMTEiIGZpbGw9IiMyMDIwMjAiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PHBhdGggZD0iTTQuNSAxMiBRMTIgMy41IDE5LjUgMTIgUTEyIDIwLjUgNC41IDEyIFoiIGZpbGw9Im5vbmUiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMi43IiBmaWxsPSIjZmZmZmZmIi8+PC9zdmc+" type="QString"/>
                 <Option name="size" value="4" type="QString"/>
@@ -552,7 +552,7 @@
             </Option>
           </data_defined_properties>
           <symbol alpha="1" clip_to_extent="1" name="@3@2" type="marker" force_rhr="0">
-            <layer pass="0" enabled="1" class="SvgMarker" locked="0">
+            <layer pass="0" enabled="1" class="SvgMarker" locked="0" userFlags="DisableSelectionRecoloring">
               <Option type="Map">
                 <Option name="name" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMTEiIGZpbGw9IiMyMDIwMjAiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PHBhdGggZD0iTTQuNSAxMiBRMTIgMy41IDE5LjUgMTIgUTEyIDIwLjUgNC41IDEyIFoiIGZpbGw9Im5vbmUiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMi43IiBmaWxsPSIjZmZmZmZmIi8+PC9zdmc+" type="QString"/>
                 <Option name="size" value="4" type="QString"/>
@@ -695,7 +695,7 @@
             </Option>
           </data_defined_properties>
           <symbol alpha="1" clip_to_extent="1" name="@4@2" type="marker" force_rhr="0">
-            <layer pass="0" enabled="1" class="SvgMarker" locked="0">
+            <layer pass="0" enabled="1" class="SvgMarker" locked="0" userFlags="DisableSelectionRecoloring">
               <Option type="Map">
                 <Option name="name" value="base64:PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcmcvMjAwMC9zdmciIHZpZXdCb3g9IjAgMCAyNCAyNCI+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMTEiIGZpbGw9IiMyMDIwMjAiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PHBhdGggZD0iTTQuNSAxMiBRMTIgMy41IDE5LjUgMTIgUTEyIDIwLjUgNC41IDEyIFoiIGZpbGw9Im5vbmUiIHN0cm9rZT0iI2ZmZmZmZiIgc3Ryb2tlLXdpZHRoPSIyIi8+PGNpcmNsZSBjeD0iMTIiIGN5PSIxMiIgcj0iMi43IiBmaWxsPSIjZmZmZmZmIi8+PC9zdmc+" type="QString"/>
                 <Option name="size" value="4" type="QString"/>

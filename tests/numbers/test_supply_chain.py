@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-FILES = ("requirements.txt", "requirements-dev.txt", "requirements-qt6.txt")
+FILES = ("requirements.txt", "requirements-dev.txt", "requirements-package.txt", "requirements-qt6.txt")
 
 
 def requirements(path: Path) -> dict[str, str]:

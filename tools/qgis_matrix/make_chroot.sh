@@ -1,8 +1,8 @@
 #!/bin/bash
 # make_chroot.sh SUITE ROOT WHEELS [MIRROR [QGIS]]: a Debian of that suite with its QGIS and what the tests need in the
-# folder ROOT, as root. WHEELS is a folder with pytest-qgis, which no Debian has. QGIS is one on Qt 6, which takes the place
-# of Debian's: what build_qgis_qt6.sh left, as a folder or packed. Some 4 minutes and 3 GiB; goes on where it was broken
-# off. debootstrap knows the mirror where none is given, or an empty one.
+# folder ROOT, as root. WHEELS is a folder with what no Debian has, such as pytest-qgis. QGIS is one on Qt 6, which
+# takes the place of Debian's: what build_qgis_qt6.sh left, as a folder or packed. Some 4 minutes and 3 GiB; goes on where
+# it was broken off. debootstrap knows the mirror where none is given, or an empty one.
 set -euo pipefail
 SUITE=$1 ROOT=$2 WHEELS=$3 MIRROR=${4:-} QGIS=${5:-}
 HERE=$(dirname "$(readlink -f "$0")")
@@ -17,8 +17,9 @@ FOR_QGIS_ON_QT6="libspatialindex8 libspatialite8t64 libsqlite3-mod-spatialite li
     python3-psycopg2 pyqt6-dev-tools zip"
 PACKAGES="gdal-bin python3-gdal python3-numpy python3-pywt python3-scipy python3-matplotlib
     python3-jinja2 python3-yaml python3-markdown-it python3-pytest python3-pytest-xdist python3-hypothesis python3-skimage
-    python3-opencv python3-distributed python3-hatchling python3-venv python3-pip git xvfb xauth libgl1-mesa-dri fonts-dejavu-core
-    fonts-open-sans procps poppler-utils"
+    python3-opencv python3-distributed python3-hatchling python3-lxml python3-threadpoolctl python3-venv
+    libopenblas0-pthread
+    python3-pip git xvfb xauth libgl1-mesa-dri fonts-dejavu-core fonts-open-sans procps poppler-utils"
 if [ -n "$QGIS" ]; then PACKAGES="$PACKAGES $FOR_QGIS_ON_QT6"; else PACKAGES="$PACKAGES $DEBIANS_QGIS"; fi
 
 if ! command -v debootstrap >/dev/null; then

@@ -78,7 +78,7 @@ class Chroot:
         print(f"{self.name}: making {_told(self.root)}, some minutes and 3 GiB ({_told(log)})", flush=True)
         self.folder.mkdir(parents=True, exist_ok=True)
         wheels = self.folder / "wheels"
-        get = [".venv/bin/python", *"-m pip download --quiet --no-deps --dest".split(), str(wheels), _pytest_qgis()]
+        get = [".venv/bin/python", *"-m pip download --quiet --no-deps --dest".split(), str(wheels), *_wheels()]
         make = [*_as_root(), str(TOOLS / "make_chroot.sh"), self.suite, str(self.root), str(wheels), self.mirror]
         make += [str(self.qgis)] if self.qgis else []
         with open(log, "wb") as output:
@@ -127,6 +127,7 @@ class Chroot:
             "PYTHONPATH": "/checkout/build/plugins",
             "QGIS_PLUGINPATH": "/checkout/build/plugins",
             **({"SEAM_INSPECTOR_DATA": "/data"} if self.data else {}),
+            **({"QGIS_PREFIX_PATH": "/opt/qgis6"} if self.qgis else {}),  # else its Python finds half of its providers
             **variables,
         }
         words = ["env", "-C", "/checkout", *_pairs(given), "timeout", "-k", "20", str(seconds), "python3", *arguments]
@@ -165,13 +166,13 @@ def _check_root() -> None:
 
 def _recipe() -> str:
     """What chroots are made from."""
-    return (TOOLS / "make_chroot.sh").read_text(encoding="utf-8") + _pytest_qgis()
+    return (TOOLS / "make_chroot.sh").read_text(encoding="utf-8") + " ".join(_wheels())
 
 
-def _pytest_qgis() -> str:
-    """The requirement, as this machine's tests have it."""
+def _wheels() -> list[str]:
+    """What the tests need and no Debian has, as this machine's tests have it."""
     lines = (REPOSITORY / "requirements-dev.txt").read_text(encoding="utf-8").splitlines()
-    return next(line.split()[0] for line in lines if line.startswith("pytest-qgis"))
+    return [line.split()[0] for line in lines if line.startswith(("pytest-qgis", "ckanext-iso19115"))]
 
 
 def _as_root() -> list[str]:

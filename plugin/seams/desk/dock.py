@@ -19,7 +19,6 @@ from qgis.PyQt.QtWidgets import (
     QMessageBox,
     QProgressBar,
     QSplitter,
-    QTabWidget,
     QToolBar,
     QToolButton,
     QVBoxLayout,
@@ -30,7 +29,7 @@ from ...imagery.errors import Message
 from ...toolkit.desk.message_bar import BarQuestion
 from ...toolkit.desk.tabs import DeskTab
 from ...toolkit.desk.tool_dock import ToolDock
-from ...toolkit.desk.widgets import FittingToolBar, ScrollBody, allow, single_shot
+from ...toolkit.desk.widgets import CornerTabs, FittingToolBar, ScrollBody, allow, single_shot
 from ...toolkit.layer_styles import load_style
 from ...toolkit.resources import icon_path, show_first_page
 from ...toolkit.translation import filled, sentence, tr
@@ -198,7 +197,7 @@ class InspectionDock(ToolDock):
             toolbar.widgetForAction(action).setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         toolbar.widgetForAction(self.inspect).addAction(self.inspect_selected)
         toolbar.widgetForAction(self.scan).addActions([self.worst, self.accept])
-        self._tab_widget = tabs = QTabWidget()
+        self._tab_widget = tabs = CornerTabs()
         for tab in self._tabs:
             tabs.setTabToolTip(tabs.addTab(ScrollBody(self.panels[tab.name]), tr(tab.title)), tr(tab.tooltip))
         tabs.setDocumentMode(True)

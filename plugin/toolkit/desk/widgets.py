@@ -17,6 +17,8 @@ from qgis.PyQt.QtWidgets import (
     QScrollArea,
     QSizePolicy,
     QStyle,
+    QTabBar,
+    QTabWidget,
     QToolBar,
     QToolTip,
     QWidget,
@@ -205,6 +207,24 @@ class FittingToolBar(QToolBar):
 
 
 _FEWEST_LINES = 12  # of the font, that a dock can be made as low as
+
+
+class CornerTabs(QTabWidget):
+    """Tabs whose bar is no lower than the widget in their corner, which Qt cuts to the bar's height."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTabBar(_CornerTabBar(self))
+
+
+class _CornerTabBar(QTabBar):
+    def tabSizeHint(self, index: int) -> QSize:
+        size, tabs = super().tabSizeHint(index), self.parentWidget()
+        corner = tabs.cornerWidget() if isinstance(tabs, QTabWidget) else None
+        if corner is None:
+            return size
+        overlap = self.style().pixelMetric(QStyle.PixelMetric.PM_TabBarBaseOverlap, None, self)
+        return size.expandedTo(QSize(0, corner.sizeHint().height() + overlap))
 
 
 class ScrollBody(QScrollArea):

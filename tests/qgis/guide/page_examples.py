@@ -1,4 +1,4 @@
-"""The examples on the pages of the algorithms, as a reader would copy them."""
+"""The examples on the pages of the algorithms, and the commands on all others, as a reader would copy them."""
 from __future__ import annotations
 
 import re
@@ -6,10 +6,12 @@ import shlex
 from pathlib import Path
 from typing import Any
 
-PAGES = Path(__file__).parents[3] / "docs" / "algorithms"
+DOCS = Path(__file__).parents[3] / "docs"
+PAGES = DOCS / "algorithms"
 NAMES = sorted(path.stem for path in PAGES.glob("*.md") if path.stem != "index")
 Call = tuple[str, dict[str, Any]]
 _BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_COMMAND = re.compile(r"^ {4,}((?:qgis_process run|gdaltindex|mkdir|\(judge) (?:.*\\\n)*.*)$", re.MULTILINE)
 
 
 def page(name: str) -> str:
@@ -41,3 +43,8 @@ def same_call(call: Call) -> tuple[str, dict[str, list[str]]]:
     algorithm, parameters = call
     lists = ((name, value if isinstance(value, list) else [value]) for name, value in parameters.items())
     return algorithm, {name: [str(one) for one in values] for name, values in lists}
+
+
+def commands(path: Path) -> list[str]:
+    """Those of a page in its order, and where windows are to be judged in between."""
+    return [str(command) for command in _COMMAND.findall(path.read_text("utf-8"))]

@@ -1,4 +1,5 @@
-"""Every example on the pages of the algorithms runs, on the data that `make demo-data` makes, with a smaller block."""
+"""Every example on the pages of the algorithms and every command of `qgis_process` on the guide's other pages runs, on
+the data that `make demo-data` makes, with a smaller block."""
 from __future__ import annotations
 
 import os
@@ -9,10 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from osgeo import gdal, ogr
 from qgis.core import QgsApplication, QgsProcessingProvider
 
 from demo.data import make_data
-from tests.qgis.guide.page_examples import NAMES, Call, blocks, same_call, shell_call
+from tests.qgis.guide.page_examples import DOCS, NAMES, PAGES, Call, blocks, commands, same_call, shell_call
 from tests.qgis.qgis_processes import NEEDED, PROGRAM, environment
 
 pytestmark = pytest.mark.slow
@@ -20,6 +22,43 @@ pytestmark = pytest.mark.slow
 FIRST = "placewindows inspectwindows scanmosaic interiororientation fitsensormodel".split()  # others take their results
 ORDER = [*FIRST, *(name for name in NAMES if name not in FIRST)]
 BY_QGIS_PROCESS = ("minimumheight", "planpoints")  # one plain, one with a value in quotes; they take a second
+
+QUICKER = {"planpoints": {"COUNTS": "10"}, "orthorectify": {"PIXEL_SIZE": "5"}}
+"""Values that take seconds on the small scene in place of those that take a minute."""
+OPEN = "acceptance/cluster.md"  # dots for values: there is no line to copy
+NAMED: dict[str, dict[str, str]] = {
+    "block": {
+        "block/mosaic.tif": "mosaic.tif",
+        "block/seamlines.gpkg": "seamlines.gpkg",
+        "block/strip1_0141.tif": "ortho_1.tif a.tif ortho/ortho_1.tif",
+        "block/strip1_0142.tif": "ortho_2.tif b.tif ortho/ortho_2.tif",
+        "block/sources.gpkg": "roads_and_roofs.gpkg",
+    },
+    "delivery": {f"delivery/{name}": name for name in ("mosaic.vrt", "seamlines.gpkg", "sheets.gpkg", "sources")},
+    "others": {
+        "bars/target.tif": "target.tif scene.tif",
+        "bars/groups.gpkg": "bar_groups.gpkg",
+        "bars/passes.csv": "passes.csv",
+        "noise/film.tif": "film.tif",
+        "noise/sensor.tif": "digital.tif",
+        "photo/photo.tif": "photo.jpg",
+        "photo/camera.csv": "camera.csv",
+        "photo/by_hand.csv": "operator/photo.csv program/photo.csv",
+        "satellite/image.tif": "image.tif",
+        "satellite/points.gpkg": "points.gpkg",
+        "satellite/terrain.tif": "dem.tif",
+    },
+}
+"""By folder of a reader: a file of `make demo-data`, and what the pages call it."""
+READ = {
+    "block": "start/own_rasters acceptance/calibration acceptance/choose_a_limit desk/report method/predictloss "
+    "acceptance/scan acceptance/sampling neighbours/radiometry",
+    "delivery": "acceptance/accept",
+    "others": "neighbours/bayer neighbours/interior_orientation neighbours/noise neighbours/resolution "
+    "neighbours/sensor_models",
+}
+"""The pages in the order in which the reader of a folder takes them: later ones use what earlier ones wrote."""
+READ_PAGES = [(folder, f"{page}.md") for folder, pages in READ.items() for page in pages.split()]
 
 
 @pytest.fixture(scope="module")
@@ -85,3 +124,54 @@ def test_blocks_for_a_machine_without_qgis_need_none(repository: Path, checkout:
         [sys.executable, "-c", program], cwd=checkout, env=own, capture_output=True, text=True, timeout=120, check=False
     )
     assert finished.returncode == 0, finished.stderr
+
+
+@pytest.fixture(scope="module")
+def reader(checkout: Path) -> Path:
+    """Folders of readers, with what the pages name."""
+    made, place = checkout / "output" / "demo", checkout / "reader"
+    for folder, files in NAMED.items():
+        for source, names in files.items():
+            for name in names.split():
+                (place / folder / name).parent.mkdir(parents=True, exist_ok=True)
+                (place / folder / name).symlink_to(made / source)
+    for sheet in (made / "delivery").glob("sheet_*.tif"):
+        (place / "delivery" / sheet.name).symlink_to(sheet)
+    return place
+
+
+def judge(windows: str) -> None:
+    """As an operator does in the desk: one loss seen, the other windows sound."""
+    source = gdal.OpenEx(windows, gdal.OF_VECTOR | gdal.OF_UPDATE)
+    layer = source.GetLayer(0)
+    layer.CreateField(ogr.FieldDefn("observer", ogr.OFTString))
+    for number, feature in enumerate(layer):
+        feature["observer"] = "invisible" if number else "visible"
+        layer.SetFeature(feature)
+
+
+def test_no_page_with_commands_is_left_out() -> None:
+    pages = (path for path in DOCS.rglob("*.md") if path.parent != PAGES)
+    found = {path.relative_to(DOCS).as_posix() for path in pages if commands(path)}
+    assert found - {page for _, page in READ_PAGES} == {OPEN}
+    assert "..." in "".join(commands(DOCS / OPEN))
+
+
+@pytest.mark.parametrize(("folder", "page"), READ_PAGES)
+def test_the_commands_of_a_page_run(
+    folder: str, page: str, reader: Path, calls: list[Call], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import processing
+
+    monkeypatch.chdir(reader / folder)
+    for command in commands(DOCS / page):
+        if command.startswith("(judge"):
+            judge(command.split()[1])
+        elif not command.startswith("qgis_process"):
+            subprocess.run(["sh", "-c", command], check=True, timeout=60)
+        else:
+            algorithm, parameters = shell_call(command)
+            processing.run(algorithm, {**parameters, **QUICKER.get(algorithm.split(":")[1], {})})
+            created = QgsApplication.processingRegistry().createAlgorithmById(algorithm)
+            made = [parameters.get(output.name()) for output in created.destinationParameterDefinitions()]
+            assert [name for name in made if name and not Path(name).stat().st_size] == []

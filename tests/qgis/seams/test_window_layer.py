@@ -259,3 +259,11 @@ def test_where_a_window_stands_on_its_seam_is_read(project: QgsProject) -> None:
     placed = windows(SHARP, seam_id=("integer", [4]), station=("double", [12.5]))
     (row,) = window_layer.read_layer(placed)
     assert (row.seam_id, row.station) == (4, 12.5)
+
+
+def test_what_an_operator_saw_is_told_of_a_selected_window(repository: Path) -> None:
+    """From 3.40 on QGIS paints a whole marker in the colour of the selection, unless the style asks it not to."""
+    style = (repository / "resources" / "styles" / "windows.qml").read_text("utf-8")
+    markers = [line for line in style.splitlines() if 'class="SvgMarker"' in line]
+    assert markers
+    assert [line for line in markers if 'userFlags="DisableSelectionRecoloring"' not in line] == []
