@@ -894,42 +894,42 @@
         <translation>Rysuj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="152"/>
         <source>Place</source>
         <translation>Rozmieść</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="153"/>
+        <location filename="../plugin/seams/desk/dock.py" line="152"/>
         <source>Place windows along the seamlines</source>
         <translation>Rozmieść okna wzdłuż linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="155"/>
         <source>Inspect</source>
         <translation>Skontroluj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="156"/>
+        <location filename="../plugin/seams/desk/dock.py" line="155"/>
         <source>Inspect all windows that are not inspected yet or have changed</source>
         <translation>Skontroluj wszystkie okna jeszcze nieskontrolowane lub zmienione</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="174"/>
+        <location filename="../plugin/seams/desk/dock.py" line="173"/>
         <source>Again</source>
         <translation>Ponów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="174"/>
+        <location filename="../plugin/seams/desk/dock.py" line="173"/>
         <source>Inspect the selected windows again</source>
         <translation>Skontroluj ponownie zaznaczone okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="177"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Stop</source>
         <translation>Zatrzymaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="177"/>
+        <location filename="../plugin/seams/desk/dock.py" line="176"/>
         <source>Stop; what is done stays</source>
         <translation>Zatrzymaj; gotowe wyniki pozostają</translation>
     </message>
@@ -944,7 +944,7 @@
         <translation>Obrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="306"/>
+        <location filename="../plugin/seams/desk/dock.py" line="305"/>
         <source>{done} of {asked} windows</source>
         <translation>{done} z {asked} {asked:okna|okien|okien}</translation>
     </message>
@@ -4684,7 +4684,7 @@
         <translation>kontrast przy liniach mozaikowania (% zakresu)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="179"/>
+        <location filename="../plugin/seams/desk/dock.py" line="178"/>
         <source>Write a report of the inspected windows, one HTML page that opens anywhere</source>
         <translation>Zapisz raport ze skontrolowanych okien: jedną stronę HTML, którą można otworzyć wszędzie</translation>
     </message>
@@ -5205,22 +5205,22 @@
         <translation>Nie można odczytać pliku {name} przez sieć ({why}); sprawdź jego adres i ustawienia biblioteki GDAL.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="160"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Scan</source>
         <translation>Zbadaj</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="160"/>
+        <location filename="../plugin/seams/desk/dock.py" line="159"/>
         <source>Scan the whole mosaic: where it lost detail, and what each piece of its seams kept</source>
         <translation>Zbadaj całą ortofotomapę: gdzie straciła detale i ile zachował każdy odcinek jej linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="165"/>
+        <location filename="../plugin/seams/desk/dock.py" line="164"/>
         <source>Judge the worst places</source>
         <translation>Oceń najgorsze miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="165"/>
+        <location filename="../plugin/seams/desk/dock.py" line="164"/>
         <source>Judge the worst places of the last scan, worst first</source>
         <translation>Oceń najgorsze miejsca z ostatniego badania, zaczynając od najgorszego</translation>
     </message>
@@ -6155,7 +6155,7 @@
         <translation>kompozycja z ostrym cięciem: każdy piksel z ortoobrazu, z którego pochodzi ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_strip.py" line="91"/>
+        <location filename="../plugin/seams/desk/images/picture_strip.py" line="93"/>
         <source>Compare the large picture with {name}</source>
         <translation>Porównaj duży obraz z {name}</translation>
     </message>
@@ -6325,12 +6325,12 @@
         <translation>Na żywo: </translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="449"/>
+        <location filename="../plugin/seams/desk/dock.py" line="448"/>
         <source>Open the windows</source>
         <translation>Otwórz okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="450"/>
+        <location filename="../plugin/seams/desk/dock.py" line="449"/>
         <source>Adds the layer of these windows and brings back what was not saved.</source>
         <translation>Dodaje warstwę tych okien i przywraca to, czego nie zapisano.</translation>
     </message>
@@ -6340,22 +6340,22 @@
         <translation>Przywróć okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="66"/>
+        <location filename="../plugin/seams/desk/dock.py" line="65"/>
         <source>Click: selects the window under the mouse (Shift adds it), or makes a standard window, on the seam when one is near. Drag: a rectangle, with Shift a square. Ctrl+click: a window on top of another.</source>
         <translation>Kliknięcie: zaznacza okno w tym miejscu, z klawiszem Shift jako kolejne; gdy go tam nie ma, tworzy okno standardowe, w pobliżu linii mozaikowania umieszczane na niej. Przeciągnięcie: prostokąt, z klawiszem Shift kwadrat. Ctrl+kliknięcie: okno na innym oknie.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="283"/>
+        <location filename="../plugin/seams/desk/dock.py" line="282"/>
         <source>There is no window yet: draw one, or place them along the seamlines.</source>
         <translation>Nie ma jeszcze okien: narysuj okno albo rozmieść je wzdłuż linii mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="292"/>
+        <location filename="../plugin/seams/desk/dock.py" line="291"/>
         <source>No scan has found such places yet: scan the mosaic first.</source>
         <translation>Żadne badanie nie znalazło jeszcze takich miejsc: najpierw zbadaj ortofotomapę.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="289"/>
+        <location filename="../plugin/seams/desk/dock.py" line="288"/>
         <source>No window has been inspected yet.</source>
         <translation>Żadne okno nie zostało jeszcze skontrolowane.</translation>
     </message>
@@ -6967,7 +6967,7 @@
         <translation>Usunąć {count} {count:okno|okna|okien}, w tym {judged} {judged:ocenione|ocenione|ocenionych}?</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="246"/>
+        <location filename="../plugin/seams/desk/dock.py" line="245"/>
         <source>What was found is hidden while you judge blind.</source>
         <translation>Wyniki są ukryte, dopóki oceniasz w ciemno.</translation>
     </message>
@@ -10104,7 +10104,7 @@
         <translation>Skontroluj ortofotomapę</translation>
     </message>
     <message>
-        <location filename="../plugin/toolkit/algorithms/parameters.py" line="235"/>
+        <location filename="../plugin/toolkit/algorithms/parameters.py" line="240"/>
         <source>Seam Inspector&apos;s own</source>
         <translation>granica własna wtyczki Seam Inspector</translation>
     </message>
@@ -10154,12 +10154,12 @@
         <translation>Pierwsza kontrola w pięć minut i strona o każdym algorytmie</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="183"/>
+        <location filename="../plugin/seams/desk/dock.py" line="182"/>
         <source>Help</source>
         <translation>Pomoc</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="183"/>
+        <location filename="../plugin/seams/desk/dock.py" line="182"/>
         <source>How a first inspection goes, in the browser</source>
         <translation>Jak przebiega pierwsza kontrola, w przeglądarce</translation>
     </message>
@@ -11396,12 +11396,12 @@
         <translation>Długość odcinków, które zachowują mniej niż 70 % (metry)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="169"/>
+        <location filename="../plugin/seams/desk/dock.py" line="168"/>
         <source>Accept...</source>
         <translation>Odbiór...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="170"/>
+        <location filename="../plugin/seams/desk/dock.py" line="169"/>
         <source>Accept or reject the delivery: by its last scan, or all the way from its files</source>
         <translation>Odbierz lub odrzuć dostawę: na podstawie ostatniego skanowania albo od samych plików</translation>
     </message>
@@ -12124,17 +12124,17 @@
         <translation>ISO 2859-2:1985, plan jednostopniowy dla partii izolowanej, procedura A</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="420"/>
+        <location filename="../plugin/seams/desk/dock.py" line="419"/>
         <source>New windows at the same places</source>
         <translation>Nowe okna w tych samych miejscach</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="421"/>
+        <location filename="../plugin/seams/desk/dock.py" line="420"/>
         <source>The windows are of this mosaic</source>
         <translation>Okna należą do tej ortofotomapy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/dock.py" line="422"/>
+        <location filename="../plugin/seams/desk/dock.py" line="421"/>
         <source>Leave these windows as they are</source>
         <translation>Zostaw te okna bez zmian</translation>
     </message>
