@@ -26,7 +26,7 @@ from .gdal_calls import (
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
-from .remote_files import remote_parts, remote_settings
+from .remote_files import persistently, remote_parts, remote_settings
 
 
 @dataclass(frozen=True)
@@ -332,6 +332,8 @@ def _check_amounts(dataset: gdal.Dataset, name: str) -> None:
 
 def describe(ref: RasterRef) -> Raster:
     """Open a raster that may lie anywhere and say what it is. Raises RasterError when it can't be opened or used."""
+    if remote_parts(ref.path):
+        return persistently(ref.path, ref.name, lambda again: OpenRaster(ref).raster)
     return OpenRaster(ref).raster
 
 

@@ -12,7 +12,7 @@ from osgeo import gdal
 from seam_inspector.plugin.imagery import remote_files
 from seam_inspector.plugin.imagery.errors import RasterError
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.imagery.open_raster import OpenRaster
+from seam_inspector.plugin.imagery.open_raster import OpenRaster, describe
 from seam_inspector.plugin.imagery.raster_pool import open_raster, rasters_kept, reading_threads
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.remote_files import RemoteError
@@ -149,6 +149,17 @@ def test_a_server_that_drips_is_given_up_by_whoever_reads(server: RangeServer, i
     server.fault = lambda asked: Fault(dripping=0.3)
     with pytest.raises(RasterError, match=r"cog\.tif"):
         (opened or OpenRaster(RasterRef(path))).read(WINDOW)
+
+
+@pytest.mark.slow
+@pytest.mark.usefixtures("one_second")
+def test_a_server_that_drips_is_named_when_it_is_first_asked(
+    server: RangeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    server.fault = lambda asked: Fault(dripping=0.3)
+    monkeypatch.setattr(remote_files, "PATIENCE_S", 1.0)
+    with pytest.raises(RemoteError, match=r"server of cog\.tif sends less than 1000 bytes a second"):
+        describe(RasterRef(server.address("cog.tif")))
 
 
 def test_nobody_waits_for_attempts_of_a_run_that_ended(server: RangeServer, monkeypatch: pytest.MonkeyPatch) -> None:
