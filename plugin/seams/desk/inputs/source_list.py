@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Optional
 
 from qgis.core import QgsProject
-from qgis.PyQt.QtCore import QModelIndex, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QModelIndex, QSize, Qt, pyqtSignal
 from qgis.PyQt.QtGui import QPalette
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
@@ -63,6 +63,10 @@ class _Names(QStyledItemDelegate):
         if index.data(_FAINT):
             text = readable_on(back, blended(text, back, _FAINT_SHARE))
         option.palette.setColor(QPalette.ColorRole.Text, text)
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex) -> QSize:
+        """With some air between the boxes, which Qt 6 does without."""
+        return super().sizeHint(option, index).expandedTo(QSize(0, option.fontMetrics.height() + 2))
 
 
 class SourceList(QWidget):

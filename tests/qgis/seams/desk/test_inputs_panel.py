@@ -437,3 +437,8 @@ def test_names_can_be_read_in_a_theme_of_style_sheets(desk: Desk) -> None:
         option = QStyleOptionViewItem()
         sources.list.itemDelegate().initStyleOption(option, sources.list.model().index(row, 0))
         assert contrast(option.palette.color(QPalette.ColorRole.Text), QColor("#323232")) >= 3
+
+
+def test_rows_of_sources_have_air_between_their_boxes(desk: Desk) -> None:
+    listed = desk.panel.sources.list
+    assert listed.sizeHintForRow(0) >= listed.fontMetrics().height() + 2
