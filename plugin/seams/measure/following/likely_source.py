@@ -46,7 +46,7 @@ _ALIKE_CELLS = 12  # the same where a source does resemble it
 _MIXED_LEFT = 0.5  # of what one source leaves over: with less a mixture explains the mosaic
 _AS_STRONG = 0.85  # of the energy that a source would have, for it to stand in for another
 _NOWHERE_FACTOR = 50.0  # times as much as other sources leave over on their ground; one that was resampled had 34
-_NOWHERE_UNEVEN = 0.1  # of its ground, where it leaves over far more than on its best; one that was resampled had 0.05
+_NOWHERE_SPREAD = 1.45  # between the quartiles of that, by what its best ground leaves over; resampled ones had 1.34
 _EVEN_PART, _EVEN_SHARE = 0.5, 0.4  # of what is left over around: most cells leave so much, of a step of tones few do
 
 
@@ -209,7 +209,8 @@ def _stand_ins(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, labels:
             continue
         found |= own & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
         best = learn_best_ground(wide[others], left[others])
-        if best is not None and _is_nowhere_true(ground, best, wide[own], left[own]):
+        inside = own & ~widened(labels != number, WIDE_CELLS // 2 + 1)  # a seam leaves something over along itself
+        if best is not None and inside.any() and _is_nowhere_true(ground, best, wide[inside], left[inside]):
             found |= own & (left > MIN_STAND_IN_STRANGE * wide)
     return found
 
@@ -218,7 +219,8 @@ def _is_nowhere_true(ground: BestGround, others: BestGround, own: np.ndarray, le
     """Whether a source stands in for another wherever it is followed, by the mosaic's energy there and what is left."""
     expected = ground.response(own)
     is_more = expected >= np.maximum(MIN_STAND_IN_STRANGE, _NOWHERE_FACTOR * others.response(own))
-    return bool(np.median(is_more) and ground.strangeness(own, left)[1].mean() >= _NOWHERE_UNEVEN)
+    low, high = np.quantile(left / (expected * own), (0.25, 0.75))
+    return bool(np.median(is_more) and high >= _NOWHERE_SPREAD * low)
 
 
 def _strange_parts(
