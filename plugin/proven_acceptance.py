@@ -65,8 +65,9 @@ class ProvenAcceptMosaic(AcceptMosaic):
 
 
 def proof_of(block: Block, extent: Extent, piece: Extent, sides: tuple[str, str], min_kept: float) -> Proof | None:
-    """The part of a place where most was lost, in the mosaic, its orthoimages and their cut; the middle of a place that
-    can't be measured by itself, as beside pixels without data. None where no orthoimage shows the place.
+    """The part of a place where most was lost, in the mosaic, its orthoimages and their cut; of the piece alone where
+    the place can't be measured, as beside pixels without data, and its middle where neither can. None where no
+    orthoimage shows the place.
 
     ``piece``: what holds the piece of seam that failed, of which the profile is: sound seams lie around it.
     ``sides``: what the two orthoimages beside the seam are called; those of other names that lie there are left out
@@ -82,7 +83,9 @@ def proof_of(block: Block, extent: Extent, piece: Extent, sides: tuple[str, str]
         replace(one, sources=_beside(one.sources, sides))
         for one in (window_request(block, 1, place, settings) for place in (extent, piece))
     )
-    result = inspect_window(request)
+    result, measured = map(inspect_window, (request, of_piece))
+    if result.loss is None and measured.loss is not None:
+        request, result = of_piece, measured
     window = request.window
     if window is None or not request.sources:
         return None
@@ -92,7 +95,7 @@ def proof_of(block: Block, extent: Extent, piece: Extent, sides: tuple[str, str]
         row, column = most_lost(window, PlacedLoss(result.window, result.loss), side)
     panels = tuple(_panels(PictureRequest(request), window, (row, column, side)))
     part = replace(window, column=window.column + column, row=window.row + row, width=side, height=side)
-    return Proof(panels, part, _profile(inspect_window(of_piece), min_kept)) if len(panels) > 1 else None
+    return Proof(panels, part, _profile(measured, min_kept)) if len(panels) > 1 else None
 
 
 def _beside(sources: Sequence[Source], sides: tuple[str, str]) -> tuple[Source, ...]:

@@ -154,6 +154,12 @@ def test_a_failure_beside_missing_pixels_is_shown_too(feathered: Files, tmp_path
     assert {one.name for one in proof.panels} >= {"", "east.tif", "west.tif"}
     middle = proof.part.column + proof.part.width / 2, proof.part.row + proof.part.height / 2
     assert middle == pytest.approx((block.mosaic.columns / 2, block.mosaic.rows / 2), abs=1)
+    xmin, ymin, xmax, ymax = block.mosaic.extent
+    piece = xmin, ymin, xmax, ymin + 0.6 * (ymax - ymin)  # without the hole
+    of_piece = proof_of(block, block.mosaic.extent, piece, ("west", "east.tif"), 0.7)
+    assert of_piece is not None
+    assert [one.kind for one in of_piece.panels] == ["mosaic", "cut", "image", "image"]
+    assert of_piece.profile_svg
 
 
 def test_without_orthoimages_there_is_the_mosaic_alone(
