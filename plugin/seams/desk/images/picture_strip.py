@@ -86,10 +86,8 @@ class PictureStrip(QScrollArea):
         button.setFixedSize(self._size())
         button.setIconSize(QSize(self._side(), self._side()))
         button.setIcon(icon)
-        button.setText(label)
-        metrics, over = button.fontMetrics(), button.sizeHint().width() - self._size().width()
-        room = metrics.horizontalAdvance(label) - max(0, over)
-        button.setText(metrics.elidedText(label, Qt.TextElideMode.ElideMiddle, room))
+        room = self._size().width() - 2 * button.fontMetrics().horizontalAdvance(" ")  # which Qt puts around it
+        button.setText(button.fontMetrics().elidedText(label, Qt.TextElideMode.ElideMiddle, room))
         button.setToolTip(rich_tip(filled(tr("Compare the large picture with {name}"), name=name)))
         button.setAccessibleName(name)
         button.clicked.connect(lambda _checked, key=key: self.chosen.emit(key))
@@ -110,7 +108,7 @@ class PictureStrip(QScrollArea):
 
     def _size(self) -> QSize:
         height = self.fontMetrics().height()
-        return QSize(round((_SIDE + 1.2) * height), round((_SIDE + 2) * height))
+        return QSize(round((_SIDE + 0.8) * height), round((_SIDE + 2) * height))
 
 
 def distinct(names: Sequence[str]) -> list[str]:

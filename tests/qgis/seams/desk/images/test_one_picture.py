@@ -11,7 +11,7 @@ from qgis.PyQt.QtWidgets import QApplication, QWidget
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture
 from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
-from seam_inspector.plugin.seams.desk.images.picture_strip import PictureStrip, distinct
+from seam_inspector.plugin.seams.desk.images.picture_strip import distinct
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 
 from tests.qgis.seams.desk.images.images_desk import (
@@ -174,13 +174,3 @@ def test_a_small_window_is_outlined_in_the_ground_around_it(panel: ImagesPanel, 
     assert bright[1] - bright[0] == pytest.approx(2 * 64, abs=2)
     assert sum(bright) / 2 == pytest.approx(middle[0], abs=2)
     assert row[round(middle[0])] == 90
-
-
-def test_buttons_are_as_wide_as_their_words_ask_for(qgis_app: QApplication) -> None:
-    """Whatever the style puts around them: longer words are shortened in the middle."""
-    strip = PictureStrip()
-    pictures = make_pictures()
-    strip.show_pictures([replace(pictures[0], raster=f"{end}{'m' * 20}") for end in "ab"], "")
-    for button in strip.buttons[1:]:
-        assert button.width() >= button.minimumSizeHint().width() - 1
-        assert "\u2026" in button.text()
