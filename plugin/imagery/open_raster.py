@@ -102,6 +102,8 @@ class OpenRaster:
         Raises RasterError when it can't be opened or used.
         """
         self._is_of_file = dataset is None
+        # Looked at once: a VRT may name thousands of files.
+        self._is_remote = dataset is None and bool(remote_parts(ref.path))
         if dataset is None:
             there = ref.path.startswith("/vsi") or ":" in ref.path or os.path.exists(ref.path)
             failure = messages.NOT_A_RASTER(name=ref.name) if there else messages.NOT_FOUND(path=ref.path)
@@ -110,7 +112,7 @@ class OpenRaster:
                 failure = messages.NOT_PERMITTED(name=ref.name)
             for part in ref.parts:
                 check_raster_path(part, ref.name)
-            with _network(ref):
+            with self._network():
                 dataset = gdal_call(lambda: _opened(ref), failure)
                 read_metadata(dataset)
         if dataset.RasterCount == 0:
@@ -123,6 +125,10 @@ class OpenRaster:
         self.dataset = dataset
         """For what only GDAL does, such as warping."""
         self.roles = band_roles(dataset)
+
+    def _network(self) -> AbstractContextManager[None]:
+        """What comes over the network has an end, whoever reads it: a server that drips is given up."""
+        return remote_settings({}) if self._is_remote else nullcontext()
 
     @cached_property
     def raster(self) -> Raster:
@@ -204,7 +210,7 @@ class OpenRaster:
         """What a call reads of a window."""
         def attempt(dataset: gdal.Dataset) -> np.ndarray:
             failure = messages.NOT_READABLE(name=self.ref.name)
-            with _network(self.ref):
+            with self._network():
                 return np.asarray(gdal_pixels(lambda: call(dataset), failure, partial(damaged, self.ref.name, window)))
 
         try:
@@ -293,11 +299,6 @@ def damaged(name: str, window: PixelWindow, why: str) -> Message:
 def _has_inverse(transform: Sequence[float]) -> bool:
     back = gdal.InvGeoTransform(transform)
     return back is not None and all(map(math.isfinite, (*transform, *back)))
-
-
-def _network(ref: RasterRef) -> AbstractContextManager[None]:
-    """What comes over the network has an end, whoever reads it: a server that drips is given up."""
-    return remote_settings({}) if remote_parts(ref.path) else nullcontext()
 
 
 def _opened(ref: RasterRef) -> gdal.Dataset | None:

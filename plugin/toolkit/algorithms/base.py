@@ -229,14 +229,14 @@ class ReadyModel(QgsProcessingModelAlgorithm):
 
     def _with_defaults(self, parameters: dict[str, Any]) -> dict[str, Any]:
         """The values with the model's own defaults for those that scripts leave out, where QGIS takes those of its
-        steps, and temporary outputs for what other steps need."""
+        steps, and temporary outputs for what is made whether asked for or not."""
         known = {one.name(): one.defaultValue() for one in self.parameterDefinitions() if not one.isDestination()}
-        needed = dict.fromkeys(self._passed_on(), QgsProcessing.TEMPORARY_OUTPUT)
+        needed = dict.fromkeys(self._always_made(), QgsProcessing.TEMPORARY_OUTPUT)
         given = {name: value for name, value in parameters.items() if name not in needed or value is not None}
         return {**{name: value for name, value in known.items() if value is not None}, **needed, **given}
 
-    def _passed_on(self) -> Iterator[str]:
-        """Names of the model's outputs that are inputs of its steps, or that it always makes."""
+    def _always_made(self) -> Iterator[str]:
+        """Names of the model's outputs that are not optional, or that other steps need."""
         for output in self.destinationParameterDefinitions():
             if not output.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional:
                 yield output.name()
