@@ -237,17 +237,17 @@ class ReadyModel(QgsProcessingModelAlgorithm):
 
     def _always_made(self) -> Iterator[str]:
         """Names of the model's outputs that are not optional, or that other steps need."""
-        for output in self.destinationParameterDefinitions():
-            if not output.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional:
-                yield output.name()
+        for wanted in self.destinationParameterDefinitions():
+            if not wanted.flags() & QgsProcessingParameterDefinition.Flag.FlagOptional:
+                yield wanted.name()
         steps = self.childAlgorithms()
         taken = {
             (source.outputChildId(), source.outputName())
             for step in steps.values() for several in step.parameterSources().values() for source in several
         }  # fmt: skip
         for step_id, step in steps.items():
-            for name, output in step.modelOutputs().items():
-                if (step_id, output.childOutputName()) in taken:
+            for name, of_model in step.modelOutputs().items():
+                if (step_id, of_model.childOutputName()) in taken:
                     yield f"{step_id}:{name}"
 
     def _refuse(self, parameters: dict[str, Any], context: QgsProcessingContext) -> None:
