@@ -684,7 +684,7 @@
         <translation>&amp;Bok okna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="179"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="183"/>
         <source>missing: {name}</source>
         <translation>brak: {name}</translation>
     </message>
@@ -1059,17 +1059,17 @@
         <translation>Wykres wymaga pakietu Pythona matplotlib: w systemach Debian i Ubuntu zainstaluj python3-matplotlib poleceniem apt, a w systemie Windows uruchom „python -m pip install matplotlib” w powłoce OSGeo4W.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="84"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="88"/>
         <source>Untick all rasters and remove missing ones</source>
         <translation>Odznacz wszystkie rastry; brakujące zostaną usunięte</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="96"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="100"/>
         <source>&amp;Sources</source>
         <translation>Ź&amp;ródła</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="180"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="184"/>
         <source>Not in the project any more, or its file can&apos;t be opened: {name}</source>
         <translation>Nie ma go już w projekcie albo nie można otworzyć pliku: {name}</translation>
     </message>
@@ -6155,7 +6155,7 @@
         <translation>kompozycja z ostrym cięciem: każdy piksel z ortoobrazu, z którego pochodzi ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_strip.py" line="93"/>
+        <location filename="../plugin/seams/desk/images/picture_strip.py" line="91"/>
         <source>Compare the large picture with {name}</source>
         <translation>Porównaj duży obraz z {name}</translation>
     </message>
@@ -6710,12 +6710,12 @@
         <translation>Sprawdź ortoobrazy</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="82"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="86"/>
         <source>suggested</source>
         <translation>proponowane</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="82"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="86"/>
         <source>Tick only the rasters that may be sources of this mosaic</source>
         <translation>Zaznacz tylko te rastry, które mogą być źródłami tej ortofotomapy</translation>
     </message>
@@ -8112,11 +8112,6 @@
         <translation>Uzasadnienie decyzji</translation>
     </message>
     <message>
-        <location filename="../plugin/radiometry/checkradiometry.py" line="175"/>
-        <source>Decision: {word}.</source>
-        <translation>Decyzja: {word}.</translation>
-    </message>
-    <message>
         <location filename="../plugin/radiometry/measure/messages.py" line="7"/>
         <source>{place} in {name}: &apos;{check}&apos; of {band} already has a rule; keep one.</source>
         <translation>{place} w pliku {name}: „{check}” dla {band} ma już regułę; zostaw jedną.</translation>
@@ -8262,42 +8257,42 @@
         <translation>określone dla tej decyzji ({parameter})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="298"/>
         <source>The layer of failures can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy usterek; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
         <source>The folder {folder} can&apos;t be written ({error}), so the layer of failures has no pictures.</source>
         <translation>Nie można zapisać katalogu {folder} ({error}), więc warstwa usterek nie ma obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="297"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
         <source>Failures without a picture: {count}; the mosaic does not show them, or can&apos;t be read there.</source>
         <translation>Usterki bez obrazu: {count}; ortofotomapa ich nie pokazuje albo nie można jej tam odczytać.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="299"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="306"/>
         <source>There are pictures of the longest {shown} of {count} failures.</source>
         <translation>Obrazy pokazują najdłuższe usterki: {shown} z {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="301"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
         <source>{name} was not written by a scan as its picture of losses and is left out; choose the scan&apos;s LOSS.</source>
         <translation>{name} nie jest obrazem strat zapisanym przez badanie i zostaje pominięty; wybierz LOSS z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="308"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="323"/>
         <source>{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer&apos;s SEAMLINES to measure all of them.</source>
         <translation>{name}: linie mozaikowania znaleziono na podstawie pikseli, a nie wszystkie są w nich widoczne tam, gdzie pas wtapiania jest szeroki. Z liniami wykonawcy (SEAMLINES) metry i długości dotyczą wszystkich linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="314"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
         <source>{name} is a scan&apos;s picture of losses, not a mosaic; no pictures are cut from it.</source>
         <translation>{name} jest obrazem strat z badania, a nie ortofotomapą; nie wycina się z niego obrazów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="316"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
         <source>The run was stopped: the failures have no pictures, and there is neither report nor XML.</source>
         <translation>Przerwano: usterki nie mają obrazów, nie ma też raportu ani XML.</translation>
     </message>
@@ -8742,347 +8737,342 @@
         <translation>W żadnym arkuszu nie leży ani jeden odcinek linii mozaikowania; wybierz skorowidz tej dostawy i sprawdź jego układ współrzędnych.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="15"/>
-        <source>{count} pieces of seam lie in none of the sheets and keep their layer&apos;s name.</source>
-        <translation>Odcinki linii mozaikowania, które nie leżą w żadnym z arkuszy i zachowują nazwę swojej warstwy: {count}.</translation>
-    </message>
-    <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="17"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="19"/>
         <source>{name} has two rules for &apos;{check}&apos; ({place} is the second); keep one.</source>
         <translation>Plik {name} zawiera dwie reguły dla „{check}” ({place} to druga); zostaw jedną.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="18"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="20"/>
         <source>{name} does not say what a piece must keep; add a rule with the check &apos;kept&apos;.</source>
         <translation>W pliku {name} nie ma nic o tym, ile odcinek musi zachować; dodaj regułę z kontrolą „kept”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="20"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
         <source>{name} has nothing to decide by; add a rule &apos;failed_share&apos;, &apos;longest_failure&apos; or &apos;sampling&apos;.</source>
         <translation>W pliku {name} nie ma niczego, według czego można zdecydować; dodaj regułę „failed_share”, „longest_failure” lub „sampling”.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="22"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="24"/>
         <source>{place} in {name}: the check &apos;{check}&apos; needs &apos;{key}&apos;; give it.</source>
         <translation>{place} w pliku {name}: kontrola „{check}” wymaga „{key}”; podaj tę wartość.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="23"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="25"/>
         <source>{place} in {name}: &apos;{key}&apos; is {limit:g} and a share is at most 1; write 2 % as 0.02.</source>
         <translation>{place} w pliku {name}: „{key}” wynosi {limit:g}, a część to najwyżej 1; zapisz 2 % jako 0.02.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="28"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
         <source>{parameter} is {value} and the rules in {name} say {ruled}; write it into the file, or leave the file out.</source>
         <translation>{parameter} wynosi {value}, a reguły w pliku {name} podają: {ruled}; wpisz tę wartość do pliku albo nie podawaj pliku.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="30"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="32"/>
         <source>Both the ready rules &apos;{ready}&apos; and the rules in {name} are given; choose one of them.</source>
         <translation>Podano gotowe reguły „{ready}” i reguły z pliku {name}; zostaw jedne z nich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="31"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
         <source>nothing of it</source>
         <translation>nic o tym</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="33"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="35"/>
         <source>There are no pieces of seam to plan an inspection of; choose layers with lines.</source>
         <translation>Brak odcinków linii mozaikowania, dla których można by zaplanować kontrolę; wybierz warstwy z liniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="34"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="36"/>
         <source>The lot has {size} items and a plan of sampling needs at least 2; inspect all of it instead.</source>
         <translation>Liczność partii wynosi {size}, a plan kontroli wymaga co najmniej 2; skontroluj całą partię.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="36"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="38"/>
         <source>The lot size is {size} and the layers hold {given} pieces; give the size of the whole lot, or 0 to take what is given.</source>
         <translation>Liczność partii wynosi {size}, a liczba odcinków w warstwach {given}; podaj liczność całej partii albo 0, aby wziąć to, co podano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="44"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="46"/>
         <source>The producer&apos;s risk is {producers:g} % and the consumer&apos;s {consumers:g} %; both have to lie between 0 and 100.</source>
         <translation>Ryzyko dostawcy wynosi {producers:g} %, a odbiorcy {consumers:g} %; oba muszą leżeć między 0 a 100.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="47"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="49"/>
         <source>No plan tells {good:g} % from {bad:g} % with these risks; set them farther apart, or allow larger risks.</source>
         <translation>Żaden plan nie odróżni {good:g} % od {bad:g} % przy tych ryzykach; podaj wartości bardziej od siebie odległe albo większe ryzyka.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="49"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="51"/>
         <source>A sample of {count} pieces was asked for; give 1 or more.</source>
         <translation>Podano próbę o liczności {count}; podaj 1 lub więcej odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="50"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
         <source>Windows are placed on the mosaic&apos;s pixels; give MOSAIC, or take pieces as the unit.</source>
         <translation>Okna są rozmieszczane na pikselach ortofotomapy; podaj MOSAIC albo wybierz odcinki jako jednostkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="52"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="54"/>
         <source>The mosaic is smaller than a window of {pixels} px, the power of two that spans {side:g} m; give a shorter SIDE.</source>
         <translation>Ortofotomapa jest mniejsza niż okno o boku {pixels} px, potędze dwójki, która obejmuje {side:g} m; podaj krótszy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="55"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
         <source>A window of {side:g} m has {pixels} px and needs {least} at least; give a longer SIDE.</source>
         <translation>Okno o boku {side:g} m ma {pixels} px, a potrzeba co najmniej {least}; podaj dłuższy bok (SIDE).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="57"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="59"/>
         <source>No layer of seams has the field {field}; choose one that says which sheet it is.</source>
         <translation>Żadna warstwa linii nie ma pola {field}; wybierz takie, które mówi, jaki to arkusz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="58"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="60"/>
         <source>{count} pieces do not lie on the mosaic and are no part of the lot.</source>
         <translation>Odcinki, które nie leżą na ortofotomapie i nie należą do partii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="59"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
         <source>None of the seams lies on the mosaic; check the reference systems of both.</source>
         <translation>Żadna z linii mozaikowania nie leży na ortofotomapie; sprawdź układy współrzędnych obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="64"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="66"/>
         <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail: with {good:.2%} failing pieces a lot is rejected with {producers:.1%}, with {bad:.2%} accepted with {consumers:.1%}.</source>
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance}: partia z {good:.2%} niezgodnych jest odrzucana z prawdopodobieństwem {producers:.1%}, a partia z {bad:.2%} przyjmowana z prawdopodobieństwem {consumers:.1%}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="68"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="70"/>
         <source>Pieces of one seam are correlated ({correlation:.2f}), which makes the sample {effect:.2f} times as large; the risks are those of a production that such lots come from.</source>
         <translation>Podobieństwo odcinków jednej linii wynosi {correlation:.2f}, co powiększa próbę {effect:.2f} razy; ryzyka dotyczą produkcji, z której pochodzą takie partie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="72"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="74"/>
         <source>The lot is too small for risks of {producers:.1%} and {consumers:.1%}: not even all {lot} pieces keep both, since pieces of one seam are alike and there are few seams; plan for more seams at once, or take larger risks.</source>
         <translation>Partia jest za mała na ryzyka {producers:.1%} i {consumers:.1%}: nawet wszystkie odcinki ({lot}) nie zapewniają obu, bo odcinki jednej linii są podobne, a linii jest mało; zaplanuj więcej linii naraz albo przyjmij większe ryzyka.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="76"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
         <source>The plan needs {size} pieces and the layers hold {drawn}; draw the others from the rest of the lot.</source>
         <translation>Plan wymaga odcinków w liczbie {size}, a warstwy zawierają {drawn}; wylosuj pozostałe z reszty partii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
         <source>Accepted by &apos;{rules}&apos;: {why}.</source>
         <translation>Przyjęto według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="81"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
         <source>Rejected by &apos;{rules}&apos;: {why}.</source>
         <translation>Odrzucono według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
         <source>{why}; {also}</source>
         <translation>{why}; {also}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="89"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="88"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
         <source>{value:.2%} of the measured metres failed and only {limit:.2%} may</source>
         <translation>niezgodne jest {value:.2%} zmierzonych metrów, a dopuszcza się tylko {limit:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
         <source>nothing was measured, so it can&apos;t be decided</source>
         <translation>niczego nie zmierzono, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="119"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="126"/>
         <source>As many pieces failed as lie between Ac {acceptance} and Re {rejection} of reduced inspection: this lot is accepted, and the next one is inspected normally.</source>
         <translation>Liczba niezgodnych odcinków leży między Ac {acceptance} a Re {rejection} kontroli ulgowej: ta partia jest przyjęta, a następna podlega kontroli normalnej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="123"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="130"/>
         <source>the plan needs a sample of {needed} pieces and {given} were measured, so it can&apos;t be decided</source>
         <translation>plan wymaga próby o liczności {needed}, a odcinków zmierzono {given}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="131"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
         <source>{metres:.1f} of {all:.1f} m of seam could not be measured; they count neither as passed nor as failed.</source>
         <translation>Nie dało się zmierzyć {metres:.1f} z {all:.1f} m linii mozaikowania; nie liczą się one ani jako zgodne, ani jako niezgodne.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="136"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="143"/>
         <source>The longest failure without a break: {metres:.1f} m at {x:.1f}, {y:.1f} in {sheets}.</source>
         <translation>Najdłuższa nieprzerwana usterka: {metres:.1f} m, miejsce {x:.1f}; {y:.1f}; arkusze: {sheets}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="197"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="204"/>
         <source>The sample of {size} was drawn of {given} measured pieces with the seed {seed}.</source>
         <translation>Próbę o liczności {size} wylosowano ze zmierzonych odcinków w liczbie {given}, z ziarnem losowania {seed}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="205"/>
         <source>The sample is as large as the lot, so all {lot} pieces are inspected.</source>
         <translation>Próba jest tak duża jak partia, więc kontrolowane są wszystkie odcinki: {lot}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="200"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
         <source>A piece fails when it keeps less than 0, which none can, so every measured piece passes.</source>
         <translation>Odcinek jest niezgodny, gdy zachowuje mniej niż 0, a to niemożliwe: co zmierzono, jest zgodne bez względu na to, ile zachowało.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="203"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
         <source>The layers are a sample of {given} pieces of seam: metres and shares are those of the sample, and how long the longest failure of the delivery is can&apos;t be told from it.</source>
         <translation>Warstwy są próbą odcinków ({given}): metry i udziały dotyczą próby, a z niej nie da się powiedzieć, jak długa jest najdłuższa usterka dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="207"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="214"/>
         <source>The limits are for all metres of a delivery, and these layers are a sample; decide by the plan that it was drawn for, or give the layers of the scan.</source>
         <translation>Granice dotyczą wszystkich metrów dostawy, a tu mówią tylko o próbie; decyduj według planu, dla którego ją wylosowano, albo podaj warstwy z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="210"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="217"/>
         <source>how long the longest failure is can&apos;t be told from a sample</source>
         <translation>z próby nie da się powiedzieć, jak długa jest najdłuższa usterka</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="212"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="219"/>
         <source>Pieces failed where the operator saw a loss in their window, whatever they kept.</source>
         <translation>Niezgodne są odcinki, w których oknie operator zauważył stratę, bez względu na to, ile zachowały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="213"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
         <source>The operators&apos; verdicts are in the windows; give WINDOWS, or judge by the tool.</source>
         <translation>Opinie operatorów są w oknach; podaj WINDOWS albo oceniaj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="218"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="225"/>
         <source>{name} holds no windows; choose polygons that were inspected or judged.</source>
         <translation>{name} nie zawiera okien; wybierz poligony, które skontrolowano lub oceniono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="220"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="227"/>
         <source>The windows in {name} were neither inspected nor judged: the failures get no cause and no remark from them.</source>
         <translation>Okien w {name} nie skontrolowano ani nie oceniono: usterki nie dostają z nich przyczyny ani uwagi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="224"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="231"/>
         <source>The windows are {side:.0f} m wide and the pieces {piece:.0f} m long, so that a piece fails by what was seen beside it, too; plan windows with a SIDE of a piece.</source>
         <translation>Okna mają bok {side:.0f} m, a odcinki długość {piece:.0f} m, więc o niezgodności odcinka decyduje też to, co widziano obok niego; zaplanuj okna o boku (SIDE) równym odcinkowi.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="228"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="235"/>
         <source>Both operators judged {count} windows and agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="232"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="239"/>
         <source>Both operators judged {count} windows and agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Obaj operatorzy ocenili {count} {count:okno|okna|okien}, zgodnie {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="236"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="243"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}: kappa {kappa:.2f}, 95 % interval {low:.2f} to {high:.2f}.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}: kappa {kappa:.2f}, przedział ufności 95 % od {low:.2f} do {high:.2f}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="240"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
         <source>The operator judged {count} windows and the tool agreed on {agreed}; one of them gave one verdict only, so there is no kappa.</source>
         <translation>Operator ocenił {count} {count:okno|okna|okien}, narzędzie jest zgodne w {agreed}; jeden z nich użył tylko jednego słowa, więc nie ma kappy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="244"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
         <source>No layer of seams is given; choose the layers &apos;Seams&apos; of one or more scans.</source>
         <translation>Nie podano warstwy linii mozaikowania; wybierz warstwy „Odcinki linii mozaikowania” z jednego lub wielu badań.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="245"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
         <source>{name} can&apos;t be read as a layer of lines; check the path.</source>
         <translation>{name}: nie można odczytać jako warstwy linii; sprawdź ścieżkę.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="246"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="253"/>
         <source>{name} holds no lines; choose the layer &apos;Seams&apos; of a scan.</source>
         <translation>{name} nie zawiera linii; wybierz warstwę „Odcinki linii mozaikowania” z badania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="247"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
         <source>{name} has no field &apos;kept_1&apos;; choose the layer &apos;Seams&apos; of a scan, not the seamlines.</source>
         <translation>{name}: brak pola „kept_1”; wybierz warstwę „Odcinki linii mozaikowania” z badania, a nie linie mozaikowania.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="248"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="255"/>
         <source>{name} is empty: no seam of it can be judged.</source>
         <translation>{name}: warstwa jest pusta, więc nie ma linii mozaikowania do oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="249"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
         <source>{name} is given twice and counts once.</source>
         <translation>{name} podano dwa razy; liczy się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="250"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="257"/>
         <source>The layers of seams are empty; choose those of a scan that found seams.</source>
         <translation>Warstwy linii mozaikowania są puste; wybierz warstwy z badania, które znalazło linie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="251"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
         <source>{name} has no coordinate reference system; set it in the layer&apos;s properties.</source>
         <translation>{name}: brak układu współrzędnych; ustaw go we właściwościach warstwy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="252"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="259"/>
         <source>{name}: features without a line are left out ({count}).</source>
         <translation>{name}: pominięte obiekty bez linii: {count}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="254"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
         <source>{count} pieces of seam are given twice, the same line with the same figures; they count once.</source>
         <translation>Odcinki podane dwa razy (ta sama linia, to samo zachowanie detali): {count}; liczą się raz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="258"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="265"/>
         <source>{metres:.0f} m of seam in {sheets} lie on other seams and count again; leave out what was scanned twice.</source>
         <translation>W {sheets} {metres:.0f} m linii mozaikowania leży na innych liniach i liczy się ponownie; pomiń to, co zbadano dwa razy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="261"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="268"/>
         <source>kept_1 in {name} is {value:g} in the middle, and it is a share, 1 for all that there was; write 86 % as 0.86.</source>
         <translation>kept_1 w {name} ma środkową wartość {value:g}, a jest to udział (1 oznacza wszystko); zapisz 86 % jako 0.86.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="264"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="271"/>
         <source>kept_1 of {count} pieces of {name} is not a number (such as &apos;{value}&apos;; write decimals with a point); they count as not measured.</source>
         <translation>kept_1 nie jest liczbą (odcinki w {name}: {count}; na przykład „{value}”; separatorem dziesiętnym jest kropka); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="267"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="274"/>
         <source>kept_1 of {count} pieces of {name} is below 0; they count as not measured.</source>
         <translation>kept_1 jest ujemne (odcinki w {name}: {count}); te odcinki liczą się jako niezmierzone.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="273"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
         <source>The field length of {count} pieces of {name} differs from their lines (at worst {length:g} m, and {line:.1f} m along the line); the field counts, so check whether it holds metres.</source>
         <translation>Pole length mówi co innego niż linie (odcinki w {name}: {count}; najgorzej {length:g} m zamiast {line:.1f} m wzdłuż linii); liczy się pole, sprawdź więc, czy zawiera metry.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="278"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="285"/>
         <source>{name} can&apos;t be transformed to the reference system of the first layer; check the systems of both.</source>
         <translation>{name}: nie można przeliczyć do układu współrzędnych pierwszej warstwy; sprawdź układy obu warstw.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="280"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
         <source>{parameter} is {value:g}; give 0 or more.</source>
         <translation>{parameter} wynosi {value:g}; podaj 0 lub więcej.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="281"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="288"/>
         <source>{parameter} is {value:g} and has to lie between {least:g} and {most:g}.</source>
         <translation>{parameter} wynosi {value:g}, a musi leżeć między {least:g} a {most:g}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="287"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="294"/>
         <source>{parameter} is &apos;{value}&apos;; known are {known}.</source>
         <translation>{parameter} to „{value}”; znane są {known}.</translation>
     </message>
@@ -11021,182 +11011,182 @@
         <translation>Kompletna (1) lub nie (0)</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="82"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
         <source>Undecided by &apos;{rules}&apos;: {why}.</source>
         <translation>Nie rozstrzygnięto według reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="83"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
         <source>Accepted by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
         <translation>Przyjęto na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="84"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="86"/>
         <source>Rejected by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
         <translation>Odrzucono na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="85"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="87"/>
         <source>Undecided by the observers&apos; verdicts and &apos;{rules}&apos;: {why}.</source>
         <translation>Nie rozstrzygnięto na podstawie ocen obserwatorów i reguł „{rules}”: {why}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="90"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="92"/>
         <source>{value:.2%} of the measured metres failed and {limit:.2%} may, but it may be {low:.2%} to {high:.2%} by what is not known</source>
         <translation>niezgodnych jest {value:.2%} zmierzonych metrów, a dopuszcza się {limit:.2%}, lecz wobec tego, czego nie wiadomo, może to być od {low:.2%} do {high:.2%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="104"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
         <source>{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may</source>
         <translation>{share:.0%} ortofotomapy {name} nie odpowiada żadnemu ortoobrazowi, a dopuszcza się {limit:.0%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="106"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
         <source>the layers lack {metres:.0f} m of seam</source>
         <translation>w warstwach brakuje {metres:.0f} m linii mozaikowania</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="147"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="154"/>
         <source>{metres:.0f} of {all:.0f} m of seam lie on ground without detail, which has nothing to lose; they are not judged.</source>
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania leży w terenie bez detali, który nie ma czego stracić; nie są one częścią tego, co się ocenia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="152"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="159"/>
         <source>What would decide it: figures of at least {wanted:.0f} of the {lacking:.0f} m that were not measured. Give the orthoimages beside them, scan with a longer PIECE, or judge windows there by eye (JUDGE observer); the field &apos;reason&apos; of the seams says why each was not measured.</source>
         <translation>Co by rozstrzygnęło: wyniki z co najmniej {wanted:.0f} z {lacking:.0f} m, których nie zmierzono. Podaj ortoobrazy obok nich, skanuj z dłuższym PIECE albo oceń tam okna wzrokowo (JUDGE observer); pole „reason” linii mozaikowania mówi, dlaczego którego odcinka nie zmierzono.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="157"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="164"/>
         <source>What would decide it: an operator&apos;s look, since all seams lie on ground without detail.</source>
         <translation>Co by rozstrzygnęło: ocena operatora, bo wszystkie linie mozaikowania leżą w terenie bez detali.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="168"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="175"/>
         <source>What would decide it: the layers of the whole scan, not a sample of their pieces.</source>
         <translation>Co by rozstrzygnęło: warstwy całego skanowania, a nie próba ich odcinków.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="170"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
         <source>What would decide it: a scan with the orthoimages that are missing, since seams beside them are in no figure.</source>
         <translation>Co by rozstrzygnęło: skanowanie z brakującymi ortoobrazami, bo linii mozaikowania obok nich nie obejmuje żaden wynik.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="174"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="181"/>
         <source>What would decide it: the layers of seams as their scans wrote them, without features taken away.</source>
         <translation>Co by rozstrzygnęło: warstwy linii mozaikowania takie, jak zapisało je skanowanie, bez usuniętych obiektów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="177"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="184"/>
         <source>The layers of seams are as their scans left them ({count}).</source>
         <translation>Warstwy linii mozaikowania są takie, jak zostawiło je skanowanie ({count}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="179"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="186"/>
         <source>Layers of seams that were changed since their scan: {count} ({names}); the decision is on what they hold now.</source>
         <translation>Warstwy linii mozaikowania zmienione po skanowaniu: {count} ({names}); decyzja dotyczy tego, co zawierają teraz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="187"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
         <source>The layers of seams were not measured alike: {setting} is {values}; scan all sheets with the same settings.</source>
         <translation>Warstw linii mozaikowania nie zmierzono jednakowo: {setting} to {values}; skanuj wszystkie arkusze z tymi samymi ustawieniami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="191"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="198"/>
         <source>{name} is filtered ({filter}) and shows a part of its seams; remove the filter, as a decision is on all of them.</source>
         <translation>Warstwa {name} jest filtrowana ({filter}) i pokazuje część linii mozaikowania; usuń filtr, bo decyzja dotyczy wszystkich.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="304"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="311"/>
         <source>{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are in no figure and those beside it are not measured; scan again with the orthoimages that are missing.</source>
         <translation>{name}: skanowanie nie znalazło ortoobrazu dla {share:.0%} ortofotomapy, najwięcej w okolicy {place}. Tamtejszych linii mozaikowania nie obejmuje żaden wynik, a sąsiednich nie zmierzono; skanuj ponownie z brakującymi ortoobrazami.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="318"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
         <source>The run was stopped: there is neither report nor XML.</source>
         <translation>Przerwano: nie ma ani raportu, ani XML.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="320"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
         <source>The layer of decided sheets can&apos;t be written; choose another folder, and close the file where it is open.</source>
         <translation>Nie można zapisać warstwy ocenionych arkuszy; wybierz inny katalog i zamknij plik tam, gdzie jest otwarty.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="324"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
         <source>Neither a folder nor sheets are given; choose where the delivery lies, or its index.</source>
         <translation>Nie podano ani katalogu, ani arkuszy; wskaż, gdzie leży dostawa, lub jej indeks.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="325"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="340"/>
         <source>{folder} holds no rasters and no sheets are given; choose the folder of the delivery.</source>
         <translation>{folder} nie zawiera rastrów i nie podano arkuszy; wskaż katalog dostawy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="326"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="341"/>
         <source>The check was stopped; nothing is written.</source>
         <translation>Kontrolę przerwano; nic nie zapisano.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="342"/>
         <source>{sheet}: {finding}.</source>
         <translation>{sheet}: {finding}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="328"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="343"/>
         <source>Sheets: {count}, with findings: {faulty}, of these without a file: {missing}.</source>
         <translation>Arkusze: {count}, z uwagami: {faulty}, w tym bez pliku: {missing}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="329"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="344"/>
         <source>{path} can&apos;t be written; choose another folder.</source>
         <translation>Nie można zapisać {path}; wybierz inny katalog.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="330"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="345"/>
         <source>the file is missing</source>
         <translation>brakuje pliku</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="331"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="346"/>
         <source>it was not ordered</source>
         <translation>nikt go nie zamówił</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="332"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="347"/>
         <source>the file does not say where it lies</source>
         <translation>plik nie mówi, gdzie leży</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="333"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="348"/>
         <source>its name {name} does not match {pattern}</source>
         <translation>nazwa {name} nie odpowiada wzorcowi {pattern}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="334"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="349"/>
         <source>its pixels are {pixel:.4g} m instead of {wanted:.4g} m</source>
         <translation>piksel ma {pixel:.4g} m zamiast {wanted:.4g} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="335"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="350"/>
         <source>its reference system is another one</source>
         <translation>ma inny układ odniesienia</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="336"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="351"/>
         <source>it has {bands} bands instead of {wanted}</source>
         <translation>liczba kanałów to {bands} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="337"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="352"/>
         <source>its pixels are {kind} instead of {wanted}</source>
         <translation>piksele są typu {kind} zamiast {wanted}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="338"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="353"/>
         <source>{share:.2%} of its outline has no data</source>
         <translation>{share:.2%} obrysu nie ma danych</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="339"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="354"/>
         <source>whether it has data everywhere can&apos;t be told</source>
         <translation>nie da się stwierdzić, czy wszędzie ma dane</translation>
     </message>
@@ -11718,52 +11708,52 @@
         <translation>all: według metrów wszystkich linii mozaikowania i powyższych granic. iso2859: według liczby niezgodnych odcinków w próbie losowej, zgodnie z planem ISO 2859-1 dla partii w serii. iso2859_2: tak samo dla pojedynczej dostawy, czyli partii izolowanej, według jakości granicznej (ISO 2859-2).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="25"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="27"/>
         <source>{place} in {name}: the {key} &apos;{value}&apos; is none of the standard&apos;s; known are {known}.</source>
         <translation>{place} w {name}: {key} „{value}” nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="61"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="63"/>
         <source>{size} of {lot} pieces are inspected and up to {acceptance} may fail ({plan}).</source>
         <translation>Kontrolowane odcinki: {size} z {lot}, niezgodnych może być najwyżej {acceptance} ({plan}).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="108"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="115"/>
         <source>{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})</source>
         <translation>niezgodnych odcinków w skontrolowanej próbie ({inspected}) jest {nonconforming}, a dopuszcza się tylko {limit} ({plan})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="110"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
         <source>{standard}, lot of {lot}, code letter {letter}; of lots with {good} failing pieces, the AQL of {aql}, {producers:.1%} are rejected, of those with {bad} ({limiting:.1%}) {consumers:.1%} are accepted</source>
         <translation>{standard}, liczność partii {lot}, znak literowy {letter}; z partii o liczbie niezgodnych odcinków {good}, czyli przy AQL {aql}, odrzucanych jest {producers:.1%}, a z partii o liczbie {bad} ({limiting:.1%}) przyjmowanych jest {consumers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="114"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="121"/>
         <source>{standard}, isolated lot of {lot}; of lots with {bad} failing pieces, the limiting quality of {lq:g} %, {consumers:.1%} are accepted, of those with {good} ({share:.1%}) {producers:.1%} are rejected</source>
         <translation>{standard}, partia izolowana o liczności {lot}; z partii o liczbie niezgodnych odcinków {bad}, czyli przy jakości granicznej {lq:g} %, przyjmowanych jest {consumers:.1%}, a z partii o liczbie {good} ({share:.1%}) odrzucanych jest {producers:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="117"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="124"/>
         <source>{standard}, all of the lot of {lot} inspected</source>
         <translation>{standard}, skontrolowano całą partię o liczności {lot}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="215"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="222"/>
         <source>None of the {count} windows was judged; judge them in the desk and save the edits of their layer, or judge by the tool.</source>
         <translation>Nie oceniono żadnego okna ({count}); oceń je w panelu i zapisz zmiany warstwy albo decyduj według narzędzia.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="282"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="289"/>
         <source>The {parameter} {value} is none of the standard&apos;s; known are {known}.</source>
         <translation>{parameter} {value} nie występuje w normie; dostępne są: {known}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="312"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="327"/>
         <source>{name} is not a table of &apos;Check radiometry&apos;; choose the output &apos;Radiometry&apos; of a run of it.</source>
         <translation>{name} nie jest tabelą algorytmu „Sprawdź radiometrię”; wybierz jego wynik „Radiometria”.</translation>
     </message>
@@ -11983,7 +11973,7 @@
         <translation>Okna w miejscach, gdzie zachowano najmniej, zaczynając od najgorszych, gotowe do użycia w panelu i w algorytmie „Skontroluj okna”.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/inputs/source_list.py" line="86"/>
+        <location filename="../plugin/seams/desk/inputs/source_list.py" line="90"/>
         <source>The orthoimages that the mosaic was made from. The reason stands beside each one that is left out; tick it to use it anyway. Untick a missing one to remove it from the inputs.</source>
         <translation>Ortoobrazy, z których powstała ortofotomapa. Przy pominiętym podano powód; zaznacz go, aby mimo to go użyć. Odznacz brakujący, aby usunąć go z danych wejściowych.</translation>
     </message>
@@ -12192,7 +12182,7 @@
         <translation>Krzyż stoi tam, gdzie znaleziono znaczek, a dla znaczka odrzuconego tam, gdzie umieszczają go pozostałe: kolumna, wiersz.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="269"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
         <source>kept_1 of {count} pieces of {name} is more than a seam can keep (up to {value:g}); they count as not measured, so check whether they are shares.</source>
         <translation>kept_1 odcinków ({count}) warstwy {name} przekracza to, co linia mozaikowania może zachować (do {value:g}); liczą się jako niezmierzone, sprawdź więc, czy są to udziały.</translation>
     </message>
@@ -12347,12 +12337,12 @@
         <translation>Liczba okien, które nie są prostokątami o bokach równoległych do osi ortofotomapy: {count}; mierzony jest prostokąt opisany na obrysie.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="183"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="190"/>
         <source>Layers of seams without the totals of their scan, as exports are: {count} ({names}). Seams that were left out of them can&apos;t be noticed; decide on the GeoPackage that the scan wrote.</source>
         <translation>Warstwy linii mozaikowania bez sum swojego badania, jak po eksporcie: {count} ({names}). Nie da się zauważyć linii, które w nich pominięto; decyduj na podstawie pliku GeoPackage zapisanego przez badanie ortofotomapy.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="256"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="263"/>
         <source>{metres:.0f} m of the seams lie on others and count again</source>
         <translation>{metres:.0f} m linii mozaikowania leży na innych i liczy się ponownie</translation>
     </message>
@@ -12367,7 +12357,7 @@
         <translation>{metres:.0f} z {all:.0f} m linii mozaikowania nie liczy się ani jako zaliczone, ani jako niezaliczone; powód podają ich pola &apos;state&apos; i &apos;reason&apos;.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="284"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="291"/>
         <source>{parameter} {value} is not in the tables of ISO 2859-2 here, which have {known}; inspect the whole lot instead (PLAN all), or draw a sample by stated risks (&apos;Plan an inspection&apos;, PLAN risk with BAD_SHARE {value}).</source>
         <translation>{parameter} {value} nie występuje w dostępnych tu tablicach ISO 2859-2, które mają {known}; zamiast tego skontroluj całą partię (PLAN all) albo wylosuj próbę według podanych ryzyk („Zaplanuj kontrolę”, PLAN risk, BAD_SHARE {value}).</translation>
     </message>
@@ -12469,62 +12459,62 @@
         <translation>Arkusz nr {number} nie ma nazwy w polu {field}; wpisz ją tam.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="40"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="42"/>
         <source>Lots with {good:g} % failing pieces should be accepted and with {bad:g} % rejected; the first has to be smaller, both between 0 and 100.</source>
         <translation>Partie z {good:g} % niezgodnych odcinków mają być przyjmowane, a z {bad:g} % odrzucane; pierwsza liczba musi być mniejsza, a obie między 0 a 100.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="78"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="80"/>
         <source>{size} of {lot} pieces are drawn; the log of acceptmosaic gives the risks.</source>
         <translation>Losowanie do próby: {size} z {lot} odcinków; ile jest to warte, mówi dziennik algorytmu acceptmosaic.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="93"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="95"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="94"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is only {limit:.1f} m</source>
         <translation>najdłuższa nieprzerwana usterka ma {value:.1f} m, a dopuszczalne jest tylko {limit:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="96"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="98"/>
         <source>the longest failure without a break is {value:.1f} m and the limit is {limit:.1f} m, but it may be {low:.1f} to {high:.1f} m by the intervals of its pieces</source>
         <translation>najdłuższa usterka bez przerwy ma {value:.1f} m, a dopuszcza się {limit:.1f} m, lecz według przedziałów jej odcinków może to być od {low:.1f} do {high:.1f} m</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="99"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="101"/>
         <source>{value:.1%} of the metres were measured and {limit:.1%} are required</source>
         <translation>zmierzono {value:.1%} metrów, a wymagane jest {limit:.1%}</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="101"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="103"/>
         <source>only {value:.1%} of the metres were measured and {limit:.1%} are required, so it can&apos;t be decided</source>
         <translation>zmierzono tylko {value:.1%} metrów, a wymagane jest {limit:.1%}, więc nie da się tego określić</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="105"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="107"/>
         <source>layers of seams were changed since their scan: {count} ({names})</source>
         <translation>warstwy linii mozaikowania zmienione od czasu skanowania: {count} ({names})</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="127"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
         <source>{failed:.1f} of {measured:.1f} measured metres failed: {share:.2%}. Of many more seams made in the same way {low:.2%} to {high:.2%} would fail (95 % interval); this does not decide.</source>
         <translation>Niezgodne jest {failed:.1f} z {measured:.1f} zmierzonych metrów: {share:.2%}. Z wielu dalszych linii mozaikowania wykonanych w ten sam sposób niezgodne byłoby od {low:.2%} do {high:.2%} (przedział 95 %); to nie rozstrzyga.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="194"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="201"/>
         <source>{name} lacks {metres:.0f} m of seam: its scan had them, they lie between the stations of its pieces, or they have no line.</source>
         <translation>Warstwie {name} brakuje {metres:.0f} m linii mozaikowania: miało je skanowanie, leżą między pikietażami jej odcinków albo nie mają linii.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="276"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="283"/>
         <source>The layers are in degrees; places and lengths are given in {system}.</source>
         <translation>Warstwy są w stopniach; miejsca i długości podano w układzie {system}.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="322"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="337"/>
         <source>{parameter} is &apos;{value}&apos;, which is no date; write it as 2026-11-23 or 23.11.2026.</source>
         <translation>{parameter} to „{value}”, co nie jest datą; zapisz ją jako 2026-11-23 albo 23.11.2026.</translation>
     </message>
@@ -13036,27 +13026,27 @@
         <translation>Okna bez własnego numeru: {count}; otrzymały kolejne wolne numery.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="134"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="141"/>
         <source>{metres:.1f} m are unclear: the limit of {limit:.0%} lies within their 95 % intervals.</source>
         <translation>{metres:.1f} m jest niejasne: wartość graniczna {limit:.0%} leży w ich przedziałach 95 %.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="138"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="145"/>
         <source>Failures that end at the edge of a sheet where no seam goes on: {count}, {metres:.1f} m (no. {numbers}); they may be longer beyond it. Scan the sheet with its neighbours as one mosaic, a VRT, to know.</source>
         <translation>Usterki kończące się na brzegu arkusza, za którym nie biegnie żadna linia mozaikowania: {count}, {metres:.1f} m (nr {numbers}); za brzegiem mogą być dłuższe. Aby to sprawdzić, przeskanuj arkusz razem z sąsiednimi jako jedną ortofotomapę (VRT).</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="142"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="149"/>
         <source>Sheets were scanned apart, so pieces begin anew where seams cross their borders ({count}). With other pieces, as in one scan of all sheets, the failed metres may differ by {within:.0f} m (95 % interval), and by what only one of the scans can measure.</source>
         <translation>Arkusze zeskanowano osobno, więc odcinki zaczynają się od nowa tam, gdzie linie mozaikowania przecinają ich brzegi ({count}). Przy innych odcinkach, jak w jednym skanie wszystkich arkuszy, liczba niezgodnych metrów może się różnić o {within:.0f} m (przedział 95 %) oraz o to, co zmierzy tylko jeden ze skanów.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="160"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="167"/>
         <source>What would decide it: a verdict on the pieces whose intervals hold the limit ({metres:.0f} m, pieces: {count}). Judge windows on them by eye, or scan with a longer PIECE, which has narrower intervals.</source>
         <translation>Co by rozstrzygnęło: ocena odcinków, których przedziały zawierają wartość graniczną ({metres:.0f} m, odcinków: {count}). Oceń okna na nich wzrokowo albo skanuj z dłuższym PIECE, które daje węższe przedziały.</translation>
     </message>
     <message>
-        <location filename="../plugin/acceptance/measure/messages.py" line="165"/>
+        <location filename="../plugin/acceptance/measure/messages.py" line="172"/>
         <source>What would decide it: a scan with a shorter PIECE. Failures end inside of pieces, so a sum of pieces of {piece:.0f} m is known to {within:.0f} m here, and {allowed:.0f} m may fail.</source>
         <translation>Co by rozstrzygnęło: skan z krótszym PIECE. Usterki kończą się wewnątrz odcinków, więc suma odcinków po {piece:.0f} m jest tu znana z dokładnością do {within:.0f} m, a niezgodnych może być {allowed:.0f} m.</translation>
     </message>
@@ -13177,6 +13167,36 @@
     <message>
         <source>In the pictures at 2x dashes lie on the seam, and chequers where there is no data.</source>
         <translation>Na wycinkach w powiększeniu 2x linia mozaikowania jest przerywana, a szachownica oznacza brak danych.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="16"/>
+        <source>Pieces of seam that lie in none of the sheets: {count}. They keep their layer&apos;s name.</source>
+        <translation>Odcinki linii leżące poza arkuszami: {count}. Zachowują nazwę swojej warstwy.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="109"/>
+        <source>rows of {name} were changed so that {metres:.0f} m which its scan failed pass</source>
+        <translation>w warstwie {name} zmieniono wiersze tak, że {metres:.0f} m zakwestionowanych przez skan przechodzi pomyślnie</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="111"/>
+        <source>parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required</source>
+        <translation>części ortofotomapy nie odpowiadają żadnemu ortoobrazowi, a {metres:.0f} m ich granic może być liniami, których nie ujęto w żadnej liczbie: łącznie z nimi zmierzono tylko {value:.1%} metrów, a wymaga się {limit:.1%}</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="315"/>
+        <source>{name}: the seamlines name orthoimages that the scan was not given ({names}); seams beside them are not measured.</source>
+        <translation>{name}: linie mozaikowania wymieniają ortoobrazy, których nie podano przy skanowaniu ({names}); linii przy nich nie zmierzono.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/acceptance/measure/messages.py" line="319"/>
+        <source>{name}: the seams are those of the given seamlines, and only what lies along them was looked at. Scan once more without SEAMLINES to find seams that they do not show.</source>
+        <translation>{name}: zmierzono podane linie mozaikowania i obejrzano tylko to, co leży wzdłuż nich. Aby znaleźć linie, których one nie pokazują, wykonaj jeszcze jeden skan bez SEAMLINES.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/radiometry/checkradiometry.py" line="175"/>
+        <source>Radiometry: {word}.</source>
+        <translation>Radiometria: {word}.</translation>
     </message>
 </context>
 </TS>

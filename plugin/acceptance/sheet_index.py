@@ -57,10 +57,10 @@ class _Sheets:
             self._engines[number].prepareGeometry()
 
     def at(self, place: tuple[float, float]) -> Iterator[str]:
-        """Names of the sheets that hold a place."""
+        """Names of the sheets that hold a place; of one on their border, of both."""
         point = QgsPoint(*place)
         here = self._index.intersects(QgsRectangle(*place, *place))
-        return (self.outlines[i][0] for i in sorted(here) if self._engines[i].contains(point))
+        return (self.outlines[i][0] for i in sorted(here) if self._engines[i].intersects(point))
 
     def cutting(self, line: QgsGeometry) -> Iterator[QgsGeometry]:
         """What of a line lies in each sheet that does not hold all of it."""

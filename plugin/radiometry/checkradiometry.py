@@ -172,7 +172,7 @@ class CheckRadiometry(RasterListAlgorithm):
         decision = None
         if not run.is_cancelled():
             decision = decide(results, unseen)
-            run.inform(filled(tr("Decision: {word}."), word=words.decision_word(decision)))
+            run.inform(filled(tr("Radiometry: {word}."), word=words.decision_word(decision)))
             for reason in words.decision_reasons(decision):
                 run.inform(reason)
         figures = [checked for result in results for checked in result.checked_figures]

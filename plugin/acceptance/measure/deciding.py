@@ -24,7 +24,7 @@ from . import messages
 from .acceptance_rules import FAILED_SHARE, LONGEST_FAILURE, MEASURED_SHARE, AcceptanceRule, AcceptanceRules
 from .cut_failures import crossing_count, cut_failures
 from .decision import AcceptanceOutcome, DecidedPiece, Decision, FailureRun, MetreFigures, Observers, RuleOutcome
-from .delivery import Delivery
+from .delivery import DeliveredLayer, Delivery
 from .failure_runs import failure_runs
 from .inspection_plan import sampled_lot
 from .measured_pieces import (
@@ -84,7 +84,7 @@ def decide(
     if lot is not None:
         outcomes.insert(0, lot.rule_outcome)
     outcome = outcome_of(outcomes)
-    lacking = [*_lacking(delivery, rules)]
+    lacking = [*_lacking(delivery, whole, rules)]
     if lacking and outcome is AcceptanceOutcome.ACCEPTED:
         outcome = AcceptanceOutcome.UNDECIDED
     if delivery.doubled_m > MOST_DOUBLED * sum(piece.length_m for piece in delivery.pieces):
@@ -115,11 +115,16 @@ def outcome_of(outcomes: Sequence[RuleOutcome]) -> AcceptanceOutcome:
     return AcceptanceOutcome.UNDECIDED if None in passed else AcceptanceOutcome.ACCEPTED
 
 
-def _lacking(delivery: Delivery, rules: AcceptanceRules) -> Iterator[Message]:
+def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) -> Iterator[Message]:
     """What is missing of the delivery, so that it can't be accepted."""
     if delivery.lacking_m:
         yield messages.SEAMS_LACK(metres=delivery.lacking_m)
-    least = rules.limit(MEASURED_SHARE)
+    for layer in delivery.layers:
+        if layer.hidden_m > MOST_HIDDEN_M:
+            yield messages.SEAMS_HIDDEN(name=layer.name, metres=layer.hidden_m)
+    least, unseen = rules.limit(MEASURED_SHARE), sum(layer.unseen_m for layer in delivery.layers)
+    if least is not None and unseen and whole.measured_m < least * (whole.judged_m + unseen):
+        yield messages.SEAMS_UNSEEN(metres=unseen, value=whole.measured_m / (whole.judged_m + unseen), limit=least)
     for layer in delivery.layers:
         if least is not None and layer.unexplained > 1 - least:
             yield messages.MOSAIC_LACKS(name=layer.name, share=layer.unexplained, limit=1 - least)
@@ -261,7 +266,7 @@ def _would_decide(
         yield from _would_narrow(whole, pieces, rules, FAILED_SHARE in is_open)
     if delivery.is_part and LONGEST_FAILURE in is_open:
         yield messages.WOULD_GIVE_SCAN()
-    if delivery.lacking_m:
+    if delivery.lacking_m or any(layer.hidden_m > MOST_HIDDEN_M for layer in delivery.layers):
         yield messages.WOULD_GIVE_LAYER()
     if any(layer.unexplained for layer in delivery.layers):
         yield messages.WOULD_GIVE_ORTHOIMAGES()
@@ -290,15 +295,24 @@ def _layers(delivery: Delivery) -> Iterator[Message]:
     if layers and all(one.is_sealed for one in layers):
         yield messages.LAYERS_SEALED(count=len(layers))
     for one in layers:
-        if one.unexplained >= TOLD_UNEXPLAINED:
-            place = one.settings.get("unexplained_at", "")
-            yield messages.SCAN_UNEXPLAINED(name=one.name, share=one.unexplained, place=place)
-        if one.settings.get("seams") == "found":
-            yield messages.SEAMS_FOUND(name=one.name)
+        yield from _seen(one)
     for name in dict.fromkeys(name for one in layers for name in one.settings):
         values = list(dict.fromkeys(one.settings[name] for one in layers if name in one.settings))
         if len(values) > 1 and name in COMPARED_SETTINGS:
             yield messages.SETTINGS_DIFFER(setting=name, values=_first_names(values))
+
+
+def _seen(layer: DeliveredLayer) -> Iterator[Message]:
+    """Where its scan could not find or measure seams."""
+    if layer.unexplained >= TOLD_UNEXPLAINED:
+        place = layer.settings.get("unexplained_at", "")
+        yield messages.SCAN_UNEXPLAINED(name=layer.name, share=layer.unexplained, place=place)
+    if names := layer.settings.get("not_given"):
+        yield messages.SOURCES_NOT_GIVEN(name=layer.name, names=names)
+    if layer.settings.get("seams") == "found":
+        yield messages.SEAMS_FOUND(name=layer.name)
+    elif layer.settings.get("seams") == "given" and "unexplained" not in layer.settings:
+        yield messages.SEAMS_GIVEN(name=layer.name)
 
 
 def _changed(delivery: Delivery) -> list[str]:
@@ -306,6 +320,8 @@ def _changed(delivery: Delivery) -> list[str]:
     return [one.name for one in delivery.layers if one.is_sealed is False]
 
 
+MOST_HIDDEN_M = 0.1
+"""Of what the scan failed and the rows don't: less is rounding."""
 TOLD_UNEXPLAINED = 0.03
 """Of a mosaic without an orthoimage behind it: where the scan tells it, too."""
 MOST_AT_ENDS = 0.2

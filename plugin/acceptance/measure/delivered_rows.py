@@ -14,7 +14,15 @@ from ...imagery.errors import Message, SeamInspectorWarning, SettingsError
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.lines import points_at, vertex_stations
 from ...imagery.reference_systems import is_geographic, metres_per_unit, transform_points, utm_wkt
-from ...imagery.seam_totals import STRETCH, PieceState, Place, RowTotals, SeamTotals
+from ...imagery.seam_totals import (
+    STANDARD_LEAST_KEPT,
+    STRETCH,
+    PieceState,
+    Place,
+    RowTotals,
+    SeamTotals,
+    piece_state,
+)
 from . import messages
 from .delivery import DeliveredLayer, DeliveredPiece, Delivery, in_order
 from .failure_networks import TOUCHING
@@ -50,6 +58,8 @@ class LayerDoubts:
     """Stations and lengths by seam, metres."""
     totals: RowTotals = field(default_factory=RowTotals)
     """Of all rows, as their scan counted them."""
+    failed_m: float = 0.0
+    """Metres that fail as the scan fails them, by what the rows say of what is kept."""
 
     def see_kept(self, written: str, kept: float | None, verdict: str = "") -> float | None:
         """What counts of a piece's ``kept_1``, as it is ``written`` and as a number: nothing that is no share."""
@@ -92,9 +102,12 @@ class LayerDoubts:
         kept = self.see_kept(_text(row.get("kept_1")), _number(row.get("kept_1")), verdict)
         low, high, width = (_number(row.get(name)) for name in _NUMBERS)
         left, right, left_date, right_date = (_text(row.get(name)) for name in _SIDES)
+        has_detail = _text(row.get("state")) != PieceState.NO_DETAIL.value
+        state = piece_state(kept, low, high, STANDARD_LEAST_KEPT, verdict != NO_VERDICT)
+        self.failed_m += length * (has_detail and state is PieceState.FAILED)
         return DeliveredPiece(
             0, sheet, seam_id, station, length, kept, low, high, width, verdict, _text(row.get("reason")), line, left,
-            right, left_date, right_date, has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
+            right, left_date, right_date, has_detail=has_detail,
             visibility=_number(row.get("visibility")),
         )  # fmt: skip
 
@@ -102,10 +115,11 @@ class LayerDoubts:
         """What it is, by what its scan wrote beside its rows."""
         own, scanned = self.totals.totals, SeamTotals.of_metadata(metadata)
         settings = {name: value for name, value in metadata.items() if scanned and name not in scanned.metadata}
+        hidden = 0.0 if scanned is None else scanned.failed_metres - self.failed_m
         lacking = self.without_line_m + (sum(self._gaps()) if scanned is None else scanned.metres - own.metres)
         return DeliveredLayer(
             self.sheet, None if scanned is None else own.digest == scanned.digest,
-            lacking if lacking > _LACKING_M else 0.0, settings, own.digest,
+            lacking if lacking > _LACKING_M else 0.0, settings, own.digest, max(hidden - max(lacking, 0.0), 0.0),
         )  # fmt: skip
 
     def _gaps(self) -> Iterator[float]:

@@ -160,12 +160,22 @@ class DeliveredLayer:
     """How its seams were measured, as far as the layer says."""
     digest: str = ""
     """SHA-256 of its rows, as ``SeamTotals`` has it."""
+    hidden_m: float = 0.0
+    """Metres that the scan failed, and that its rows don't fail any more."""
 
     @property
     def unexplained(self) -> float:
         """Share of its mosaic that follows none of the orthoimages, in which no seam is found; 0 where nothing says."""
+        return self._number("unexplained")
+
+    @property
+    def unseen_m(self) -> float:
+        """Metres of border around that: as much seam may be in no figure; 0 where nothing says."""
+        return self._number("unexplained_border")
+
+    def _number(self, setting: str) -> float:
         try:
-            return float(self.settings.get("unexplained", 0))
+            return float(self.settings.get(setting, 0))
         except ValueError:
             return 0.0
 

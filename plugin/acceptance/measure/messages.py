@@ -12,7 +12,9 @@ SHEETS_ELSEWHERE = Message(
 )
 SHEET_WITHOUT_NAME = Message("The sheet no. {number} has no name in the field {field}; write it there.")
 SHEET_WITHOUT_PLACE = Message("The outline of the sheet {name} has coordinates that are no numbers; draw it again.")
-PIECES_OFF_SHEETS = Message("{count} pieces of seam lie in none of the sheets and keep their layer's name.", WARNING)
+PIECES_OFF_SHEETS = Message(
+    "Pieces of seam that lie in none of the sheets: {count}. They keep their layer's name.", WARNING
+)
 # a file with rules
 TWO_RULES_FOR_CHECK = Message("{name} has two rules for '{check}' ({place} is the second); keep one.")
 RULES_WITHOUT_KEPT = Message("{name} does not say what a piece must keep; add a rule with the check 'kept'.")
@@ -104,6 +106,11 @@ NOTHING_WAS_MEASURED = Message("nothing was measured, so it can't be decided", I
 MOSAIC_LACKS = Message("{share:.0%} of the mosaic of {name} follow no orthoimage and {limit:.0%} may", INFO)
 LAYERS_WERE_CHANGED = Message("layers of seams were changed since their scan: {count} ({names})", INFO)
 SEAMS_LACK = Message("the layers lack {metres:.0f} m of seam", INFO)
+SEAMS_HIDDEN = Message("rows of {name} were changed so that {metres:.0f} m which its scan failed pass", INFO)
+SEAMS_UNSEEN = Message(
+    "parts of the mosaic follow no orthoimage, and {metres:.0f} m of border around them may be seams that are in no "
+    "figure: with these only {value:.1%} of the metres were measured and {limit:.1%} are required", INFO
+)
 PLAN_KEPT = Message("{nonconforming} of {inspected} inspected pieces failed and {limit} may ({plan})", INFO)
 PLAN_EXCEEDED = Message("{nonconforming} of {inspected} inspected pieces failed and only {limit} may ({plan})", INFO)
 BY_AQL = Message(
@@ -303,6 +310,14 @@ LOSS_NOT_OF_SCAN = Message(
 SCAN_UNEXPLAINED = Message(
     "{name}: the scan found no orthoimage behind {share:.0%} of the mosaic, most of it around {place}. Seams there are "
     "in no figure and those beside it are not measured; scan again with the orthoimages that are missing.", WARNING
+)
+SOURCES_NOT_GIVEN = Message(
+    "{name}: the seamlines name orthoimages that the scan was not given ({names}); seams beside them are not measured.",
+    WARNING
+)
+SEAMS_GIVEN = Message(
+    "{name}: the seams are those of the given seamlines, and only what lies along them was looked at. Scan once more "
+    "without SEAMLINES to find seams that they do not show.", INFO
 )
 SEAMS_FOUND = Message(
     "{name}: the scan found the seams from the pixels, and wide feathers hide some of them. Give the producer's "

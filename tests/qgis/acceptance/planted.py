@@ -52,10 +52,12 @@ class Block:
 
 
 def make_block(
-    folder: Path, planted: Sequence[Planted] = (), smooth: int = 0, jpeg: int = 0, names: Sequence[str] = "abcd"
+    folder: Path, planted: Sequence[Planted] = (), smooth: int = 0, jpeg: int = 0, names: Sequence[str] = "abcd",
+    foreign: slice | None = None,
 ) -> Block:
     """``smooth``: rows from the top without detail; ``jpeg``: quality of the mosaic's compression, 0 for none;
-    ``names`` of the orthoimages, with their folders."""
+    ``names`` of the orthoimages, with their folders; ``foreign``: rows and columns of a square of another image that is
+    not among them."""
     folder.mkdir(parents=True, exist_ok=True)
     scene = texture(SHAPE, 3.0, 40)
     fades = np.clip((np.arange(ROWS) - smooth) / 20 + 0.5, 0, 1)[:, np.newaxis] if smooth else 1.0
@@ -71,6 +73,8 @@ def make_block(
             if one == seam:
                 share[start:stop] = np.clip(aside[start:stop] / FEATHER_PX + 0.5, 0, 1)
         made = (1 - share) * made + share * images[seam + 1]
+    if foreign is not None:
+        made[:, foreign, foreign] = 110 + 22 * scene[foreign, foreign] + 9 * texture(SHAPE, 0.8, 77)[foreign, foreign]
     mosaic = write_raster(folder / "mosaic.tif", np.rint(made).astype(np.uint8), GSD)
     if jpeg:
         options = ["COMPRESS=JPEG", f"JPEG_QUALITY={jpeg}", "TILED=YES", "PHOTOMETRIC=YCBCR"]

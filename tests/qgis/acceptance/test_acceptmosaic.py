@@ -427,3 +427,16 @@ def test_a_piece_over_a_border_counts_in_both_sheets(tmp_path: Path) -> None:
     rows = outline((tmp_path / "decision.html").read_text(encoding="utf-8")).rows
     metres = {row[0]: row[2].replace("\u00a0", " ") for row in rows if len(row) > 5}
     assert [metres[name] for name in "abcd"] == ["100.0 m", "100.0 m", "100.0 m", "90.0 m"]
+
+
+def test_a_piece_whose_middle_lies_on_a_border_makes_no_sheet_of_its_own(tmp_path: Path) -> None:
+    """Three pieces of 30 m, two sheets of 45 m."""
+    pieces = seams([P] * 3, length=30)
+    squares = [QgsGeometry.fromRect(QgsRectangle(X + left, Y - 50, X + left + 45, Y + 50)) for left in (0, 45)]
+    outlines = layer("Polygon", squares, UTM33, name=("string", ["a", "b"]))
+    outcome = decide(pieces, SHEETS=outlines, REPORT=str(tmp_path / "decision.html"))
+    assert not any("none of the sheets" in text for text in outcome.log.warnings)
+    rows = outline((tmp_path / "decision.html").read_text(encoding="utf-8")).rows
+    metres = {row[0]: row[2].replace("\u00a0", " ") for row in rows if len(row) > 5}
+    assert [metres[name] for name in "ab"] == ["45.0 m", "45.0 m"]
+    assert "seams" not in metres

@@ -17,6 +17,7 @@ from tests.qgis.acceptance.planted import (
     GSD,
     ROWS,
     SHAPE,
+    STRIPS,
     Block,
     cell_layer,
     make_block,
@@ -155,6 +156,11 @@ def test_4_smooth_fields(tmp_path: Path) -> None:
     assert found.results["DECISION"] == "accepted"
     assert found.results["FAILED_METRES"] == made.results["FAILED_METRES"] == 0
     assert found.results["MEASURED_METRES"] < 0.9 * found.results["TOTAL_METRES"]  # less than has to be measured
+    textured = gdal.Open(block.mosaic).GetGeoTransform()[3] - GSD * (ROWS // 3 - 20)  # northing
+    even = [row["state"] for row in QgsVectorLayer(made.results["SEAMS"], "seams", "ogr").getFeatures()
+            if row["level"] == "piece" and row.geometry().boundingBox().yMinimum() > textured]
+    assert len(even) == 2 * (STRIPS - 1)
+    assert set(even) == {"no_detail"}  # what float32 leaves of even ground is not to be measured
     assert "of seam lie on ground without detail" in said(found)
     assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
 
@@ -172,6 +178,21 @@ def test_5_a_missing_orthoimage(spoilt: Block, tmp_path: Path) -> None:
     assert 0 < (top - y) / GSD < ROWS
     assert "a scan with the orthoimages that are missing" in said(found)
     assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
+
+
+def test_5_a_missing_orthoimage_inside_of_others(tmp_path: Path) -> None:
+    """Some 5 % of the mosaic, whose border is no seam that the others show; all that they show was measured."""
+    block = make_block(tmp_path / "block", foreign=slice(440, 720))
+    made = scan(block, tmp_path / "found", SEAMLINES=None)
+    found = decide(tmp_path, made.results["SEAMS"])
+    assert found.results["MEASURED_METRES"] > 0.9 * found.results["TOTAL_METRES"]
+    assert found.results["DECISION"] == "undecided"
+    (border,) = re.findall(r"and (\d+) m of border around them may be seams", decision(found))
+    assert float(border) == pytest.approx(4 * 280 * GSD, rel=0.1)
+    assert_all_say_the_same(tmp_path, found, made.results["SEAMS"])
+    made = scan(block, tmp_path / "given")
+    found = decide(tmp_path, made.results["SEAMS"])
+    assert "only what lies along them was looked at" in said(found)
 
 
 def test_6_a_filtered_layer(scanned: Run, tmp_path: Path) -> None:
@@ -192,6 +213,21 @@ def test_6_a_filtered_layer(scanned: Run, tmp_path: Path) -> None:
     assert found.results["DECISION"] == "undecided"
     assert f"the layers lack {scanned.results['FAILED_METRES']:.0f} m of seam" in decision(found)
     assert_all_say_the_same(tmp_path, found, copied)
+
+
+@pytest.mark.parametrize("change", [{"kept_1": 0.95, "kept_low": 0.9, "kept_high": 1.0}, {"state": "no_detail"}])
+def test_6_rows_that_were_written_over(scanned: Run, change: dict[str, Any], tmp_path: Path) -> None:
+    """What the scan failed passes now: its own totals say otherwise."""
+    copy = tmp_path / "copy.gpkg"
+    gdal.VectorTranslate(str(copy), scanned.results["SEAMS"].partition("|")[0])
+    layer = QgsVectorLayer(str(copy), "copy", "ogr")
+    failed = [row.id() for row in layer.getFeatures() if row["state"] == "failed" and row["level"] == "piece"]
+    values = {layer.fields().indexOf(name): value for name, value in change.items()}
+    assert layer.dataProvider().changeAttributeValues(dict.fromkeys(failed, values))
+    found = decide(tmp_path, layer)
+    assert (found.results["FAILED_METRES"], found.results["DECISION"]) == (0, "undecided")
+    assert f"{scanned.results['FAILED_METRES']:.0f} m which its scan failed pass" in decision(found)
+    assert "the layers of seams as their scans wrote them" in said(found)
 
 
 def test_7_two_orthoimages_of_one_name(tmp_path: Path) -> None:

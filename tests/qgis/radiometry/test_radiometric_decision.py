@@ -45,7 +45,7 @@ def test_a_good_sheet_is_accepted_and_told_what_was_not_measured(sheets: dict[st
     word, why, log = decided([sheets["good"], sheets["soil"]], REPORT=str(report))
     assert word == "accepted"
     assert why == "Not measurable and not required: colour balance; in good.tif, soil.tif."
-    assert log.infos[-2:] == ["Decision: accepted.", why]
+    assert log.infos[-2:] == ["Radiometry: accepted.", why]
     page = report.read_text(encoding="utf-8")
     assert 'class="decision good"' in page
     assert "no grey areas are given" in page

@@ -144,10 +144,14 @@ class FollowedSource:
         )
 
 
+HIGH_PASS_PX = 3
+"""How far what a pixel is smoothed with reaches."""
+
+
 def high_pass(band: np.ndarray) -> np.ndarray:
     """A band (rows, columns) less its smoothed self, in float32: what is finer than a Gaussian of about 2 px."""
     fine = np.empty(band.shape, np.float32)
-    for own, around, inner in _strips(len(band), PIECE_PX, 3):
+    for own, around, inner in _strips(len(band), PIECE_PX, HIGH_PASS_PX):
         smooth = part = band[around].astype(np.float32, copy=False)
         for spacing in (1, 2):  # binomials with holes: variance 1/2 and 2 px squared along each axis
             for axis in (0, 1):

@@ -23,10 +23,12 @@ from .cell_table import CELL_PX, EDGES_PX, FARTHEST, MIXED_BINS, PRODUCTS, CellT
 MOSAIC, CUT, FIRST_SOURCE = range(3)
 """Planes of details."""
 
+_SS, _OO = PRODUCTS.index("ss"), PRODUCTS.index("oo")
 _SHOWN, _BEFORE = ([PRODUCTS.index(name) for name in names] for names in (("ss", "so", "oo"), ("pp", "pq", "qq")))
 _GRID_PX = 2  # distances are taken on the grid of the finest coefficients
 _NO_PAIR = (UNKNOWN + 1) ** 2
 _UNKNOWN_MARGIN_PX = 8  # what is not explained reaches into its neighbours' coefficients
+_ROUNDING = 3e-5  # rms of detail as a share of grey: weaker is what float32 leaves of even ground, and no detail
 
 
 def compared_planes(mosaic: np.ndarray, expected: ExpectedMosaic) -> np.ndarray:
@@ -40,6 +42,11 @@ def compared_planes(mosaic: np.ndarray, expected: ExpectedMosaic) -> np.ndarray:
 def numbers_of(expected: ExpectedMosaic) -> tuple[int, ...]:
     """The sources that meet; none where all follow one, which the cut then is."""
     return tuple(sorted(expected.shown)) if len(expected.shown) > 1 else ()
+
+
+def energy_of_rounding(plane: np.ndarray) -> float:
+    """A pixel, DN squared, at most, in details of planes as bright as this one, (rows, columns)."""
+    return float((_ROUNDING * np.abs(plane).max()) ** 2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +66,7 @@ class SeamGeometry:
 def detail_sums(
     details: Sequence[np.ndarray], labels: np.ndarray, numbers: Sequence[int] = (),
     valid: Mapping[int, np.ndarray] | None = None, is_filtered: bool = False,
-    shares: Mapping[int, np.ndarray] | None = None,
+    shares: Mapping[int, np.ndarray] | None = None, of_rounding: float = 0.0,
 ) -> tuple[CellTable, MixtureTable]:
     """The cells of one window from the details of ``compared_planes``, level by level as ``placed_components`` gives
     them: (3, 2 + sources or more, rows / 2^r, columns / 2^r).
@@ -67,7 +74,7 @@ def detail_sums(
     ``labels``, (rows, columns): the source that each pixel follows, ``UNKNOWN`` where none explains it; those pixels
     take no part. ``numbers``: of the sources among the planes. ``valid``: (rows, columns) bool, pixels that a source
     has, of those that don't have all. ``is_filtered``: whether each source is there in both ways. ``shares``: as
-    ``ExpectedMosaic`` has them.
+    ``ExpectedMosaic`` has them. ``of_rounding``: ``energy_of_rounding``; sources with no more have no detail.
     """
     place = seam_geometry(labels)
     others = _among_others(shares or {}, numbers, place.labels)
@@ -113,6 +120,8 @@ def detail_sums(
         _add(mixed[:, level], index, pixels**2, products)
     if not is_filtered:
         mixed[_BEFORE] = mixed[_SHOWN]
+    sums[2:, sums[2] <= of_rounding * sums[0]] = 0
+    mixed[1:, np.maximum(mixed[_SS], mixed[_OO]) <= of_rounding * mixed[0]] = 0
     return _cell_table(sums[..., :-1].reshape(4, levels, -1), columns), _mixture_table(mixed, columns, beside.pairs)
 
 

@@ -13,7 +13,14 @@ from ....imagery.wavelets import placed_components
 from ..following.boxes import enlarged
 from ..following.expected_mosaic import ExpectedMosaic
 from .cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, WholeCells, whole_cells
-from .detail_sums import compared_planes, detail_sums, explained_samples, numbers_of, seam_samples
+from .detail_sums import (
+    compared_planes,
+    detail_sums,
+    energy_of_rounding,
+    explained_samples,
+    numbers_of,
+    seam_samples,
+)
 from .ground import LevelGround, grounds
 from .seam_profile import SeamProfile
 from .seam_sums import SeamSums
@@ -90,7 +97,8 @@ def window_detail(
         planes = np.concatenate([planes, expected.unfiltered[np.newaxis]])
     details = list(placed_components(planes, wavelet, levels))
     cells, mixture = detail_sums(
-        details, expected.labels, numbers_of(expected), valid, expected.is_filtered, expected.shares
+        details, expected.labels, numbers_of(expected), valid, expected.is_filtered, expected.shares,
+        energy_of_rounding(mosaic),
     )
     kept = [0, 1, *range(count, len(planes))]
     rows, columns = inside or (slice(0, mosaic.shape[0]), slice(0, mosaic.shape[1]))

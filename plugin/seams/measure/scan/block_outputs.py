@@ -42,6 +42,10 @@ class OutputsRequest:
     """Whether borders are wanted."""
 
 
+FOLLOWED, LACKING = 1, 2
+"""A unit some of which follows a source, and one that follows none anywhere."""
+
+
 @dataclass(frozen=True, eq=False)
 class BlockOutputs:
     """What comes back."""
@@ -52,10 +56,8 @@ class BlockOutputs:
     """``loss_cells``, packed, its sources numbered from 1 on as in the whole scan; None where nothing is shown."""
     sources: Sequence[int]
     """That are followed anywhere, ascending."""
-    units: int
-    """In which the mosaic has pixels."""
-    unexplained: np.ndarray
-    """(n, 2) rows and columns, among those of the mosaic, of these that follow no source."""
+    units: np.ndarray
+    """(UNITS, UNITS) uint8: ``FOLLOWED``, ``LACKING``, or 0 where the mosaic has no pixels."""
 
     @property
     def cells(self) -> np.ndarray | None:
@@ -71,7 +73,7 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
     labels, scan = block_labels(files, key, request.numbers), whole_block(files, key)
     chains = cleaned_chains(_labels_around(request), request.tile, LABEL_PX) if request.traces else []
     if scan is None or labels is None:
-        return BlockOutputs(key, chains, None, (), 0, np.zeros((0, 2), np.intp))
+        return BlockOutputs(key, chains, None, (), np.zeros((UNITS, UNITS), np.uint8))
     ground = grounds(scan.cells, around=lambda: CellTable.joined([scan.cells, *_cells_around(files, key)]))
     try:
         files.save(_ground_name(key), packed({"ground": np.array([_row(one) for one in ground])}))
@@ -84,7 +86,7 @@ def block_outputs(request: OutputsRequest) -> BlockOutputs:
         cells = loss_cells(scan, labels + 1, ground, request.cell_px)
         picture = packed({_CELLS: cells}, (_CELLS,)) if (cells != NODATA).any() else None
     used = np.unique(labels)
-    return BlockOutputs(key, chains, picture, used[used != NOTHING].tolist(), *_explained(scan))
+    return BlockOutputs(key, chains, picture, used[used != NOTHING].tolist(), _units(scan))
 
 
 def held_ground(files: BlockFiles, key: BlockKey) -> list[LevelGround | None]:
@@ -123,11 +125,10 @@ def _cells_around(files: BlockFiles, key: BlockKey) -> list[CellTable]:
     return [one.cells for one in scans if one is not None]
 
 
-def _explained(scan: BlockScan) -> tuple[int, np.ndarray]:
-    """How many units have pixels of the mosaic, and which of the whole mosaic's follow no source anywhere."""
+def _units(scan: BlockScan) -> np.ndarray:
+    """As ``BlockOutputs`` has them."""
     followed = (in_squares(scan.labels, LABELS // UNITS) != UNKNOWN).any(axis=(1, 3))
-    unexplained = np.argwhere(~scan.outside & ~followed) + np.array(scan.key) * UNITS
-    return int(np.count_nonzero(~scan.outside)), unexplained
+    return np.where(scan.outside, 0, np.where(followed, FOLLOWED, LACKING)).astype(np.uint8)
 
 
 def _ground_name(key: BlockKey) -> str:

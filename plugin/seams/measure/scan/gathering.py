@@ -11,6 +11,7 @@ from collections import defaultdict, deque
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from contextlib import ExitStack
+from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any, Callable
 
@@ -27,9 +28,9 @@ from ..inspection import in_order
 from ..profile.seam_sums import StripProfile
 from ..visibility import white_grey
 from . import messages
-from .block_outputs import BlockOutputs, OutputsRequest, block_outputs
+from .block_outputs import FOLLOWED, LACKING, BlockOutputs, OutputsRequest, block_outputs
 from .block_runs import several
-from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, BlockKey
+from .blocks.block_grid import BLOCK_PX, LABEL_PX, LABELS, UNIT_PX, UNITS, BlockKey, place_of
 from .lines.label_borders import Chain, LabelTile
 from .lines.piece_index import PieceIndex
 from .lines.seam_pieces import SeamPiece, Side, cut_in_pieces, sided
@@ -56,14 +57,26 @@ def _listed(rasters: Iterable[RasterRef]) -> str:
     return json.dumps([os.path.abspath(path) if os.path.exists(path) else path for path in paths], ensure_ascii=False)
 
 
+@dataclass(frozen=True)
+class _Lacking:
+    """The parts of a mosaic that follow none of its sources."""
+
+    share: float
+    """Of the mosaic."""
+    place: tuple[float, float] | None
+    """x and y inside the largest of them; None where there is none."""
+    border_m: float
+    """Where they meet what follows a source: as much seam may be there. By the sides of units, whose staircases are
+    4 / pi times as long as lines of any direction (Cauchy)."""
+
+
 class Gathering:
     """Puts together what a journal holds."""
 
     def __init__(self, request: ScanRequest, journal: ScanJournal) -> None:
         self._request, self._journal = request, journal
         self._blocks = request.blocks
-        self._units = 0
-        self._unexplained: list[np.ndarray] = []  # (n, 2) rows and columns of units of the mosaic
+        self._units = np.zeros((self._blocks.rows * UNITS, self._blocks.columns * UNITS), np.uint8)
 
     def result(
         self, loss_path: str, goes_on: Callable[[float], bool], executor: Executor, ahead: int
@@ -131,8 +144,7 @@ class Gathering:
         found: Iterator[BlockOutputs] = crew.map(block_outputs, requests, total, 0, _TRACED)
         for one in found:
             chains += one.chains
-            self._units += one.units
-            self._unexplained.append(one.unexplained)
+            self._units[place_of(one.key, UNITS)] = one.units
             if picture is not None:
                 picture.add(one)
         if picture is not None:
@@ -197,35 +209,41 @@ class Gathering:
         )
 
     @cached_property
-    def _lacking(self) -> tuple[float, tuple[float, float] | None] | None:
-        """The share of the mosaic that follows no source, in parts that are no scatter, and a place in the largest of
-        them; None where not all of it was looked at. To be asked when all blocks are accounted for."""
+    def _lacking(self) -> _Lacking | None:
+        """What of the mosaic follows no source, in parts that are no scatter; None where not all of it was looked at.
+        To be asked when all blocks are accounted for."""
         if self._request.seam_squares is not None:
             return None
-        where = np.concatenate([np.zeros((0, 2), np.intp), *self._unexplained])
-        if not len(where):
-            return 0.0, None
-        units = np.zeros(where.max(axis=0) + 1, bool)
-        units[tuple(where.T)] = True
-        parts, _ = ndimage.label(units)
-        sizes = np.bincount(parts[units])
-        sizes[sizes < LEAST_PART * self._units] = 0
+        parts, _ = ndimage.label(self._units == LACKING)
+        sizes = np.bincount(parts.ravel())
+        total = np.count_nonzero(self._units)
+        sizes[0], sizes[sizes < LEAST_PART * total] = 0, 0
         if not sizes.any():
-            return 0.0, None
+            return _Lacking(0.0, None, 0.0)
         inside = ndimage.distance_transform_edt(np.pad(parts == sizes.argmax(), 1))
         row, column = np.subtract(np.unravel_index(inside.argmax(), inside.shape), 0.5) * UNIT_PX
-        place = self._request.mosaic.grid.to_map(float(column), float(row))
-        return float(sizes.sum() / self._units), place
+        mosaic, lacks, followed = self._request.mosaic, sizes[parts] > 0, self._units == FOLLOWED
+        sides = sum(
+            np.count_nonzero(one[:-1] & other[1:]) for one, other in
+            ((lacks, followed), (followed, lacks), (lacks.T, followed.T), (followed.T, lacks.T))
+        )
+        border = np.pi / 4 * float(sides) * UNIT_PX * mosaic.ground_sample_distance
+        return _Lacking(float(sizes.sum() / total), mosaic.grid.to_map(float(column), float(row)), border)
 
     @property
     def _told(self) -> dict[str, str]:
         """What the layers and the picture say beside the settings."""
         told = {"seams": "given" if self._request.seams else "found"}
+        sides = (side for piece in self._request.pieces for side in (piece.left, piece.right))
+        lacking = {side for side in sides if isinstance(side, str)} - self._request.named[0].keys()
+        if lacking and self._request.seams:
+            told["not_given"] = ", ".join(sorted(lacking))
         if self._lacking is not None:
-            share, place = self._lacking
-            told["unexplained"] = f"{share:.4f}"
-            if place is not None:
+            told["unexplained"] = f"{self._lacking.share:.4f}"
+            if (place := self._lacking.place) is not None:
                 told["unexplained_at"] = f"{place[0]:.10g} {place[1]:.10g}"
+            if self._lacking.share >= LEAST_UNEXPLAINED:
+                told["unexplained_border"] = f"{self._lacking.border_m:.1f}"
         return told
 
     def _no_seam(self, polygons: Sequence[SourcePolygon]) -> tuple[Message, ...]:
@@ -234,10 +252,10 @@ class Gathering:
         return (messages.SCAN_WITHOUT_SEAMS(name=names),) if names else ()
 
     def _notices(self) -> tuple[Message, ...]:
-        share, place = self._lacking or (0.0, None)
-        if place is None or share < LEAST_UNEXPLAINED:
+        one = self._lacking
+        if one is None or one.place is None or one.share < LEAST_UNEXPLAINED:
             return ()
-        return (messages.MOSAIC_UNEXPLAINED(share=100 * share, x=place[0], y=place[1]),)
+        return (messages.MOSAIC_UNEXPLAINED(share=100 * one.share, x=one.place[0], y=one.place[1]),)
 
 
 NOTHING = StripProfile(None, 0.0, 0.0, 0.0)

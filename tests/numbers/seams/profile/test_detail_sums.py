@@ -18,7 +18,11 @@ from seam_inspector.plugin.seams.measure.profile.cell_table import (
     CellTable,
     MixtureTable,
 )
-from seam_inspector.plugin.seams.measure.profile.detail_sums import detail_sums, seam_geometry
+from seam_inspector.plugin.seams.measure.profile.detail_sums import (
+    detail_sums,
+    energy_of_rounding,
+    seam_geometry,
+)
 from seam_inspector.plugin.seams.measure.seam_cells import UNKNOWN
 
 from tests.examples import at_most
@@ -297,3 +301,23 @@ def test_far_from_the_seam_no_mixture_is_looked_for() -> None:
     assert cells.bin.max() == FARTHEST
     assert beside.bin.max() == MIXED_BINS - 1
     assert (beside.column * CELL_PX).max() < 100 + 128
+
+
+def test_what_float32_leaves_of_even_ground_is_no_detail(planes: np.ndarray) -> None:
+    """Across the middle nothing but grey that was levelled: kept would be a ratio of what rounding left."""
+    ground, across = 110 + planes, slice(32, 112)
+    ground[:, across] = 110 * (1 + 3e-7 * texture(SHAPE, 0.5, 9)[across])
+    details = list(detail_components(ground, WAVELET, LEVELS))
+    found = detail_sums(details, halves(), (0, 1), of_rounding=energy_of_rounding(ground[0]))
+    with_rounding = detail_sums(details, halves(), (0, 1))
+    for own, plain in zip(found, with_rounding):
+        textured = (own.row + 1) * CELL_PX <= across.start
+        assert textured.any()
+        for values, before in zip(*(vars(one).values() for one in (own, plain))):
+            np.testing.assert_array_equal(values[..., textured], before[..., textured])
+    middle = (across.start + across.stop) // 2 // CELL_PX
+    cells, beside = (one.row == middle for one in found)
+    assert (with_rounding[0].cc[0, cells] > 0).all()
+    assert not found[0].cc[0, cells].any()
+    assert beside.any()
+    assert not found[1].products[1:, 0, beside].any()

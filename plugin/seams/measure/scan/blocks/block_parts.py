@@ -10,16 +10,16 @@ from scipy import ndimage
 from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import placed_components
 from ...compared_image import ComparedImage
-from ...following.boxes import enlarged, in_squares
+from ...following.boxes import enlarged, in_squares, widened
 from ...following.expected_mosaic import expected_mosaic
-from ...following.followed_source import follow_planes, high_pass
+from ...following.followed_source import HIGH_PASS_PX, follow_planes, high_pass
 from ...following.levelling import SQUARE_PX as TONE_PX
 from ...following.levelling import gain_field, square_means
 from ...following.likely_source import QUICK, filled_in
 from ...following.placed_sources import MIN_UNCLEAR_SHARE, PlacedSources, clearer_by_parts, follow_sources
 from ...following.source_filters import Filters
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
-from ...profile.detail_sums import compared_planes, detail_sums, numbers_of
+from ...profile.detail_sums import compared_planes, detail_sums, energy_of_rounding, numbers_of
 from ...seam_cells import UNKNOWN
 from .block_grid import LABEL_PX, MARGIN_PX, SQUARE_PX, UNIT_PX
 from .block_pixels import JUDGED, BlockPixels, Planes
@@ -97,7 +97,10 @@ def measure_part(
     labels[guessed] = UNKNOWN
     details = list(placed_components(compared_planes(image.plane, expected), wavelet, levels))
     masks = {number: planes.valid[number] for number in present if number in planes.valid}
-    cells, beside = detail_sums(details, labels, numbers_of(expected), masks, expected.is_filtered, expected.shares)
+    cells, beside = detail_sums(
+        details, labels, numbers_of(expected), masks, expected.is_filtered, expected.shares,
+        energy_of_rounding(image.plane),
+    )
     labels = filled_in(labels, guessed)
     margin = MARGIN_PX // CELL_PX
     place = np.s_[margin : margin + window.height // CELL_PX, margin : margin + window.width // CELL_PX]
@@ -106,18 +109,26 @@ def measure_part(
         in_squares(one[own], CELL_PX).mean(axis=(1, 3), dtype=np.float32)
         for one in (following.mixed, following.clear, image.plane)
     )
-    grain = np.max([in_squares(np.square(one[own]), CELL_PX).mean(axis=(1, 3)) for one in followed.fine[1:]], axis=0)
     return DensePart(
         window,
         labels[own][LABEL_PX // 2 :: LABEL_PX, LABEL_PX // 2 :: LABEL_PX],
         mixed,
         clear,
         grey,
-        np.sqrt(grain),
+        _grain(followed.fine[1:], known)[place],
         cells.within(place).moved(*first),
         beside.within(place).moved(*first),
         float((labels[own][known[own]] == UNKNOWN).mean()),
     )
+
+
+def _grain(fine: Sequence[np.ndarray], known: np.ndarray) -> np.ndarray:
+    """Largest rms of the sources' finest detail in every cell, NaN where the mosaic has no pixels: what fills it there
+    makes a step. (rows, columns) of cells."""
+    inner = ~widened(~known, HIGH_PASS_PX)
+    seen = in_squares(inner, CELL_PX).sum(axis=(1, 3))
+    total = np.max([in_squares(np.square(one) * inner, CELL_PX).sum(axis=(1, 3)) for one in fine], axis=0)
+    return np.sqrt(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))
 
 
 def guesses(labels: np.ndarray, told: np.ndarray) -> np.ndarray:
