@@ -52,6 +52,11 @@ def compressed_alike(
     return tuple(map(frozenset, groups.values())) if are_several else ()
 
 
+def shows_squares(mosaic: np.ndarray) -> bool:
+    """Whether a high-passed plane (rows, columns) was compressed in squares."""
+    return _Edges(mosaic, 0).places(mosaic != 0) is not None
+
+
 class _Edges:
     """How much greater the difference between neighbours is than those on either side (Wang and Bovik 2000)."""
 

@@ -18,6 +18,7 @@ from ..profile.ground import EnergyResponse, fit_response, sampled
 from ..seam_cells import is_one_of, present
 from .best_ground import (
     MIN_EVEN_LEFT,
+    MIN_EVEN_LEFT_COMPRESSED,
     MIN_STAND_IN_FACTOR,
     MIN_STAND_IN_STRANGE,
     MIN_STRANGE,
@@ -25,7 +26,7 @@ from .best_ground import (
     learn_best_ground,
 )
 from .boxes import box_means, enlarged, near_border, opened, square_sums, widened
-from .compression import Alike, compressed_alike
+from .compression import Alike, compressed_alike, shows_squares
 from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
 
 MIN_FIT = 0.05  # of the mosaic's detail where a source is followed; strangers explain 0.01 to 0.03
@@ -132,7 +133,7 @@ def likely_source(
     found = without_islands(nearest, sampling.squares(SMALLEST_PART_PX))
     cells = _unexplained(own, energies, products, found, sources, sampling, interpolated, lambda: (
         compressed_alike(mosaic, sources, enlarged(found, step)) if alike is None else alike
-    ))
+    ), lambda: shows_squares(mosaic))
     unexplained = enlarged(cells, CELL_PX // step, found.shape)
     if all(i in valid for i in sources):
         unexplained |= np.logical_and.reduce([~valid[i][grid] for i in sources])
@@ -143,6 +144,7 @@ def likely_source(
 def _unexplained(
     own: np.ndarray, energies: Mapping[int, np.ndarray], products: Mapping[int, np.ndarray], labels: np.ndarray,
     sources: Mapping[int, np.ndarray], sampling: Sampling, interpolated: Collection[int], alike: Callable[[], Alike],
+    is_compressed: Callable[[], bool],
 ) -> np.ndarray:
     """Cells that the sources explain worse than the best ground of all, (cell rows, cell columns) bool.
 
@@ -171,7 +173,7 @@ def _unexplained(
     # A step of tones leaves over much along a line, and nothing beside it.
     even = box_means(rest * wide >= _EVEN_PART * left * own, (WIDE_CELLS,))[0] >= _EVEN_SHARE
     sharp = textured & (wide >= _AS_STRONG * energy)  # a seam that was brushed soft is followed all the same
-    found = _strange_parts(wide, left, textured, even, sampling, _stand_ins(wide, left, sharp, labels))
+    found = _strange_parts(wide, left, textured, even, sampling, is_compressed, _stand_ins(wide, left, sharp, labels))
     if not found.any():
         return found
     common = {
@@ -193,7 +195,8 @@ def _unexplained(
     found = np.zeros_like(textured)
     for group in (same.difference(interpolated), same.intersection(interpolated), *anew):
         inside = textured & is_one_of(labels, group)
-        found |= _strange_parts(wide, left, inside, even, sampling, None if group in anew else stand_ins & inside)
+        told = None if group in anew else stand_ins & inside
+        found |= _strange_parts(wide, left, inside, even, sampling, is_compressed, told)
     return found
 
 
@@ -225,7 +228,7 @@ def _is_nowhere_true(ground: BestGround, others: BestGround, own: np.ndarray, le
 
 def _strange_parts(
     wide: np.ndarray, left: np.ndarray, textured: np.ndarray, even: np.ndarray, sampling: Sampling,
-    stand_ins: np.ndarray | None = None,
+    is_compressed: Callable[[], bool], stand_ins: np.ndarray | None = None,
 ) -> np.ndarray:
     """Of which more is left over of the mosaic's energy than true sources leave, (cell rows, cell columns) bool, and
     evenly. ``stand_ins``: images that resemble the true one are told as well, and these are such; what compression
@@ -233,7 +236,8 @@ def _strange_parts(
     ground = learn_best_ground(wide[textured], left[textured])
     if ground is None:
         return np.zeros_like(textured)
-    if ground.is_of_none and sampling is FINE:  # a part of a block has too little ground to say that
+    is_of_none = sampling is FINE and ground.is_of_none()  # a part of a block has too little ground to say that
+    if is_of_none and (ground.is_of_none(MIN_EVEN_LEFT_COMPRESSED) or not is_compressed()):
         return textured
     strange, alike = ground.strangeness(wide, left)
     seen = textured & even

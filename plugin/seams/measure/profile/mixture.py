@@ -22,7 +22,7 @@ import numpy as np
 from .cell_table import EDGES_PX, MIXED_BINS, PRODUCTS, MixtureTable, WholeCells
 from .energy_sums import BLOCK_CELLS
 from .intervals import Kept
-from .seam_profile import UNMIXED_SHARE, in_strip, strip_bins
+from .seam_profile import STRIP_PX, UNMIXED_SHARE, in_strip, strip_bins
 
 SLOTS = 2 * MIXED_BINS
 """Bins on either side: first those that follow the source of the lower number, then the others."""
@@ -46,6 +46,8 @@ _EITHER, _FOLLOWED = 0.4, 0.6
 """Of a mixture: what has surely more of a source than halves follows that. Of halves nobody knows which is followed."""
 MOST_EVERYWHERE = 0.25
 """The same far off, of which a width is taken above that."""
+_ALIKE = 0.05
+"""By which shares beyond the strip may differ and are the same everywhere; those of a feather of 200 px by 0.4."""
 _CUT, _FEATHERED = 1.0, 0.6
 """The same: a cut has 0.9 to 1, and mixes nothing."""
 
@@ -63,6 +65,8 @@ class Mixtures:
     soft: np.ndarray
     """(n, 1): 1 for a feather so wide that its ramp makes detail of its own out of what the sources differ by, 0 for a
     cut."""
+    everywhere: np.ndarray
+    """Share of the other source as far as is looked, which is no part of ``other``."""
 
 
 def fit_mixtures(products: np.ndarray) -> Mixtures:
@@ -81,9 +85,21 @@ def fit_mixtures(products: np.ndarray) -> Mixtures:
     of_edge += np.einsum("ns,nsi,nsi->ns", weights[..., 2], weights[..., :2], products[..., [_SK, _OK]])
     fitted = np.einsum("nsi,nsij,nsj->ns", weights, normal, weights) - 2 * np.einsum("nsi,nsi->ns", weights, right)
     soft, other = 1 - sharp[:, :, 0], _shares(products, weights)
+    everywhere = _everywhere(other)
+    other = np.maximum(other - everywhere, 0) / (1 - everywhere)
     most = other[:, near].max(axis=1, keepdims=True)
     softness *= np.clip((most - _NO_MIXTURE) / (_A_MIXTURE - _NO_MIXTURE), 0, 1)
-    return Mixtures(softness * other, of_edge, np.maximum(products[..., _MM] + fitted, 0), soft)
+    return Mixtures(softness * other, of_edge, np.maximum(products[..., _MM] + fitted, 0), soft, everywhere)
+
+
+def _everywhere(other: np.ndarray) -> np.ndarray:
+    """What there is of the other source on all of a side, (n, SLOTS): where compression or a blur made a sharp image
+    like the softer one beside it, some of that explains it as far as is looked, and no seam."""
+    sides = other.reshape(len(other), 2, MIXED_BINS)
+    beyond = sides[:, :, EDGES_PX.index(STRIP_PX) :]
+    least, most = beyond.min(axis=2, keepdims=True), beyond.max(axis=2, keepdims=True)
+    found = np.where((most < MOST_EVERYWHERE) & (most - least <= _ALIKE), least, 0)
+    return np.broadcast_to(found, sides.shape).reshape(other.shape)
 
 
 def mixed_energy(products: np.ndarray, other: np.ndarray, before: bool = True) -> np.ndarray:
@@ -242,9 +258,11 @@ class MixedStrips:
         finest = sums[:, :GROUPS]
         whole = np.concatenate([finest.sum(axis=1, keepdims=True), sums[:, GROUPS:]], axis=1)
         fitted = fit_mixtures(whole.reshape(-1, *whole.shape[2:]))
-        other, edge, left, soft = (one.reshape(*whole.shape[:2], *one.shape[1:]) for one in vars(fitted).values())
+        other, edge, left, soft, everywhere = (
+            one.reshape(*whole.shape[:2], *one.shape[1:]) for one in vars(fitted).values()
+        )
         self._other = other[:, 0]
-        self._area = whole[:, 0, :, _AREA]
+        self._area, self._everywhere = whole[:, 0, :, _AREA], everywhere[:, 0]
         self.edge, self.left, self.soft_left = map(self._both_sides, (edge, left, left * soft[:, :1]))
         """(levels, MIXED_BINS, count) each, DN squared: energy of the mosaic's detail that is the cut's own edge; what
         the mixture leaves over; and as much of that as a feather's ramp makes of what the sources differ by."""
@@ -292,7 +310,11 @@ class MixedStrips:
         widths = np.nan_to_num(self.feather_widths_px)
         wide = WIDE_ERROR * np.minimum(widths / WIDE_PX, 1)
         narrow = np.where((widths > 0) & (widths < NARROW_PX), NARROW_ERROR, 0)
-        total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + narrow**2)
+        everywhere, area = (
+            self._both_sides(one)[strip_bins(0)].sum(axis=0) for one in (self._everywhere * self._area, self._area)
+        )
+        unclear = np.nan_to_num(_ratio(everywhere, area))  # which image the detail is of, and so how much of each
+        total = np.sqrt(error**2 + LEAST_ERROR**2 + wide**2 + narrow**2 + unclear**2)
         # The floor is known, the rest comes of few groups (Welch and Satterthwaite).
         freedom = (GROUPS - 1) * (total / np.maximum(error, 1e-3)) ** 4
         return Kept.of(value, total, freedom)

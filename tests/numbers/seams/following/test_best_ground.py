@@ -27,7 +27,7 @@ def test_other_images_do_not_count_for_what_true_sources_leave_over(share: float
     found = learned(OWN, left)
     energies = np.array([200.0, 600.0, 2000.0])
     assert found.response(energies) * energies == pytest.approx([10, 10, 10], rel=0.25)
-    assert not found.is_of_none
+    assert not found.is_of_none()
     strange, alike = found.strangeness(OWN, left)
     of_other = np.arange(COUNT) < share * COUNT
     assert np.count_nonzero(alike[of_other]) >= 0.99 * np.count_nonzero(of_other)
@@ -39,7 +39,7 @@ def test_strong_detail_may_all_be_of_another_image() -> None:
     of_other = OWN > 800
     left = np.where(of_other, np.float32(0.9) * OWN, left_by_noise(10))
     found = learned(OWN, left)
-    assert not found.is_of_none
+    assert not found.is_of_none()
     strange, _ = found.strangeness(OWN, left)
     assert strange[of_other].min() > 0.85
     assert strange[~of_other].max() < 0.05
@@ -76,7 +76,7 @@ def test_where_noise_hides_the_detail_nothing_is_told() -> None:
 def test_ground_of_none_of_the_sources(share: float, power: float, expected: bool) -> None:
     """``share``: what is left over of strong detail; ``power`` of the energy that shares go by."""
     left = np.minimum(share * (OWN / 2100) ** power, 1) * OWN
-    assert learned(OWN, left.astype(np.float32)).is_of_none is expected
+    assert learned(OWN, left.astype(np.float32)).is_of_none() is expected
 
 
 def test_of_few_places_nothing_is_learned() -> None:

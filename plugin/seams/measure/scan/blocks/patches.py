@@ -144,7 +144,7 @@ class _Told:
         """bool: surely of another image, and perhaps of one that resembles a source; of a part by its best ground."""
         textured = of & (self.own > 0)
         ground = learn_best_ground(self.own[textured], self.left[textured])
-        if ground is None or ground.is_of_none:  # there are too few patches to condemn a whole block
+        if ground is None or ground.is_of_none():  # there are too few patches to condemn a whole block
             return np.zeros_like(textured), np.zeros_like(textured)
         own = np.where(textured, self.own, 1)
         strange, alike = ground.strangeness(own, self.left, MIN_ALIKE_STRANGE, MIN_ALIKE_FACTOR)

@@ -1,0 +1,50 @@
+"""Hard cuts of uncommon grounds, and of images that differ in sharpness, in a compressed mosaic: none lost anything."""
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy import ndimage
+from seam_inspector.plugin.imagery.grids import PixelWindow
+from seam_inspector.plugin.seams.measure.causes import Cause
+from seam_inspector.plugin.seams.measure.verdicts import Verdict
+
+from benchmarks.aftermaths import jpeg
+from tests.numbers.seams.inspecting import MakeRaster, block_of, inspect, mosaic_of
+from tests.numbers.synthetic import texture
+
+SHAPE = (512, 512)
+ROWS, COLUMNS = np.mgrid[: SHAPE[0], : SHAPE[1]]
+
+
+def half_even(seed: int) -> list[np.ndarray]:
+    """Rough alike all over in the south, without any detail in the north, which no compression touches."""
+    south = np.clip((ROWS - SHAPE[0] / 2) / 8 + 0.5, 0, 1)
+    grounds = (110 + 25 * texture(SHAPE, 1.5, seed + k) + 10 * texture(SHAPE, 0.8, seed + 7 + k) for k in (0, 1))
+    return [south * ground + (1 - south) * 128 for ground in grounds]
+
+
+def sharp_beside_soft(seed: int) -> list[np.ndarray]:
+    """Compression leaves of the sharp image what resembles the soft one."""
+    scene = 110 + 25 * texture(SHAPE, 2.0, seed)
+    sharp, other = (scene + 12 * texture(SHAPE, 0.7, seed + k) for k in (1, 2))
+    return [sharp, ndimage.gaussian_filter(other, 1.2)]
+
+
+@pytest.mark.parametrize("ground", [half_even, sharp_beside_soft])
+@pytest.mark.parametrize("seed", [1, 40])
+@pytest.mark.parametrize("quality", [50, 85])
+def test_a_sound_cut_in_a_compressed_mosaic_is_sound(
+    make_raster: MakeRaster, ground: object, seed: int, quality: int
+) -> None:
+    images = [np.clip(np.rint(np.stack([one, 0.9 * one + 8, 1.05 * one - 5])), 1, 255).astype(np.uint8)
+              for one in ground(seed)]  # type: ignore[operator]
+    border = SHAPE[1] / 2 + 40 * np.sin(ROWS / 60)
+    mosaic = jpeg(quality)(np.where(border > COLUMNS, *images), np.random.default_rng(seed))
+    sources = [make_raster(f"{name}.tif", image) for name, image in zip("ab", images)]
+    found = inspect(block_of(mosaic_of(make_raster, mosaic), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert Cause.MISSING_SOURCE not in found.causes
+    assert found.judgement.verdict in (Verdict.PRESERVED, Verdict.REDUCED)  # reduced by what compression took
+    assert found.profile is not None
+    # Of squares of 8 px that hold both images compression does take something along the seam.
+    assert found.profile.kept[0] == pytest.approx(1, abs=0.2 if ground is sharp_beside_soft else 0.05)
+    assert found.profile.high >= 0.95
