@@ -4,6 +4,7 @@ Their groups in the toolbox are here too; each name, not translated, is its grou
 """
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -25,6 +26,7 @@ from ...imagery.atomic_files import leading_to
 from ...imagery.errors import CancelledError, SeamInspectorError
 from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.remote_files import heeding
+from .. import messages
 from ..packages import missing_packages_sentence
 from ..resources import help_url, icon_path
 from ..translation import sentence, tr
@@ -138,6 +140,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
                 return {}
             except SeamInspectorError as error:
                 raise QgsProcessingException(sentence(error.message)) from None
+            except Exception:
+                if not _is_unloaded():
+                    raise
+                raise QgsProcessingException(sentence(messages.UNLOADED())) from None
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         missing = self._missing_packages(parameters)
@@ -177,6 +183,12 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         """What lacks for the outputs asked for; empty when nothing does."""
         charts, pages = (any(parameters.get(name) for name in names) for names in (self.DRAWN, self.PAGES))
         return missing_packages_sentence(charts, pages)
+
+
+def _is_unloaded() -> bool:
+    """Whether QGIS has forgotten the plugin's modules since, or loaded them anew: what was not imported before can't be
+    had any more."""
+    return getattr(sys.modules.get(__name__), SeamInspectorAlgorithm.__name__, None) is not SeamInspectorAlgorithm
 
 
 _TITLES, _HELP = ("description", "component_description", "model_group"), "help"
