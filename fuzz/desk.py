@@ -65,7 +65,7 @@ class ReadDesk(QgsProcessingAlgorithm):
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        project, path = QgsProject(), Path(parameters[FOLDER]) / "windows.qgs"
+        project, path = QgsProject(), Path(self.parameterAsString(parameters, FOLDER, context)) / "windows.qgs"
         if not (path.is_file() and path.with_suffix(".gpkg").is_file()):
             return {}  # QGIS itself opens those, and would wait for a pipe
         project.read(str(path))
@@ -84,6 +84,8 @@ def _look_at(layer: QgsVectorLayer, feedback: QgsProcessingFeedback) -> None:
     owner = QObject()
     watch = WindowWatch(owner)
     watch.watch(layer)
+    if watch.layer is None:  # it has no polygons, so that the desk does not take it
+        return
     keeping = Keeping(watch, owner)
     keeping.told.connect(lambda message: feedback.pushWarning(sentence(message)))
     keeping.follow(layer, LEVELS)
