@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from fuzz.breakages.broken import RECORDS
+
 
 @dataclass(frozen=True)
 class Address:
@@ -41,7 +43,7 @@ def _file(name: str) -> Path:
 
 FOLDERS = {
     "first": {".xml"}, "second": {".csv"}, "delivery": {".tif"}, "photos": {".tif"},
-    "desk": {".qgs", ".gpkg", ".unsaved"},
+    "desk": {".qgs", ".gpkg", *RECORDS},
 }
 """The endings of what folders of the samples hold."""
 MODELS = {"inspect_mosaic", "accept_delivery"}

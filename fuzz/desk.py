@@ -5,6 +5,7 @@ A project's settings, its layers' properties, and the records beside them.
 from __future__ import annotations
 
 import json
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -17,15 +18,31 @@ from qgis.core import (
     QgsVectorLayer,
 )
 from qgis.PyQt.QtCore import QObject
+from seam_inspector.plugin.imagery.errors import SeamInspectorError
+from seam_inspector.plugin.imagery.open_raster import describe_mosaic
+from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.imagery.record_store import RecordStore
-from seam_inspector.plugin.seams.desk import unsaved_windows
+from seam_inspector.plugin.imagery.records import NotUnderstoodError
+from seam_inspector.plugin.seams.desk import keeping, unsaved_windows
 from seam_inspector.plugin.seams.desk.inputs.project_inputs import LayerPlaces, load_inputs, save_inputs
 from seam_inspector.plugin.seams.desk.judging import JudgingSettings, load_judging, save_judging
-from seam_inspector.plugin.seams.desk.keeping import UNSAVED, Keeping
+from seam_inspector.plugin.seams.desk.keeping import RESULTS, UNSAVED, Keeping
 from seam_inspector.plugin.seams.desk.windows.window_watch import WindowWatch
+from seam_inspector.plugin.seams.measure.inspection import inspect_window, make_block, window_request
+from seam_inspector.plugin.seams.measure.scan.block_files import BlockFiles
+from seam_inspector.plugin.seams.measure.scan.block_runs import record_of, scan_of
+from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import BlockScan, scan_block
+from seam_inspector.plugin.seams.measure.scan.scan_journal import open_journal
+from seam_inspector.plugin.seams.measure.scan.scan_request import scan_request
+from seam_inspector.plugin.seams.measure.scan.scan_settings import ScanSettings
+from seam_inspector.plugin.seams.measure.source_images import Source
+from seam_inspector.plugin.seams.measure.window.window_request import InspectionSettings
+from seam_inspector.plugin.seams.measure.window.window_result import WindowResult
+from seam_inspector.plugin.seams.measure.window.window_tables import result_record
 from seam_inspector.plugin.toolkit.translation import sentence
 
 NAME, FOLDER = "desk", "FOLDER"
+SCAN, BLOCK, FINGERPRINT = "windows.scan", "windows.block", "settings=sound"
 STALE, LEVELS = "seam_inspector/stale", 3
 
 
@@ -48,7 +65,7 @@ class ReadDesk(QgsProcessingAlgorithm):
     def processAlgorithm(
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
-        project, path = QgsProject(), Path(parameters[FOLDER]) / "windows.qgs"
+        project, path = QgsProject(), Path(self.parameterAsString(parameters, FOLDER, context)) / "windows.qgs"
         if not (path.is_file() and path.with_suffix(".gpkg").is_file()):
             return {}  # QGIS itself opens those, and would wait for a pipe
         project.read(str(path))
@@ -59,6 +76,7 @@ class ReadDesk(QgsProcessingAlgorithm):
         for layer in project.mapLayers().values():
             if isinstance(layer, QgsVectorLayer) and layer.isValid():
                 _look_at(layer, feedback)
+        _go_on_with_scan(path.with_name(SCAN), feedback)
         return {}
 
 
@@ -66,6 +84,8 @@ def _look_at(layer: QgsVectorLayer, feedback: QgsProcessingFeedback) -> None:
     owner = QObject()
     watch = WindowWatch(owner)
     watch.watch(layer)
+    if watch.layer is None:  # it has no polygons, so that the desk does not take it
+        return
     keeping = Keeping(watch, owner)
     keeping.told.connect(lambda message: feedback.pushWarning(sentence(message)))
     keeping.follow(layer, LEVELS)
@@ -76,8 +96,22 @@ def _look_at(layer: QgsVectorLayer, feedback: QgsProcessingFeedback) -> None:
     watch.close()
 
 
+def _go_on_with_scan(path: Path, feedback: QgsProcessingFeedback) -> None:
+    try:
+        journal, notice = open_journal(path, FINGERPRINT)
+    except SeamInspectorError as error:
+        feedback.pushWarning(sentence(error.message))
+        return
+    if notice is not None:
+        feedback.pushWarning(sentence(notice))
+    with suppress(OSError, NotUnderstoodError):
+        if (record := BlockFiles(path.parent).load(BLOCK)) is not None:
+            scan_of(record)
+    journal.close()
+
+
 def make_folder(folder: Path, windows: Path) -> None:
-    """A project of a layer of windows, with a window that was not saved and a result that can't be read."""
+    """A project of a layer of windows, with a window that was not saved, a result, and a scan that was stopped."""
     folder.mkdir()
     path = folder / "windows.gpkg"
     path.write_bytes(windows.read_bytes())
@@ -92,3 +126,22 @@ def make_folder(folder: Path, windows: Path) -> None:
     kept = RecordStore(Path(f"{path}{UNSAVED}"), unsaved_windows._KIND)
     kept.save("1", json.dumps({"number": 1, "wkb": None, "values": {"remark": "a"}, "stale": True}).encode())
     kept.close()
+    results = RecordStore(Path(f"{path}{RESULTS}"), keeping._KIND + keeping._VERSION)
+    results.save("1", result_record(_inspected(folder.parent)))
+    results.close()
+    journal, _ = open_journal(folder / SCAN, FINGERPRINT)
+    journal.files.save("block 0 0", b"of no meaning")
+    journal.close()
+    BlockFiles(folder).save(BLOCK, record_of(_scanned(folder.parent / "scan")))
+
+
+def _inspected(folder: Path) -> WindowResult:
+    mosaic, *sources = (RasterRef(str(folder / f"{name}.tif")) for name in ("mosaic", "west", "east"))
+    block, _ = make_block(describe_mosaic(mosaic), sources)
+    return inspect_window(window_request(block, 1, block.mosaic.extent, InspectionSettings()))
+
+
+def _scanned(folder: Path) -> BlockScan:
+    mosaic, *sources = (describe_mosaic(RasterRef(str(folder / f"{name}.tif"))) for name in ("mosaic", "west", "east"))
+    request, _ = scan_request(mosaic, [Source(one.ref, one.extent) for one in sources], ScanSettings())
+    return scan_block(request.block((0, 0)))

@@ -39,14 +39,15 @@ MOST_GROWTH = 3.0
 _DIES_WITH_PARENT = 1  # PR_SET_PDEATHSIG
 _KEPT_BY_QGIS = re.compile(r"^(made|changed) .*\.aux\.xml$|^changed .*\.vrt$")
 """Statistics, by which it stretches a raster: GDAL keeps them beside it, those of a VRT in the VRT."""
-_KEPT_BY_DESK = re.compile(r"\.(unsaved|results)$")
+_KEPT_BY_DESK = re.compile(r"\.(unsaved|results|scan|scan-blocks(/.*)?)$")
 """Records, which are the desk's own."""
 _SAID_BY_QGIS = re.compile(
     r"Unable to load mesh|Creating Warped VRT|Warped VRT Creation failed|already exists in ZIP file"
     r"|Failed to open \S+ to write|Unable to save auxiliary information"
+    r"|^HDF5-DIAG: |^  #\d{3}: \.\./.*\.c line \d+ in H5|^    (major|minor): "
 )
-"""A file that is no raster is tried as a mesh, one that is rotated is warped, and to a VRT in an archive, or where
-nothing can be written, statistics are to be added, all aloud."""
+"""A file that is no raster is tried as a mesh, by HDF5 too, one that is rotated is warped, and to a VRT in an archive,
+or where nothing can be written, statistics are to be added, all aloud."""
 
 
 class Player:

@@ -41,6 +41,10 @@ class Fault:
     """Seconds from each byte to the next."""
     cut_to: float = 1.0
     """Share of the bytes that are sent before the connection is closed."""
+    claimed: int = 0
+    """So many bytes more than there are, of the file and of what is sent, are said to come; the connection stays."""
+    endless: bool = False
+    """Whatever is asked for, bytes come and never end."""
 
 
 NONE = Fault()
@@ -115,7 +119,10 @@ class _Handler(BaseHTTPRequestHandler):
         if fault.silent:
             state.answers.append(asked)
             state.closing.wait(60)
-        if fault.silent or fault.dropped:
+        if fault.endless:
+            state.answers.append(asked)
+            self._send_for_ever()
+        if fault.silent or fault.dropped or fault.endless:
             self.close_connection = True
             return
         status = fault.status or (404 if data is None else 416 if wanted and not part else 206 if wanted else 200)
@@ -123,11 +130,12 @@ class _Handler(BaseHTTPRequestHandler):
             part = b""
         self.send_response(status)
         if status == 206 and data is not None:
-            self.send_header("Content-Range", f"bytes {start}-{start + len(part) - 1}/{len(data)}")
+            last, size = start + len(part) - 1 + fault.claimed, len(data) + fault.claimed
+            self.send_header("Content-Range", f"bytes {start}-{last}/{size}")
         self.send_header("Accept-Ranges", "bytes")
         if data is not None:
             self.send_header("ETag", f'"{file.stat().st_mtime_ns}"')
-        self.send_header("Content-Length", str(len(part)))
+        self.send_header("Content-Length", str(len(part) + fault.claimed))
         sent = part[: int(len(part) * fault.cut_to)] if self.command == "GET" else b""
         state.answers.append(Answer(self.command, path, start, stop, status, len(sent)))
         self.end_headers()  # from here on the other side may go on
@@ -136,8 +144,19 @@ class _Handler(BaseHTTPRequestHandler):
                 state.closing.wait(fault.dripping)
                 self.wfile.write(bytes([byte]))
             self.wfile.write(b"" if fault.dripping else sent)
+            if fault.claimed and self.command == "GET":
+                self.wfile.flush()
+                state.closing.wait(60)
+                self.close_connection = True
         if fault.cut_to < 1:
             self.close_connection = True
+
+    def _send_for_ever(self) -> None:
+        self.send_response(200)
+        self.end_headers()
+        with suppress(BrokenPipeError, ConnectionResetError):
+            while self.command == "GET" and not self.server_state.closing.wait(0.001):
+                self.wfile.write(bytes(65536))
 
     def do_HEAD(self) -> None:
         self.do_GET()

@@ -10,8 +10,9 @@ from typing import Any, Callable
 RASTERS = (".tif", ".jpg", ".png", ".bmp", ".vrt")
 LAYERS = (".gpkg", ".shp", ".geojson")
 DOCUMENTS = (".json", ".xml", ".yaml", ".csv", ".points", ".rpb", ".txt", ".qgs")
-RECORDS = (".unsaved",)
-"""What the desk keeps beside a layer."""
+STORES = (".unsaved", ".results", ".scan")
+RECORDS = (*STORES, ".block")
+"""What the desk and a scan keep beside a layer or a picture: stores of records, and a block of a scan."""
 TEXTS = (*DOCUMENTS, ".geojson", ".vrt")
 FILES = (*RASTERS, *LAYERS, *DOCUMENTS, *RECORDS)
 

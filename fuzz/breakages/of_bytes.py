@@ -2,9 +2,12 @@
 from __future__ import annotations
 
 import os
+import sqlite3
+import zlib
+from contextlib import closing
 from typing import Any
 
-from fuzz.breakages.broken import FILES, LAYERS, RASTERS, Broken, breakage
+from fuzz.breakages.broken import FILES, LAYERS, RASTERS, STORES, Broken, breakage
 
 
 def _part(broken: Broken) -> Any:
@@ -134,3 +137,35 @@ def an_address(broken: Broken) -> str:
         f"ogr:dbname='{name}' table=\"no\"", "virtual:?query=SELECT 1", f"file://{name}", "", " ", "." , "/", "\n",
         "x" * 5000, f"{name}\0.tif", "<VRTDataset/>", "{}", f"delimitedtext://file://{name}", "%s%s%n", "$(id)",
     ))  # fmt: skip
+
+
+def _spoilt(broken: Broken, payload: bytes) -> bytes:
+    content = bytearray(payload)
+    for _ in range(broken.random.choice((1, 1, 4, 32))):
+        place = broken.random.randrange(len(content) + 1)
+        way = broken.random.random()
+        if way < 0.7 and place < len(content):
+            content[place] = broken.random.choice((0, 1, 127, 128, 255, broken.random.randrange(256)))
+        elif way < 0.85:
+            del content[place : place + broken.random.choice((1, 8, 1000))]
+        else:
+            content[place:place] = bytes(broken.random.choice((1, 8, 1000)))
+    return bytes(content)
+
+
+@breakage(*STORES)
+def payloads(broken: Broken) -> None:
+    """Records that say something else, their checksums right."""
+    with closing(sqlite3.connect(broken.path)) as database:
+        for key, held in database.execute("SELECT key, payload FROM records").fetchall():
+            said = _spoilt(broken, bytes(held))
+            values = zlib.crc32(said), said, key
+            database.execute("UPDATE records SET checksum = ?, payload = ? WHERE key = ?", values)
+        database.commit()
+
+
+@breakage(".block")
+def block_payload(broken: Broken) -> None:
+    """The same of a block of a scan."""
+    said = _spoilt(broken, broken.path.read_bytes()[:-4])
+    broken.path.write_bytes(said + zlib.crc32(said).to_bytes(4, "little"))

@@ -29,7 +29,7 @@ from qgis.core import (
 
 from ..imagery.errors import Message, SettingsError, WindowError
 from ..imagery.reference_systems import utm_wkt
-from ..imagery.seam_totals import TOTALS_DOMAIN, Place
+from ..imagery.seam_totals import TOTALS_DOMAIN, Place, possible_kept
 from ..toolkit import layers
 from ..toolkit.algorithms.run import Run
 from ..toolkit.reference_systems import reference_system
@@ -61,8 +61,8 @@ def judged_windows(
             found.append(
                 SeenWindow(
                     text(row["window_id"]) or text(row.feature.id()), extent, text(row["cause"]), text(row["causes"]),
-                    text(row["verdict"]), number(row["kept_1"]), text(row["observer"]), text(row["observer_2"]),
-                    text(row["remark"]), text(row["remark_2"]),
+                    text(row["verdict"]), possible_kept(number(row["kept_1"])), text(row["observer"]),
+                    text(row["observer_2"]), text(row["remark"]), text(row["remark_2"]),
                 )
             )
     if not any(one.cause or one.verdict or one.observer or one.observer_2 or one.remark for one in found):

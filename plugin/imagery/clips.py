@@ -159,7 +159,7 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly
         raise RasterError(messages.MUCH_FINER(name=source.ref.name, times=times))
     if source.roles.palette is not None:
         dataset = gdal_call(lambda: _palette_expanded(source.dataset), failure)
-    warped = gdal_pixels(
+    warped = source.fetched(lambda: gdal_pixels(
         lambda: gdal.Warp(
             "", dataset, format="MEM", srcSRS=raster.wkt, dstSRS=mosaic.wkt, outputBounds=extent,
             width=window.width, height=window.height, dstAlpha=True, warpOptions=["UNIFIED_SRC_NODATA=YES"],
@@ -167,7 +167,7 @@ def _clip_warped(source: OpenRaster, mosaic: Raster, window: PixelWindow, partly
         ),
         failure,
         partial(damaged, source.ref.name, PixelWindow(0, 0, source.columns, source.rows)),
-    )
+    ))
     for i in range(dataset.RasterCount):  # GDAL keeps no roles when it adds alpha
         warped.GetRasterBand(i + 1).SetColorInterpretation(dataset.GetRasterBand(i + 1).GetColorInterpretation())
     made = OpenRaster(source.ref, warped)

@@ -4,10 +4,10 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import AbstractContextManager, nullcontext, suppress
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
-from typing import Any, Callable, NamedTuple
+from typing import Any, Callable, NamedTuple, TypeVar
 
 import numpy as np
 from osgeo import gdal, gdal_array
@@ -26,7 +26,7 @@ from .gdal_calls import (
 from .grids import PixelWindow
 from .limits import COLOURS
 from .rasters import Raster, RasterRef
-from .remote_files import persistently, remote_parts, remote_settings
+from .remote_files import persistently, remote_parts, remote_settings, unless_cancelled
 
 
 @dataclass(frozen=True)
@@ -76,6 +76,9 @@ LOSSY = ("JPEG", "JP2", "JPEG2000", "WEBP", "JXL", "ECW", "MRSID", "LERC")
 _MOST_OF_A_TILE = 1 << 24  # pixels that are worked on at once: what is made of them takes several times their room
 
 
+Fetched = TypeVar("Fetched")
+
+
 class PixelBlock(NamedTuple):
     """Pixels and which of them are no measurements."""
 
@@ -112,9 +115,7 @@ class OpenRaster:
                 failure = messages.NOT_PERMITTED(name=ref.name)
             for part in ref.parts:
                 check_raster_path(part, ref.name)
-            with self._network():
-                dataset = gdal_call(lambda: _opened(ref), failure)
-                read_metadata(dataset)
+            dataset = self.fetched(lambda: _with_metadata(gdal_call(lambda: _opened(ref), failure)))
         if dataset.RasterCount == 0:
             raise RasterError(messages.NO_BANDS(name=ref.name))
         _check_amounts(dataset, ref.name)
@@ -126,9 +127,17 @@ class OpenRaster:
         """For what only GDAL does, such as warping."""
         self.roles = band_roles(dataset)
 
-    def _network(self) -> AbstractContextManager[None]:
-        """What comes over the network has an end, whoever reads it: a server that drips is given up."""
-        return remote_settings({}) if self._is_remote else nullcontext()
+    def fetched(self, call: Callable[[], Fetched]) -> Fetched:
+        """What a call finds in the raster. What comes over the network has an end, whoever reads it: a server that
+        drips is given up, and nobody who cancels waits for it. Raises CancelledError then."""
+        if not self._is_remote:
+            return call()
+
+        def remote() -> Fetched:
+            with remote_settings({}):
+                return call()
+
+        return unless_cancelled(remote)
 
     @cached_property
     def raster(self) -> Raster:
@@ -208,19 +217,22 @@ class OpenRaster:
         self, call: Callable[[gdal.Dataset], Any], window: PixelWindow, size: tuple[int, int] | None
     ) -> np.ndarray:
         """What a call reads of a window."""
+        failure = messages.NOT_READABLE(name=self.ref.name)
+
         def attempt(dataset: gdal.Dataset) -> np.ndarray:
-            failure = messages.NOT_READABLE(name=self.ref.name)
-            with self._network():
-                return np.asarray(gdal_pixels(lambda: call(dataset), failure, partial(damaged, self.ref.name, window)))
+            return np.asarray(gdal_pixels(lambda: call(dataset), failure, partial(damaged, self.ref.name, window)))
+
+        def anew() -> np.ndarray:
+            with whole_jpeg_tiles():
+                return attempt(gdal_call(lambda: _opened(self.ref), failure))
 
         try:
-            return attempt(self.dataset)
+            return self.fetched(lambda: attempt(self.dataset))
         except RasterError:
             self.dataset.FlushCache()  # else the next one would get the made up pixels without a warning
             if size is None or not self._is_of_file:
                 raise
-        with whole_jpeg_tiles():
-            return attempt(gdal_call(lambda: _opened(self.ref), messages.NOT_READABLE(name=self.ref.name)))
+        return self.fetched(anew)
 
     def thinned(self, window: PixelWindow, step: int) -> PixelBlock:
         """Every so many-th pixel of a window along both sides."""
@@ -288,6 +300,11 @@ class OpenRaster:
             if not invalid.any():
                 return None
         return invalid
+
+
+def _with_metadata(dataset: gdal.Dataset) -> gdal.Dataset:
+    read_metadata(dataset)
+    return dataset
 
 
 def damaged(name: str, window: PixelWindow, why: str) -> Message:

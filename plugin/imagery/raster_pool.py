@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import Protocol, TypeVar
 
-from .errors import RasterError
+from .errors import CancelledError, RasterError
 from .gdal_calls import is_remote, readable_path
 from .grids import PixelWindow
 from .open_raster import OpenRaster, PixelBlock
@@ -22,6 +22,7 @@ from .rasters import RasterRef
 from .remote_files import (
     COMPLETE,
     WITH_OTHERS,
+    asked_by,
     forget_failures,
     persistently,
     read_until,
@@ -77,7 +78,7 @@ class KeptRaster(OpenRaster):
     def read(self, window: PixelWindow, size: tuple[int, int] | None = None, averaged: bool = False) -> PixelBlock:
         try:
             return self._read(window, size, averaged)
-        except RasterError:
+        except (RasterError, CancelledError):
             pool = self._pool()
             if pool is not None:
                 pool.drop(self)
@@ -203,9 +204,10 @@ def own_threads(executor: Executor | None = None, ahead: int = 0) -> Iterator[tu
 
 @contextmanager
 def reading_threads(count: int) -> Iterator[Executor]:
-    """Threads that read rasters. The end of the block waits for what they are at, and for no further attempts of it."""
-    ended = threading.Event()
-    with ThreadPoolExecutor(count, "seam-inspector", read_until, (ended,)) as executor:
+    """Threads that read rasters. The end of the block waits for what they are at, and for nothing over the network."""
+    ended, asked = threading.Event(), asked_by()
+    unwanted = lambda: ended.is_set() or asked()  # noqa: E731
+    with ThreadPoolExecutor(count, "seam-inspector", read_until, (unwanted,)) as executor:
         try:
             yield executor
         finally:
@@ -263,10 +265,14 @@ class ReadingLanes:
 
     def __call__(self, readings: Iterable[Reading[Found]]) -> list[Found | RasterError]:
         futures = [self.submit(ref, work) for ref, work in readings]
-        return [future.result() for future in futures]
+        try:
+            return [future.result() for future in futures]
+        finally:
+            for future in futures:
+                future.cancel()
 
     def submit(self, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Future[Found | RasterError]:
-        """Have one raster read."""
+        """Have one raster read, unless whoever asks for it is cancelled before."""
         with self._lock:
             lane = self._lane_of.get(ref)
             if lane is None:
@@ -298,10 +304,10 @@ class _Lane:
         self.pool = RasterPool(KEPT_PER_LANE)
         self._turn = 0  # counts how often all was let go
         self._ended = threading.Event()
-        self._thread = ThreadPoolExecutor(1, f"seam-inspector-lane-{number}", read_until, (self._ended,))
+        self._thread = ThreadPoolExecutor(1, f"seam-inspector-lane-{number}")
 
     def submit(self, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Future[Found | RasterError]:
-        return self._thread.submit(self._read, self._turn, ref, work)
+        return self._thread.submit(self._read, self._turn, asked_by(), ref, work)
 
     def let_go(self) -> None:
         """Keep nothing open that was asked for until now."""
@@ -309,7 +315,10 @@ class _Lane:
         if kept := self.pool.emptied():
             self._thread.submit(kept.clear)
 
-    def _read(self, turn: int, ref: RasterRef, work: Callable[[OpenRaster], Found]) -> Found | RasterError:
+    def _read(
+        self, turn: int, cancelled: Callable[[], bool], ref: RasterRef, work: Callable[[OpenRaster], Found]
+    ) -> Found | RasterError:
+        read_until(lambda: self._ended.is_set() or cancelled())
         try:
             return read_one(self.pool.open, ref, work)
         finally:

@@ -6,14 +6,16 @@ import re
 import threading
 import time
 from collections.abc import Iterator, Mapping
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
-from typing import Callable, NamedTuple, TypeVar
+from functools import partial
+from typing import Any, Callable, NamedTuple, TypeVar
 from urllib.parse import urlsplit
 
 from osgeo import gdal
 
 from . import messages
-from .errors import Message, RasterError
+from .errors import CancelledError, Message, RasterError
 from .gdal_calls import gdal_settings, gdal_silenced, is_remote, readable_path, vrt_parts
 
 Result = TypeVar("Result")
@@ -22,6 +24,7 @@ SETTINGS = {
     "GDAL_HTTP_CONNECTTIMEOUT": "10",
     "GDAL_HTTP_LOW_SPEED_TIME": "10",  # seconds in which next to nothing comes: no answer
     "GDAL_HTTP_LOW_SPEED_LIMIT": "1000",  # bytes a second; a window would take hours
+    "GDAL_HTTP_TIMEOUT": "600",  # of one answer: some never end
     "GDAL_HTTP_MAX_RETRY": "2",  # by GDAL, of a request that is refused for now (429, 5xx)
     "GDAL_HTTP_RETRY_DELAY": "0.5",
     "GDAL_HTTP_MERGE_CONSECUTIVE_RANGES": "YES",
@@ -94,7 +97,8 @@ def persistently(path: str, name: str, read: Callable[[bool], Result]) -> Result
 
     ``read`` is told whether it is another one, for which the raster is best opened anew.
 
-    Raises RemoteError with the cause, or what ``read`` raises about a raster that came whole. What failed is remembered
+    Raises RemoteError with the cause, or what ``read`` raises about a raster that came whole; CancelledError where
+    nobody wants it any more. What failed is remembered
     for a while, by all threads, and fails at once; of a VRT not, since others of its parts may be there.
     """
     started = time.monotonic()
@@ -102,16 +106,16 @@ def persistently(path: str, name: str, read: Callable[[bool], Result]) -> Result
         _raise_remembered(path)
     for attempt, delay in enumerate((*DELAYS_S, None)):
         try:
-            return read(attempt > 0)
+            return unless_cancelled(partial(read, attempt > 0))
         except RasterError as error:
-            if error.message.template not in _MAY_BE_THE_NETWORK or _wanted_no_more().is_set():
+            if error.message.template not in _MAY_BE_THE_NETWORK or is_cancelled():
                 raise
             forget_fetched(path)
-            lasting = _failure_of(path, name)
+            lasting = unless_cancelled(lambda: _failure_of(path, name))
             failure = lasting or _failure_in_between(error, name)
         if delay is None or not failure.may_pass or (lasting and time.monotonic() - started > PATIENCE_S):
             break
-        if _wanted_no_more().wait(delay):
+        if _is_cancelled_within(delay):
             raise RemoteError(failure.message, failure.may_pass)
     if is_remote(path):
         _remember(path, failure)
@@ -119,18 +123,83 @@ def persistently(path: str, name: str, read: Callable[[bool], Result]) -> Result
 
 
 _thread = threading.local()
+_ASKED_EVERY_S = 0.1  # whether it is cancelled
+_LONGEST_S = 120.0  # of a call whose server drips
 
 
-def read_until(ended: threading.Event) -> None:
-    """This thread, one that reads for others, makes no further attempts once nobody wants its results any more."""
-    _thread.ended = ended
+def read_until(cancelled: Callable[[], bool]) -> None:
+    """This thread gives up what it reads over the network, and makes no further attempts, once this says so."""
+    _thread.cancelled = cancelled
 
 
-def _wanted_no_more() -> threading.Event:
-    if not hasattr(_thread, "ended"):
-        _thread.ended = threading.Event()
-    ended: threading.Event = _thread.ended
-    return ended
+@contextmanager
+def heeding(cancelled: Callable[[], bool]) -> Iterator[None]:
+    """The same while the block runs, also in the threads that read for it."""
+    outer = getattr(_thread, "cancelled", None)
+    read_until(cancelled)
+    try:
+        yield
+    finally:
+        _thread.cancelled = outer
+        _let_helper_go()
+
+
+def is_cancelled() -> bool:
+    """Whether nobody wants any more what this thread reads."""
+    cancelled = getattr(_thread, "cancelled", None)
+    return cancelled is not None and cancelled()
+
+
+def asked_by() -> Callable[[], bool]:
+    """What tells this thread that it is cancelled, to be asked by those that read for it."""
+    return getattr(_thread, "cancelled", None) or (lambda: False)
+
+
+def unless_cancelled(call: Callable[[], Result]) -> Result:
+    """What a call gives that waits for the network. Raises CancelledError as soon as this thread is cancelled.
+
+    GDAL can't be interrupted, so a second thread makes the call where somebody may cancel it; it is left alone then,
+    until GDAL's own limits end it (``wait_for_left_alone``). Nothing that it reads may be used by others meanwhile.
+    """
+    if getattr(_thread, "cancelled", None) is None:
+        return call()
+    if is_cancelled():
+        raise CancelledError(messages.CANCELLED())
+    if getattr(_thread, "helper", None) is None:
+        _thread.helper = ThreadPoolExecutor(1, "seam-inspector-network")
+    under_way = _thread.helper.submit(call)
+    while not wait([under_way], _ASKED_EVERY_S).done:
+        if is_cancelled():
+            _left_alone.add(under_way)
+            under_way.add_done_callback(_left_alone.discard)
+            _let_helper_go()
+            raise CancelledError(messages.CANCELLED())
+    return under_way.result()
+
+
+_left_alone: set[Future[Any]] = set()
+
+
+def wait_for_left_alone() -> None:
+    """Wait for calls that nobody wants any more: GDAL must not be taken down under them."""
+    wait(list(_left_alone), _LONGEST_S)
+
+
+def _let_helper_go() -> None:
+    helper: ThreadPoolExecutor | None = getattr(_thread, "helper", None)
+    _thread.helper = None
+    if helper is not None:
+        helper.shutdown(wait=False)
+
+
+def _is_cancelled_within(seconds: float) -> bool:
+    last = time.monotonic() + seconds
+    while not is_cancelled():
+        left = last - time.monotonic()
+        if left <= 0:
+            return False
+        time.sleep(min(left, _ASKED_EVERY_S))
+    return True
 
 
 def forget_fetched(path: str) -> None:

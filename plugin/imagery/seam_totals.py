@@ -19,6 +19,8 @@ STANDARD_LEAST_KEPT = 0.7
 """A piece that keeps less fails, unless something else is agreed: docs/method/seam_profile.md."""
 MOST_SPREAD = 2.0
 """From the lower to the upper end of the 95 % interval of what is kept: wider ones say nothing by themselves."""
+MOST_KEPT = 3.0
+"""A seam that was sharpened keeps more than 1; shares of three times that are none."""
 PIECE, STRETCH = "piece", "stretch"
 """Words of the field ``level``: pieces add up, a stretch is what several of them keep together."""
 TOTALS_DOMAIN = "SEAM_INSPECTOR"
@@ -34,6 +36,11 @@ class PieceState(Enum):
     """It may have lost detail or not: nothing could be measured, or the interval is too wide to tell."""
     NO_DETAIL = "no_detail"
     """The ground has nothing that could be lost. It is no part of what is judged."""
+
+
+def possible_kept(value: float | None) -> float | None:
+    """A share of detail that a seam can keep; None for what no measurement gives."""
+    return value if value is not None and 0 <= value <= MOST_KEPT else None
 
 
 def piece_state(

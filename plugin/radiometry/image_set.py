@@ -17,7 +17,7 @@ from qgis.core import (
 
 from ..imagery import messages as imagery_messages
 from ..imagery.clips import DrawnWindow, pixels_under
-from ..imagery.errors import Message, SeamInspectorError, WindowError
+from ..imagery.errors import CancelledError, Message, SeamInspectorError, WindowError
 from ..imagery.grids import PixelWindow
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import Raster
@@ -120,6 +120,8 @@ def assessed(
 
         try:
             measured = _measured(image, window, number, rules, layers_drawn, run, goes_on)
+        except CancelledError:
+            return
         except SeamInspectorError as error:
             unseen.append(imagery_messages.SOURCE_LEFT_OUT(name=image.ref.name, why=error.message))
             run.tell(unseen[-1])

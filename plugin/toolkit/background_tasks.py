@@ -18,7 +18,8 @@ from typing import Any, Callable, NamedTuple
 from qgis.core import QgsApplication, QgsSettings, QgsTask
 from qgis.PyQt.QtCore import QObject, pyqtSignal
 
-from ..imagery.errors import Message, SeamInspectorError
+from ..imagery.errors import CancelledError, Message, SeamInspectorError
+from ..imagery.remote_files import heeding
 from . import messages
 from .version_differences import SILENT_TASK
 
@@ -120,10 +121,12 @@ class BackgroundTask(QgsTask):
 
     def run(self) -> bool:
         try:
-            with interface_first():
+            with interface_first(), heeding(self.isCanceled):
                 for share, result in self._job(self.isCanceled):
                     self.arrived.emit(result)
                     self.setProgress(100 * share)
+        except CancelledError:
+            pass  # as ``finished`` tells
         except SeamInspectorError as error:
             self._failure = error.message
         except Exception as error:  # the last door: a task must not raise into QGIS

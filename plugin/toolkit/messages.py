@@ -32,6 +32,7 @@ NO_RASTERS = Message("No rasters are given; choose at least one.")
 NO_RASTER_USABLE = Message("None of the rasters can be used: {why}")
 # where the work is done
 TASK_FAILED = Message("{task} failed ({error}); please report this.")
+UNLOADED = Message("Seam Inspector was updated or turned off while this ran; start it again.")
 DASK_MISSING = Message(
     "A Dask scheduler was given but Dask is not installed; install 'dask[distributed]' or leave the scheduler empty."
 )

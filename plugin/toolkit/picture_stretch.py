@@ -10,6 +10,7 @@ from enum import Enum
 import numpy as np
 
 from ..imagery.grids import PixelWindow
+from ..imagery.limits import LARGEST_VALUE
 from ..imagery.open_raster import OpenRaster
 from ..imagery.rasters import is_range_known, value_range
 
@@ -19,6 +20,8 @@ _MOST_SAMPLES = 1 << 18  # of one band: the percentiles of every fourth pixel of
 _SAMPLED_SIDE = 1024  # of a whole raster, px
 _MOST_DECODED = 16_000_000  # pixels of a raster that are decoded at once to sample it; beyond, pieces are read
 _PIECES, _PIECE_PX = 5, 256  # a side, and a side of each
+_LEAST_SPAN = 1e-6  # of the value of pixels that are all alike, so that float32 holds what is beside it
+_LEAST_RANGE = 1e-300
 _ROWS_AT_ONCE = 256  # are stretched in one go: little memory, and the interface's thread gets its turn
 
 GreyRange = tuple[float, float]
@@ -70,10 +73,15 @@ def largest_of(values: np.ndarray) -> float:
 def cut_range(samples: Sequence[np.ndarray]) -> GreyRange:
     """The range of values without the darkest and the brightest 2 %."""
     values = np.concatenate([sample.ravel() for sample in samples])
+    if values.dtype.kind == "f":
+        values = values[np.abs(values) <= LARGEST_VALUE]
     if not values.size:
         return 0.0, 1.0
     low, high = (float(value) for value in np.percentile(values, (DARKEST, BRIGHTEST)))
-    return (low, high) if high > low else (low - 0.5, low + 0.5)
+    if high > low and np.isfinite(255 / (high - low)):
+        return low, high
+    half = max(0.5, abs(low) * _LEAST_SPAN)
+    return low - half, low + half
 
 
 def thinned(band: np.ndarray, valid: np.ndarray | None = None) -> np.ndarray:
@@ -113,9 +121,12 @@ def brightness(bands: np.ndarray, ranges: GreyRanges) -> np.ndarray:
 
 
 def to_bytes(values: np.ndarray, low: float, high: float) -> np.ndarray:
-    """0 at ``low`` and below, 255 at ``high`` and above."""
-    scaled = (values.astype(np.float64) - low) * (255 / (high - low))
-    return np.rint(scaled).clip(0, 255).astype(np.uint8)
+    """0 at ``low`` and below, and for what is no number, 255 at ``high`` and above."""
+    span = max(high - low, _LEAST_RANGE)  # values of 64 bit may round to one number
+    scaled = np.clip(values.astype(np.float64) - low, 0, span) * (255 / span)
+    if values.dtype.kind == "f":
+        scaled = np.nan_to_num(scaled, copy=False, nan=0.0)
+    return np.rint(scaled).astype(np.uint8)
 
 
 def _starts(length: int) -> list[int]:

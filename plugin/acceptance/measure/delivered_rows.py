@@ -15,6 +15,7 @@ from ...imagery.gdal_calls import gdal_silenced
 from ...imagery.lines import points_at, vertex_stations
 from ...imagery.reference_systems import is_geographic, metres_per_unit, transform_points, utm_wkt
 from ...imagery.seam_totals import (
+    MOST_KEPT,
     STANDARD_LEAST_KEPT,
     STRETCH,
     PieceState,
@@ -22,13 +23,13 @@ from ...imagery.seam_totals import (
     RowTotals,
     SeamTotals,
     piece_state,
+    possible_kept,
 )
 from . import messages
 from .delivery import DeliveredLayer, DeliveredPiece, Delivery, in_order
 from .failure_networks import TOUCHING
 from .measured_pieces import NO_VERDICT
 
-MOST_KEPT = 3.0  # a seam that was sharpened keeps more than 1; shares of three times that are none
 _LACKING_M = 0.05  # below it lengths are rounded
 _OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
 
@@ -70,7 +71,7 @@ class LayerDoubts:
         self.kept.append(kept)
         if verdict != NO_VERDICT:
             self.claimed.append(kept)
-        return kept if 0 <= kept <= MOST_KEPT else None
+        return possible_kept(kept)
 
     def see_length(self, length: float, line: float) -> None:
         """A length from the field, beside that of the line."""

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from dataclasses import dataclass
 from typing import Callable
 
@@ -13,6 +13,7 @@ from ...imagery import limits as imagery_limits
 from ...imagery.errors import Message
 from ...imagery.grids import PixelWindow
 from ...imagery.open_raster import OpenRaster, PixelBlock
+from ...imagery.raster_pool import reading_threads
 from ...imagery.rasters import BIT_DEPTHS, Raster, ValueRange
 from . import limits, messages
 from .areas import Areas, joined, sample_areas
@@ -148,7 +149,7 @@ def stream_statistics(
 
 def _read_ahead(source: OpenRaster, blocks: Iterator[PixelWindow]) -> Iterator[tuple[PixelWindow, PixelBlock]]:
     """Every block with its pixels; the next one is read in a thread of its own meanwhile."""
-    with ThreadPoolExecutor(1) as reader:
+    with reading_threads(1) as reader:
         coming: tuple[PixelWindow, Future[PixelBlock]] | None = None
         for block in blocks:
             ready, coming = coming, (block, reader.submit(source.read, block))

@@ -124,7 +124,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
     def _judged(run: Run) -> tuple[list[str], list[WindowRecord]]:
         """The windows' fields, and those that an observer judged."""
         from ...toolkit import layers
-        from ..tables.record_tables import read_windows
+        from ..tables.record_tables import doubts, read_windows
 
         windows = run.source(WINDOWS)
         names = windows.fields().names()
@@ -132,6 +132,7 @@ class CalibrateThreshold(SeamInspectorAlgorithm):
             raise SettingsError(messages.WINDOWS_WITHOUT_FIELD(field="observer"))
         found = [window for window in read_windows(layers.features(windows), names) if window.observer]
         judged = [window for window in found if window.is_judged]
+        run.tell(*doubts(judged))
         unsure = sum(window.observer == UNSURE for window in found)
         if len(judged) + unsure < len(found):
             run.tell(messages.VERDICTS_UNKNOWN(count=len(found) - len(judged) - unsure))

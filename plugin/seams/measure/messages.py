@@ -166,6 +166,9 @@ FIELD_NOT_HELD = Message(
 VERDICTS_UNKNOWN = Message(
     "Left out because the observer's word is neither 'visible' nor 'invisible': {count} windows.", WARNING
 )
+VALUES_IMPOSSIBLE = Message(
+    "{field} of {count} windows is a number that no measurement gives; it is left out.", WARNING
+)
 VERDICTS_WITHOUT_VALUE = Message(
     "{measure}: left out because nothing was measured there: {count} judged windows.", WARNING
 )

@@ -89,6 +89,8 @@ class WindowRecord(NumberedWindow):
     """Whether it or the inputs changed after it was inspected, as far as the desk knows."""
     others: Mapping[str, object] = field(default_factory=dict, hash=False)
     """Fields that have no name here."""
+    impossible: tuple[str, ...] = ()
+    """Fields of its layer whose numbers no measurement gives; what they say is left out."""
 
     @property
     def is_judged(self) -> bool:

@@ -3,19 +3,20 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import fields
 from typing import Any, NamedTuple
 
 from qgis.core import QgsCoordinateTransform, QgsFeature
 
-from ...imagery.errors import SettingsError, of_cell
+from ...imagery.errors import Message, SettingsError, of_cell
 from ...imagery.limits import judged_band
 from ...imagery.statistics import OPERATORS
 from ...toolkit.layers import outline_extent
 from ...toolkit.table_fields import attributes, number, text, whole_number
 from ..measure import messages
-from ..measure.window.window_tables import MEASURED, WINDOW_FIELDS
+from ..measure.window.window_tables import MEASURED, MOST_RATIO, WINDOW_FIELDS, WindowField
 from ..measure.window_records import CurveRecord, PairRecord, ProfileRecord, WindowRecord
 
 _BACKGROUND = 0
@@ -36,23 +37,46 @@ def read_windows(
 ) -> list[WindowRecord]:
     """The windows of a layer in its order; ``transform`` leads to the system of their extents.
 
-    One without a number of its own is ``unnumbered``. Raises WindowError when an outline can't be transformed.
+    One without a number of its own is ``unnumbered``; numbers that no measurement gives are left out. Raises
+    WindowError when an outline can't be transformed.
     """
     read: dict[str, Callable[[object], Any]] = {"text": _words, "real": number, "integer": whole_number}
     held = [one for one in WINDOW_FIELDS if one in MEASURED or one.name in names]
-    levels = [(one.read_as, level_names(one.name, names)) for one in held if one.by_level]
+    levels = [(one, level_names(one.name, names)) for one in held if one.by_level]
     single = [(one.read_as, one.name, read[one.kind]) for one in held if not one.by_level]
+    bounded = [one for one in held if one.most is not None]
     found = []
     for row in attributes(rows, names):
         values: dict[str, Any] = {name: value(row[field]) for name, field, value in single}
-        values.update((name, tuple([number(row[field]) for field in fields])) for name, fields in levels)
+        values.update((one.read_as, tuple([number(row[field]) for field in fields])) for one, fields in levels)
+        impossible = _without_impossible(values, bounded)
         if values["window_id"] is None:
             values["window_id"] = unnumbered
         values.update((one.observer, values[one.observer].lower()) for one in OPERATORS if one.observer in values)
         others = {name: values.pop(name) for name in values.keys() - _IN_RECORDS}
         extent = outline_extent(row.feature, transform)
-        found.append(WindowRecord(extent=extent, fid=row.feature.id(), others=others, **values))
+        found.append(WindowRecord(extent=extent, fid=row.feature.id(), others=others, impossible=impossible, **values))
     return found
+
+
+def _without_impossible(values: dict[str, Any], bounded: Sequence[WindowField]) -> tuple[str, ...]:
+    """The fields whose numbers no measurement gives; these are taken out of the values of a row."""
+    found: list[str] = []
+    for one in bounded:
+        held = values[one.read_as]
+        if one.by_level and not all(map(one.is_possible, held)):
+            found += [f"{one.name}_{level}" for level, value in enumerate(held, 1) if not one.is_possible(value)]
+            values[one.read_as] = tuple(value if one.is_possible(value) else None for value in held)
+        elif not one.by_level and not one.is_possible(held):
+            found.append(one.name)
+            values[one.read_as] = None
+    return tuple(found)
+
+
+def doubts(windows: Iterable[WindowRecord]) -> list[Message]:
+    """What is to be told of numbers that are left out, field by field."""
+    counts = Counter(name for window in windows for name in window.impossible)
+    return [messages.VALUES_IMPOSSIBLE(field=name, count=count) for name, count in counts.items()]
 
 
 def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[PairRecord]]:
@@ -65,9 +89,15 @@ def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, li
         window_id = whole_number(row["window_id"])
         if window_id is not None:
             source, band = _words(row["source"]), text(row["band"])
-            pair = PairRecord(source, band, number(row["ratio_1"]), number(row["contrast_1"]))
+            ratio, contrast = (_possible_ratio(row[name]) for name in ("ratio_1", "contrast_1"))
+            pair = PairRecord(source, band, ratio, contrast)
             found.setdefault(window_id, []).append(pair)
     return found
+
+
+def _possible_ratio(value: object) -> float | None:
+    found = number(value)
+    return found if found is not None and 0 <= found <= MOST_RATIO else None
 
 
 def read_profiles(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[ProfileRecord]]:

@@ -330,7 +330,12 @@ def _error(
         target = gdal.GetDriverByName("VRT").Create("", grid.columns, grid.rows, 1)
         target.SetGeoTransform(grid.geotransform)
         target.SetProjection(horizontal_wkt(grid.wkt))
-        transformer = gdal.Transformer(source, target, options)
+        try:
+            transformer = gdal.Transformer(source, target, options)
+        except RuntimeError:  # where GDAL's exceptions are on
+            transformer = None
+        if transformer is None:
+            raise SensorModelError(messages.NOT_INVERTED())
         seen, sound = transformer.TransformPoints(1, [(float(x), float(y), 0.0) for x, y in pixels])
     by_gdal = np.array(seen)[:, :2]
     valid = np.array(sound, bool) & np.isfinite(ground[:, 2])

@@ -3,7 +3,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from threading import Lock
@@ -16,6 +15,7 @@ from ...imagery import messages as imagery_messages
 from ...imagery.gdal_calls import gdal_pixels, gdal_silenced
 from ...imagery.grids import Grid, PixelWindow
 from ...imagery.open_raster import OpenRaster, damaged
+from ...imagery.raster_pool import reading_threads
 from ...imagery.rasters import GeoTransform
 from ...imagery.reference_systems import horizontal_wkt, same_system, transform_points
 from .frames import FrameCamera
@@ -70,7 +70,7 @@ class PhotoWarp:
         raster = self.image.raster
         kind, bands = np.dtype(raster.data_type), len(raster.band_names)
         width = max(int(_PART_COLUMNS / max(step[0] * step[1], 1)), _NARROWEST)
-        with ThreadPoolExecutor(min(os.cpu_count() or 1, _MOST_THREADS)) as threads:
+        with reading_threads(min(os.cpu_count() or 1, _MOST_THREADS)) as threads:
             for top in range(0, grid.rows, STRIP_ROWS):
                 high = min(STRIP_ROWS, grid.rows - top)
                 strip = np.full((bands, high, grid.columns), nodata, kind)

@@ -4,6 +4,7 @@ Their groups in the toolbox are here too; each name, not translated, is its grou
 """
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -24,6 +25,8 @@ from qgis.PyQt.QtGui import QIcon
 from ...imagery.atomic_files import leading_to
 from ...imagery.errors import CancelledError, SeamInspectorError
 from ...imagery.gdal_calls import gdal_silenced
+from ...imagery.remote_files import heeding
+from .. import messages
 from ..packages import missing_packages_sentence
 from ..resources import help_url, icon_path
 from ..translation import sentence, tr
@@ -111,7 +114,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         if missing:
             raise QgsProcessingException(missing)
         try:
-            with gdal_silenced():
+            with gdal_silenced(), heeding(feedback.isCanceled):
                 checked = self._refuse(parameters, context)  # models and scripts may not have checked the values
                 self._leads = checked.leads
                 self.prepare(Run(self, parameters, context, feedback))
@@ -123,7 +126,7 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         self, parameters: dict[str, Any], context: QgsProcessingContext, feedback: QgsProcessingFeedback
     ) -> dict[str, Any]:
         run = Run(self, parameters, context, feedback)
-        with gdal_silenced(), leading_to(self._leads):
+        with gdal_silenced(), leading_to(self._leads), heeding(feedback.isCanceled):
             try:
                 try:
                     results = self.execute(run)
@@ -137,6 +140,10 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
                 return {}
             except SeamInspectorError as error:
                 raise QgsProcessingException(sentence(error.message)) from None
+            except Exception:
+                if not _is_unloaded():
+                    raise
+                raise QgsProcessingException(sentence(messages.UNLOADED())) from None
 
     def checkParameterValues(self, parameters: dict[str, Any], context: QgsProcessingContext) -> tuple[bool, str]:
         missing = self._missing_packages(parameters)
@@ -176,6 +183,12 @@ class SeamInspectorAlgorithm(QgsProcessingAlgorithm):
         """What lacks for the outputs asked for; empty when nothing does."""
         charts, pages = (any(parameters.get(name) for name in names) for names in (self.DRAWN, self.PAGES))
         return missing_packages_sentence(charts, pages)
+
+
+def _is_unloaded() -> bool:
+    """Whether QGIS has forgotten the plugin's modules since, or loaded them anew: what was not imported before can't be
+    had any more."""
+    return getattr(sys.modules.get(__name__), SeamInspectorAlgorithm.__name__, None) is not SeamInspectorAlgorithm
 
 
 _TITLES, _HELP = ("description", "component_description", "model_group"), "help"

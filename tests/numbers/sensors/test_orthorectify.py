@@ -10,7 +10,13 @@ import numpy as np
 import pytest
 from osgeo import gdal, osr
 from scipy.ndimage import map_coordinates
-from seam_inspector.plugin.imagery.errors import CancelledError, RasterError, SeamInspectorError, SettingsError
+from seam_inspector.plugin.imagery.errors import (
+    CancelledError,
+    RasterError,
+    SeamInspectorError,
+    SensorModelError,
+    SettingsError,
+)
 from seam_inspector.plugin.imagery.open_raster import describe
 from seam_inspector.plugin.imagery.rasters import RasterRef
 from seam_inspector.plugin.sensors.measure.heights import load_terrain
@@ -293,3 +299,16 @@ def test_heights_of_no_place_on_earth_are_refused(job: Callable[..., Ortho], tmp
     dataset = None
     with pytest.raises(RasterError, match="set its nodata value"):
         job(dem=dem)
+
+
+@pytest.mark.parametrize("raises", [False, True])
+def test_a_model_that_gdal_can_not_take_is_a_sentence(
+    job: Callable[..., Ortho], monkeypatch: pytest.MonkeyPatch, raises: bool
+) -> None:
+    def transformer(*given: object) -> None:
+        if raises:
+            raise RuntimeError("no transformer")
+
+    monkeypatch.setattr(gdal, "Transformer", transformer)
+    with pytest.raises(SensorModelError, match="can't be inverted over the image"):
+        job(height=100.0)

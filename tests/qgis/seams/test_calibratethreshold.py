@@ -136,6 +136,28 @@ def test_the_numbers_are_of_what_the_seam_kept_where_that_is_known() -> None:
     assert outcome.results["MAX_RATIO"] == summary(outcome, "kept_1")["threshold"]
 
 
+def test_numbers_that_no_measurement_gives_are_left_out_and_told() -> None:
+    spoilt = [1e308, -3.5, float("nan"), float("inf"), -1.0]
+    visible, invisible = (*VISIBLE, 0.3, 0.4), (*INVISIBLE, 0.8, 0.9, 1.0)
+    words = ["visible"] * len(visible) + ["invisible"] * len(invisible)
+    kept = [*[value * 0.9 for value in VISIBLE], *spoilt[:2], *[value * 0.8 for value in INVISIBLE], *spoilt[2:]]
+    seen = [2.0] * len(words)
+    seen[0], seen[1] = -0.5, 1e30
+    windows = judged(visible, invisible, kept_1=("double", kept), visibility=("double", seen))
+    table = pairs([(1, "a.tif", "red", 1e308), (2, "a.tif", "red", 1)])
+    outcome = run("calibratethreshold", WINDOWS=windows, PAIRS=table)
+    assert outcome.complaint is None
+    gaps = [None if value in spoilt or value != value else value for value in kept]
+    sound = run("calibratethreshold", WINDOWS=judged(visible, invisible, kept_1=("double", gaps)))
+    assert {name: outcome.results[name] for name in NUMBERS} == {name: sound.results[name] for name in NUMBERS}
+    assert (outcome.results["VISIBLE_COUNT"], outcome.results["INVISIBLE_COUNT"]) == (6, 9)
+    told = outcome.log.warnings
+    assert "kept_1 of 3 windows is a number that no measurement gives; it is left out." in told
+    assert "visibility of 2 windows is a number that no measurement gives; it is left out." in told
+    assert "kept_1: left out because nothing was measured there: 5 judged windows." in told
+    assert "contrast_1: left out because nothing was measured there: 19 judged windows." in told
+
+
 def test_what_an_eye_sees_of_a_loss_is_a_measure_too(tmp_path: Path) -> None:
     """It is high where a loss was seen, so windows at or above its threshold are flagged."""
     seen = [2.5 - 2 * value for value in KEPT]

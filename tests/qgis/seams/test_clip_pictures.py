@@ -297,3 +297,22 @@ def test_no_qt_is_needed(repository: Path) -> None:
         [sys.executable, "-c", code], cwd=repository / "build" / "plugins", capture_output=True, text=True, check=True
     )
     assert finished.stdout.strip() == "False"
+
+
+@pytest.mark.parametrize("value", [-(2.0**63), 2.0**62, 1e15, 0.0])
+@pytest.mark.filterwarnings("error")
+def test_pixels_that_are_alike_have_a_picture_however_large_they_are(value: float) -> None:
+    alike = np.full((4, 4), value)
+    for pixels in (alike, alike.astype(np.float32), alike.astype(np.int64)):
+        low, high = picture_stretch.cut_range([pixels])
+        assert (picture_stretch.to_bytes(pixels, low, high) == picture_stretch.to_bytes(pixels, low, high)[0]).all()
+        assert high > low
+        assert np.ptp(picture_stretch.to_bytes(pixels, value, value)) == 0
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_is_no_number_is_black() -> None:
+    pixels = np.array([[np.nan, np.inf, -np.inf, 1e38, 10.0, 20.0]])
+    low, high = picture_stretch.cut_range([pixels])
+    assert (low, high) == pytest.approx((10.2, 19.8))
+    assert picture_stretch.to_bytes(pixels, low, high).tolist() == [[0, 255, 0, 255, 0, 255]]

@@ -328,3 +328,11 @@ def test_a_patch_is_never_written_over_an_input(feathered: Files, tmp_path: Path
     assert ended.complaint is not None
     assert_sentence(ended.complaint, "written over")
     assert mosaic.read_bytes() == Path(feathered.mosaic).read_bytes()
+
+
+def test_a_folder_that_goes_away_is_a_sentence(feathered: Files, scanned: Run, tmp_path: Path) -> None:
+    folder, log = tmp_path / "own", Log()
+    folder.mkdir()
+    log.progressChanged.connect(lambda _percent: folder.exists() and folder.rename(tmp_path / "gone"))
+    ended = mend(feathered, scanned, folder, log)
+    assert_sentence(ended.complaint, "can't be written")

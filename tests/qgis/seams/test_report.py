@@ -378,3 +378,18 @@ def test_the_words_that_stand_in_a_report_are_explained(inspected: Run, scene: S
     assert "seam profile" not in terms  # without their table there is none
     bare = read(run("report", WINDOWS=inspected.layer(), OUTPUT=str(tmp_path / "bare.html")))
     assert not {"clips", "lost detail", "hard-cut composite"} & {row[0] for row in bare.rows}
+
+
+@pytest.mark.usefixtures("provider")
+def test_numbers_that_no_measurement_gives_are_left_out_and_told(tmp_path: Path) -> None:
+    drawn = windows(
+        SHARP, BLURRED, window_id=("integer", [1, 2]), verdict=("string", ["significant", "preserved"]),
+        reference=("string", ["seam"] * 2), ratio_1=("double", [-3.5, 0.5]), kept_1=("double", [0.41, 1e308]),
+        kept_2=("double", [0.5, -3.5]), contrast_1=("double", [1e308, float("inf")]),
+    )  # fmt: skip
+    outcome = run("report", WINDOWS=drawn, OUTPUT=str(tmp_path / "report.html"))
+    page = read(outcome)
+    for field in ("ratio_1", "kept_1", "kept_2", "contrast_1"):
+        assert f"{field} of 1 windows is a number that no measurement gives; it is left out." in outcome.log.warnings
+    assert "0.41" in page.words or "41 %" in page.words
+    assert "0000000" not in page.words

@@ -11,7 +11,7 @@ import numpy as np
 from ....imagery.errors import SettingsError
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import as_xy, is_line, line_points, points_at, read_geometry, simple_parts, vertex_stations
-from ....imagery.seam_totals import STRETCH, PieceState
+from ....imagery.seam_totals import STRETCH, PieceState, possible_kept
 from ..limits import ALL, FAILED, REDUCED
 from ..scan.lines.seam_features import SeamFeature
 from ..scan.lines.seam_pieces import SeamPiece
@@ -76,7 +76,8 @@ def given_pieces(
         left, right = (str(row[name] or "") or None for name in ("left_source", "right_source"))
         wanted = row["state"] == PieceState.FAILED.value or row["verdict"] in lost
         piece = SeamPiece(int(seam_id), station, length, points, left, right)
-        found += _opened(SeamRun(piece, kept, wanted and is_near(points), max(width or 0.0 for width in widths)))
+        wide = max(width or 0.0 for width in widths)
+        found += _opened(SeamRun(piece, possible_kept(kept), wanted and is_near(points), wide))
     if not found:
         raise SettingsError(messages.NO_PIECES())
     return found

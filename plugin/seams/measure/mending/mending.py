@@ -168,6 +168,13 @@ class Mending:
 
         Raises SettingsError or RasterError where they can't be written, CancelledError when ``goes_on`` says no.
         """
+        try:
+            return self._result(goes_on, executor, ahead)
+        except OSError as error:  # the folder is gone meanwhile, or its disk is full
+            said = imagery_messages.FILE_NOT_WRITTEN(path=self._mended, error=system_reason(error))
+            raise SettingsError(said) from None
+
+    def _result(self, goes_on: Callable[[float], bool], executor: Executor, ahead: int) -> list[MendedSeam]:
         place, mosaic = Path(self._mended), self.request.mosaic
         with tempfile.TemporaryDirectory(prefix=unfinished_name(place), dir=place.parent) as folder, rasters_kept():
             tried = dict(self._tried(Path(folder)))

@@ -12,7 +12,9 @@ from typing import Any, NamedTuple
 
 from ....imagery import messages as imagery_messages
 from ....imagery.errors import QT_TR_NOOP
+from ....imagery.limits import MIN_SHARE
 from ....imagery.records import Column, NotUnderstoodError, Row, record_of, rows_of, sentences_of, value_of
+from ....imagery.seam_totals import MOST_KEPT
 from ....imagery.shifts import Shift
 from ....imagery.statistics import JUDGING_FIELDS
 from ....imagery.wavelets import DIRECTIONS, Curve
@@ -21,6 +23,11 @@ from ..compared_image import Change
 from ..profile.seam_profile import ProfileBin
 from ..tone import Tone
 from .window_result import ClipResult, PairResult, WindowResult
+
+MOST_RATIO = 1 / MIN_SHARE
+"""Of detail in the mosaic to that in a source: with less in the source there is no ratio."""
+MOST_VISIBLE = 1e4
+"""Just noticeable differences: from black to white there are some hundred."""
 
 
 class CurveRow(NamedTuple):
@@ -118,6 +125,12 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
     """What else the filter calls it."""
     is_share: bool = False
     """Whether the table shows it in percent, which its filter minds."""
+    most: float | None = None
+    """No measurement is above it, nor below 0; None where any number may be."""
+
+    def is_possible(self, value: float | None) -> bool:
+        """Whether a measurement can have given that; nothing at all always can."""
+        return value is None or self.most is None or 0 <= value <= self.most
 
     @property
     def read_as(self) -> str:
@@ -132,7 +145,7 @@ MEASURED = (
     WindowField("sources", "integer", lambda result: result.source_count),
     WindowField(
         "ratio", "real", lambda result: result.judgement.ratios.detail, by_level=True,
-        attribute="ratios", title=QT_TR_NOOP("ratio {level}"),
+        attribute="ratios", title=QT_TR_NOOP("ratio {level}"), most=MOST_RATIO,
     ),
     WindowField(
         "background_ratio", "real", lambda result: result.judgement.ratios.background,
@@ -141,7 +154,7 @@ MEASURED = (
     WindowField("observer", "text"),
     WindowField(
         "composite_ratio", "real", lambda result: _composite_ratios(result), by_level=True,
-        attribute="composite_ratios", title=QT_TR_NOOP("ratio {level} against the composite"),
+        attribute="composite_ratios", title=QT_TR_NOOP("ratio {level} against the composite"), most=MOST_RATIO,
     ),
     WindowField(
         "expected_ratio", "real", lambda result: result.explanation and result.explanation.expected, by_level=True,
@@ -159,7 +172,10 @@ MEASURED = (
     ),
     WindowField("reference", "text", lambda result: result.reference),
     WindowField("paper_verdict", "text", lambda result: result.paper_verdict.value, called=("paper",)),
-    WindowField("kept", "real", lambda result: result.profile and result.profile.kept, by_level=True, is_share=True),
+    WindowField(
+        "kept", "real", lambda result: result.profile and result.profile.kept, by_level=True, is_share=True,
+        most=MOST_KEPT,
+    ),
     WindowField(
         "kept_low", "real", lambda result: result.profile and result.profile.low,
         heading=QT_TR_NOOP("kept from"), shown="percent", is_share=True,
@@ -184,6 +200,7 @@ MEASURED = (
     ),
     WindowField(
         "visibility", "real", lambda result: result.visibility, heading=QT_TR_NOOP("visibility"), shown="tenths",
+        most=MOST_VISIBLE,
         help=QT_TR_NOOP(
             "How many times more was lost along the seam than an eye just notices side by side at 2x (just "
             "noticeable differences, JND)."
@@ -196,7 +213,7 @@ MEASURED = (
     ),
     WindowField(
         "contrast_1", "real", lambda result: result.explanation and result.explanation.contrast,
-        attribute="contrast", called=("contrast",),
+        attribute="contrast", called=("contrast",), most=MOST_RATIO,
     ),
     WindowField(
         "sharpness_1", "real", lambda result: result.explanation and result.explanation.sharpness,

@@ -41,3 +41,11 @@ def test_pieces_that_follow_each_other_are_one_run() -> None:
 def test_pieces_without_two_orthoimages_are_counted() -> None:
     pieces = given_pieces([feature(0, 10, left_source=""), feature(20, 25, right_source="c.tif")], FIELDS, ALL)
     assert seam_runs(pieces, NUMBERS, 0.1) == ([], 15)
+
+
+@pytest.mark.parametrize("kept", [1e308, -3.5, "nan", "inf", None])
+def test_what_no_seam_can_keep_is_not_measured(kept: Any) -> None:
+    pieces = given_pieces([feature(0, 10, kept_1=kept), feature(10, 30)], FIELDS, FAILED)
+    assert [one.kept for one in pieces] == [None, 0.5]
+    (run,), _ = seam_runs(pieces, NUMBERS, 0.1)
+    assert run.kept == 0.5

@@ -1,0 +1,82 @@
+"""A desk whose numbers have decimal commas: tables and XML that programs read have points, and are read so."""
+from __future__ import annotations
+
+import csv
+import os
+import stat
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from qgis.PyQt.QtCore import QLocale
+
+from fuzz.running import outputs
+from tests.qgis.runs import Run, run
+from tests.qgis.scenes import BLURRED, SHARP, Scene, windows
+
+pytestmark = pytest.mark.usefixtures("provider")
+
+
+@pytest.fixture
+def commas() -> Iterator[None]:
+    before = QLocale()
+    QLocale.setDefault(QLocale("pl_PL"))
+    assert QLocale().toString(0.5) == "0,5"
+    yield
+    QLocale.setDefault(before)
+
+
+def calls(scene: Scene, given: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    return {
+        "inspectwindows": {
+            "WINDOWS": windows(SHARP, BLURRED), "MOSAIC": str(scene.mosaic), "SOURCES": scene.sources},
+        "checkradiometry": {"RASTERS": [str(scene.mosaic)]},
+        "fitsensormodel": {"GCPS": given["gcps"], "HEIGHTS": "ellipsoid", "MODEL": "polynomial_3d"},
+        "interiororientation": {"PHOTO": given["photo"], "CALIBRATION": given["calibration"]},
+    }  # fmt: skip
+
+
+def written(name: str, folder: Path, values: dict[str, Any]) -> Run:
+    """All outputs, tables as CSV."""
+    folder.mkdir()
+    files = {key: path.replace(".gpkg", ".csv") for key, path in outputs(name, folder).items()}
+    ended = run(name, **{**{key: path for key, path in files.items() if not path.endswith(".tif")}, **values})
+    assert ended.complaint is None
+    return ended
+
+
+def numbers(folder: Path) -> dict[str, list[list[str]]]:
+    """Of CSV files the cells that are numbers, whatever their decimal sign."""
+    found = {}
+    for path in sorted(folder.glob("*.csv")):
+        with open(path, encoding="utf-8", newline="") as file:
+            rows = list(csv.reader(file))
+        found[path.name] = [[cell for cell in row if cell.replace(",", ".").lstrip("-").replace(".", "").isdigit()]
+                            for row in rows]
+    return found
+
+
+@pytest.mark.parametrize("name", ["inspectwindows", "checkradiometry", "fitsensormodel", "interiororientation"])
+def test_tables_have_points(
+    name: str, scene: Scene, given: dict[str, Any], tmp_path: Path, request: pytest.FixtureRequest
+) -> None:
+    values = calls(scene, given)[name]
+    written(name, tmp_path / "points", values).close()
+    request.getfixturevalue("commas")
+    written(name, tmp_path / "commas", values).close()
+    expected = numbers(tmp_path / "points")
+    assert any(map(len, expected.values()))
+    assert numbers(tmp_path / "commas") == expected
+
+
+@pytest.mark.parametrize(("mask", "mode"), [(0o022, 0o644), (0o077, 0o600)])
+def test_files_have_the_rights_that_the_user_asks_for(
+    mask: int, mode: int, scene: Scene, given: dict[str, Any], tmp_path: Path
+) -> None:
+    before = os.umask(mask)
+    try:
+        written("checkradiometry", tmp_path / "out", calls(scene, given)["checkradiometry"]).close()
+    finally:
+        os.umask(before)
+    assert {stat.S_IMODE(one.stat().st_mode) for one in (tmp_path / "out").iterdir()} == {mode}
