@@ -309,6 +309,10 @@ DEM_TOO_LARGE = Message(
     "The terrain model {name} has {count} million pixels under the image and {most} million are the most; resample it, "
     "meshes of 10 to 30 m serve best."
 )
+DEM_WITHOUT_OVERVIEWS = Message(
+    "The terrain model {name} has {count} million pixels and no overviews, by which its lowest and highest place would "
+    "be found; build some (gdaladdo), or clip it to the photos."
+)
 MESH_COARSE = Message(
     "The terrain model {name} has meshes of {mesh:.0f} m: relief between them is lost, and the orthoimage is displaced "
     "there; meshes of 10 to 30 m serve best.", WARNING

@@ -23,6 +23,7 @@ from .sensor_model import WGS84, reprojected
 AS_TERRAIN = EXTERIOR_DATUMS[0]
 MIN_DIP = 0.02  # sine of the angle below the horizon of the flattest view
 HEIGHTS_PX = 512  # longer side of the overview of the terrain that the range of heights is taken from
+MOST_WITHOUT_OVERVIEWS = 2_000_000_000  # pixels that are read whole for that: some ten seconds
 
 
 @dataclass(frozen=True)
@@ -119,8 +120,12 @@ def _system(image: OpenRaster, files: FrameFiles, named: str) -> tuple[str, tupl
 
 
 def _range_of_heights(dem: RasterRef) -> tuple[float, float]:
-    """Lowest and highest terrain as the terrain model has it, m; over all of it, which costs an overview only."""
+    """Lowest and highest terrain as the terrain model has it, m; over all of it, which costs an overview only. Raises
+    SensorModelError where it is huge and has none."""
     source = OpenRaster(dem)
+    count, band = source.columns * source.rows, source.dataset.GetRasterBand(1)
+    if count > MOST_WITHOUT_OVERVIEWS and not band.GetOverviewCount():
+        raise SensorModelError(messages.DEM_WITHOUT_OVERVIEWS(name=dem.name, count=count // 10**6))
     whole = PixelWindow(0, 0, source.columns, source.rows)
     share = max(source.columns, source.rows) / HEIGHTS_PX
     size = (max(round(source.rows / share), 1), max(round(source.columns / share), 1)) if share > 1 else None
