@@ -121,11 +121,18 @@ def visibility(
     return float(total ** (1 / POOLING_EXPONENT))
 
 
+MOST_REFLECTANCE = 2.0
+"""Of the brightest ground, glints with it; grey values are more."""
+
+
 def white_grey(raster: Raster, largest: float) -> float:
     """The grey value that a screen shows as white, DN above black; ``largest``: of means of its cells.
 
-    Black is 0. Values without a range of their own are shown as those of the smallest usual depth that holds them.
+    Black is 0. Values without a range of their own are shown as those of the smallest usual depth that holds them, and
+    reflectances up to the largest.
     """
+    if raster.data_type.startswith("float") and largest <= MOST_REFLECTANCE:
+        return max(largest, MOST_REFLECTANCE * 1e-6)
     known = raster if raster.data_type in ("uint8", "uint16") else replace(raster, data_type="uint16", bits=None)
     found = value_range(known, largest)
     assert found is not None

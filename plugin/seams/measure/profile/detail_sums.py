@@ -28,7 +28,8 @@ _SHOWN, _BEFORE = ([PRODUCTS.index(name) for name in names] for names in (("ss",
 _GRID_PX = 2  # distances are taken on the grid of the finest coefficients
 _NO_PAIR = (UNKNOWN + 1) ** 2
 _UNKNOWN_MARGIN_PX = 8  # what is not explained reaches into its neighbours' coefficients
-_ROUNDING = 3e-5  # rms of detail as a share of grey: weaker is what float32 leaves of even ground, and no detail
+ROUNDING = 1e-4
+"""Rms of detail as a share of the mean grey: weaker is what float32 leaves of even ground, and no detail."""
 
 
 def compared_planes(mosaic: np.ndarray, expected: ExpectedMosaic) -> np.ndarray:
@@ -45,8 +46,8 @@ def numbers_of(expected: ExpectedMosaic) -> tuple[int, ...]:
 
 
 def energy_of_rounding(plane: np.ndarray) -> float:
-    """A pixel, DN squared, at most, in details of planes as bright as this one, (rows, columns)."""
-    return float((_ROUNDING * np.abs(plane).max()) ** 2)
+    """At most, a pixel, DN squared, in details of planes as bright as this one, (rows, columns)."""
+    return float((ROUNDING * np.abs(plane).mean()) ** 2)
 
 
 @dataclass(frozen=True, eq=False)

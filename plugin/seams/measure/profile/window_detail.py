@@ -36,6 +36,8 @@ class WindowDetail:
     mixture: MixtureTable
     inside: tuple[slice, slice]
     """Rows and columns of the cells that are judged; those around are ground alone."""
+    of_rounding: float
+    """As ``energy_of_rounding`` has it."""
 
     @cached_property
     def whole(self) -> WholeCells:
@@ -79,7 +81,8 @@ class WindowDetail:
         judged &= (whole.column >= columns.start) & (whole.column < columns.stop)
         sums = SeamSums(1, self.cells.levels)
         sums.add(self.cells, self.mixture, whole, self.ground, np.where(judged, 0, -1))
-        return sums.profiles()[0].profile if self.has_seam else None
+        found = sums.profiles()[0].profile if self.has_seam else None
+        return None if found is None or found.energy[0] <= self.of_rounding else found
 
 
 def window_detail(
@@ -96,14 +99,14 @@ def window_detail(
     if expected.unfiltered is not expected.plane:
         planes = np.concatenate([planes, expected.unfiltered[np.newaxis]])
     details = list(placed_components(planes, wavelet, levels))
+    of_rounding = energy_of_rounding(mosaic)
     cells, mixture = detail_sums(
-        details, expected.labels, numbers_of(expected), valid, expected.is_filtered, expected.shares,
-        energy_of_rounding(mosaic),
+        details, expected.labels, numbers_of(expected), valid, expected.is_filtered, expected.shares, of_rounding
     )
     kept = [0, 1, *range(count, len(planes))]
     rows, columns = inside or (slice(0, mosaic.shape[0]), slice(0, mosaic.shape[1]))
     own = slice(rows.start // CELL_PX, rows.stop // CELL_PX), slice(columns.start // CELL_PX, columns.stop // CELL_PX)
-    return WindowDetail(details[0][:, kept], cells, mixture, own)
+    return WindowDetail(details[0][:, kept], cells, mixture, own, of_rounding)
 
 
 LOSS_CELL_PX = 8

@@ -10,6 +10,7 @@ import numpy as np
 from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import points_at, vertex_stations
 from ..profile.cell_table import CELL_PX, EDGES_PX, MIXED_BINS, CellTable, MixtureTable, whole_cells
+from ..profile.detail_sums import ROUNDING
 from ..profile.ground import FAR_PX, LevelGround
 from ..profile.seam_profile import strip_bins
 from ..profile.seam_sums import SeamSums, StripProfile
@@ -83,11 +84,19 @@ def measure_pieces(request: PiecesRequest) -> MeasuredPieces:
             cells, mixture = scan.cells.within((rows, columns)), with_numbers(scan, request.sources)
             sums.add(cells, mixture.within((rows, columns)), held_ground(files, key), window, scan.grey)
             np.fmax.at(grain, *along.values(key, scan.grain))
+    grey, brightest = sums.grey
     found = [one if one.profile is None else replace(one, profile=replace(one.profile, bins=()))
-             for one in sums.profiles()]
+             for one in without_even(sums.profiles(), grain, grey)]
     labels = partial(_labels_at, request) if request.looks_beside else None
     beside = sources_beside(request.pieces, labels, grid, LABEL_PX) if labels is not None else None
-    return MeasuredPieces(request.numbers, found, *sums.grey, grain, beside)
+    return MeasuredPieces(request.numbers, found, grey, brightest, grain, beside)
+
+
+def without_even(found: Sequence[StripProfile], grain: np.ndarray, grey: np.ndarray) -> list[StripProfile]:
+    """Pieces along even ground without a profile: what little detail is there reaches in from beside, and its ratios
+    are those of rounding. ``grain``, ``grey``: as ``MeasuredPieces`` has them."""
+    is_even = grain <= ROUNDING * np.abs(grey)  # never where that is not known
+    return [replace(one, profile=None) if even else one for one, even in zip(found, is_even.tolist())]
 
 
 def visibilities(

@@ -19,7 +19,7 @@ from seam_inspector.plugin.seams.measure.profile.seam_profile import STRIP_PX, M
 from seam_inspector.plugin.seams.measure.profile.window_detail import WindowDetail
 from seam_inspector.plugin.seams.measure.scan.blocks.block_grid import BLOCK_PX
 from seam_inspector.plugin.seams.measure.scan.blocks.scan_block import CELLS
-from seam_inspector.plugin.seams.measure.scan.piece_sums import visibilities
+from seam_inspector.plugin.seams.measure.scan.piece_sums import visibilities, without_even
 from seam_inspector.plugin.seams.measure.visibility import white_grey, window_visibility
 
 from tests.numbers.seams.profile.blends import LEVELS, SIDE, blend, spread
@@ -305,3 +305,15 @@ def test_a_line_far_off_the_seam_does_not_take_its_loss_over() -> None:
     assert near is not None
     assert near.kept[0] == pytest.approx(profiles_of(detail, [piece])[0].profile.kept[0], abs=0.1)
     assert far is None
+
+
+@pytest.mark.parametrize(("grain", "grey", "is_measured"), [
+    (9.0, 600.0, True), (0.06, 600.0, False), (0.0, 0.4, False), (0.001, 0.4, True), (np.nan, 600.0, True),
+    (0.0, np.nan, True),
+])  # fmt: skip
+def test_a_piece_along_even_ground_is_not_measured(grain: float, grey: float, is_measured: bool) -> None:
+    made = blend(33)
+    found = profiles_of(made.detail(), pieces_of(made))
+    (piece,) = without_even(found, np.array([grain]), np.array([grey]))
+    assert (piece.profile is not None) == is_measured
+    assert piece.area_px == found[0].area_px
