@@ -152,7 +152,8 @@ def raster(data_type: str, bits: int | None = None) -> Raster:
     ("data_type", "bits", "largest", "white"),
     [
         ("uint8", None, 90.0, 255), ("uint16", 12, 90.0, 4095), ("uint16", None, 3000.0, 4095),
-        ("uint16", None, 60_000.0, 65_535), ("float32", None, 180.0, 255), ("float32", None, 0.4, 0.4), ("int16", None, 3000.0, 4095),
+        ("uint16", None, 60_000.0, 65_535), ("float32", None, 180.0, 255), ("int16", None, 3000.0, 4095),
+        ("float32", None, 0.4, 0.4),
     ],
 )  # fmt: skip
 def test_white_is_the_brightest_value_that_the_image_can_have(
