@@ -48,3 +48,17 @@ def test_a_sound_cut_in_a_compressed_mosaic_is_sound(
     # Of squares of 8 px that hold both images compression does take something along the seam.
     assert found.profile.kept[0] == pytest.approx(1, abs=0.2 if ground is sharp_beside_soft else 0.05)
     assert found.profile.high >= 0.95
+
+
+@pytest.mark.parametrize("seed", [1, 40])
+def test_a_feather_is_seen_beside_even_ground(make_raster: MakeRaster, seed: int) -> None:
+    """40 px wide, and half of the window says nothing of tones."""
+    images = [np.clip(np.rint(one), 1, 255) for one in half_even(seed)]
+    second = np.clip((COLUMNS - SHAPE[1] / 2) / 40 + 0.5, 0, 1)
+    made = 255 * ((1 - second) * images[0] + second * images[1]) ** 0.6 / 255**0.6
+    planes = [np.stack([np.rint(4 * one - 500)] * 3).astype(np.int16) for one in (made, *images)]
+    sources = [make_raster(f"{name}.tif", plane) for name, plane in zip("ab", planes[1:])]
+    found = inspect(block_of(mosaic_of(make_raster, planes[0]), *sources), PixelWindow(0, 0, *SHAPE[::-1]))
+    assert found.judgement.verdict is Verdict.SIGNIFICANT
+    assert found.profile is not None
+    assert found.profile.kept[0] == pytest.approx(0.55, abs=0.07)

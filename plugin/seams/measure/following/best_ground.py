@@ -64,7 +64,8 @@ class BestGround:
 
 
 def learn_best_ground(own: np.ndarray, left: np.ndarray) -> BestGround | None:
-    """From places (n,): the mosaic's energy and what its sources leave over of it. None where there are too few."""
+    """From places (n,): the mosaic's energy and what its sources leave over of it. None where there are too few, or
+    values so large that energies are none."""
     if len(own) < _FEWEST:
         return None
     own, left = sampled(own), sampled(left)
@@ -73,6 +74,8 @@ def learn_best_ground(own: np.ndarray, left: np.ndarray) -> BestGround | None:
     for part in np.array_split(np.argsort(own), _CLASSES):
         most = min(float(np.quantile(share[part], _BEST)), _MOST_RISE * most)
         chosen[part] = share[part] <= most
+    if not chosen.any():  # nor is NaN less than anything
+        return None
     response = fit_response(own[chosen], left[chosen])
     for _ in range(_ROUNDS):
         before, chosen = chosen, left <= _MOST_LEARNED * response(own) * own

@@ -25,6 +25,7 @@ _FEWEST_SQUARES = 24
 _FEWEST_FOR_TREND = 150
 _NEAR_SQUARES = 5  # a side: what is wider than that is background
 _SMOOTH_SQUARES = 2.0  # sigma of the bias
+_EVEN = 0.05  # of the standard deviation of what squares differ by from those around
 _MOST_CHANGE = 3.0  # of the gain within a window
 _RIDGE = 0.01  # so that ground which says nothing of a term leaves it out
 _ROUNDS = 3
@@ -139,7 +140,12 @@ def gain_field(mosaic: np.ndarray, source: np.ndarray, where: np.ndarray, patch:
         np.take(band - _near_means(np.where(where, band, 0), patch) / weight, places).astype(np.float64)
         for band in (source, mosaic)
     )
-    fields = _places(source, places) if np.count_nonzero(where) >= _FEWEST_FOR_TREND else [ones]
+    # Even ground tells nothing of a gain, and where there is much of it residuals would seem to be none.
+    telling = np.abs(x) > _EVEN * x.std()
+    if np.count_nonzero(telling) < _FEWEST_SQUARES:
+        return ones
+    places, x, y = places[telling], x[telling], y[telling]
+    fields = _places(source, places) if len(places) >= _FEWEST_FOR_TREND else [ones]
     terms = np.stack([np.take(field, places) * x for field in fields])
     weights = np.ones(len(x))
     factors = np.eye(len(fields))[0]

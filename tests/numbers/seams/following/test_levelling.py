@@ -146,3 +146,13 @@ def test_what_a_curve_leaves_over_is_known_by_itself(source: np.ndarray) -> None
     curve, local = left_over(dark, means, np.ones(means.shape, bool))
     assert local < curve / 2
     assert left_by_curve(dark, means, np.ones(means.shape, bool)) == curve
+
+
+@pytest.mark.parametrize("even", [0.3, 0.6, 0.8])
+def test_even_ground_does_not_decide_on_a_gain(source: np.ndarray, even: float) -> None:
+    """Water on most of the window: all of its squares fit any gain."""
+    water = np.broadcast_to((np.arange(SHAPE[0]) < even * SHAPE[0])[:, np.newaxis], SHAPE)
+    ground = np.where(water, np.float32(60), source)
+    noisy = 0.8 * ground + 12 + np.where(water, 0, 2 * texture(SHAPE, 1.0, 8))
+    found = levelled(coarse_means(noisy.astype(np.float32), 3), ground, EVERYWHERE, EVERYWHERE)
+    np.testing.assert_allclose(found.gain, 0.8, atol=0.1)
