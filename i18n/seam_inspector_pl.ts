@@ -13211,7 +13211,7 @@
     <message>
         <location filename="../plugin/sensors/measure/messages.py" line="313"/>
         <source>The terrain model {name} has {count} million pixels and no overviews, by which its lowest and highest place would be found; build some (gdaladdo), or clip it to the photos.</source>
-        <translation>Numeryczny model terenu {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
+        <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
     </message>
 </context>
 </TS>
