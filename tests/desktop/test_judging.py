@@ -45,6 +45,8 @@ def test_judging_has_the_screen_and_gives_it_back(small_block: Path, tmp_path: P
     assert report["profile"]
     assert "seamlines" not in report["on_map"]
     assert "Windows" not in report["on_map"]
+    assert "over" not in report["on_map"]
+    assert "mosaic" in report["on_map"]
     assert report["ticks"] > 0
     assert report["places"] > 1
     assert report["hard_cut"] == [True, False, True, False, False]

@@ -102,6 +102,7 @@ def summary_words(shown: ShownProfile) -> list[str]:
             tr("Beside the seam {kept} % kept ({low} to {high} %) of the ground around, which has {left} % of the "
                "orthoimages' detail"),
             tr("{kept} % kept of the ground, which has {left} %"),
+            tr("{kept} % kept, ground {left} %"),
         ]
     elif profile.band_width_px:
         words.insert(0, tr("Beside the seam {kept} % kept ({low} to {high} %), band of {width} m"))

@@ -104,7 +104,7 @@ class OperatorButton(QToolButton):
         return action
 
 
-_LINES, _HIGH_LINES, _ALL_LINES = (2, 4), (3, 6), (2, 16)  # of the sentence; in a high dock; where charts give way
+_LINES, _HIGH_LINES, _ALL_LINES = (2, 7), (3, 8), (2, 16)  # of the sentence; in a high dock; where charts give way
 _LARGE = 2.5  # times as high as a line: a button that judges, where the bar has the dock for itself
 _SENTENCE_CHARACTERS = 50  # room for these beside the buttons puts the sentence there, else it goes above them
 

@@ -10,6 +10,7 @@ from qgis.core import (
     QgsLayerTreeNode,
     QgsPalLayerSettings,
     QgsProject,
+    QgsRasterLayer,
     QgsRuleBasedRenderer,
     QgsSimpleLineSymbolLayer,
     QgsTextBufferSettings,
@@ -259,6 +260,16 @@ def toggle_seamlines(session: Session) -> bool:
         else:
             node.setItemVisibilityCheckedParentRecursive(True)
     return bool(nodes)
+
+
+def over_the_mosaic(session: Session) -> Iterator[QgsLayerTreeNode]:
+    """Rasters that the map draws over the mosaic, such as another mosaic or a map of labels."""
+    root = QgsProject.instance().layerTreeRoot()
+    for layer in root.layerOrder():
+        if layer.id() == session.inputs.mosaic:
+            return
+        if isinstance(layer, QgsRasterLayer) and (node := root.findLayer(layer.id())) is not None:
+            yield node
 
 
 def covering(session: Session) -> Iterator[QgsLayerTreeNode]:

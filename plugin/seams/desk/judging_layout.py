@@ -12,7 +12,7 @@ from qgis.PyQt.QtWidgets import QAction, QDockWidget
 
 from ...toolkit.desk.tool_dock import ToolDock
 from ...toolkit.translation import filled, tr
-from .judging_desk import covering
+from .judging_desk import covering, over_the_mosaic
 from .map.seam_ticks import SeamTicks
 from .map.window_outline import WindowOutline
 
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .session import Session
 
 _HIDDEN = "seam_inspector/hidden"  # custom property of what was taken off the map
+_SHOWN = "seam_inspector/shown"  # of a mosaic that was not on it
 _CHARACTERS = 42  # of the sentence on a line: the dock's width then
 _SIDES = (Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea)
 
@@ -110,11 +111,20 @@ class JudgingLayout(QObject):
         self._panels = [(one, not one.visibleRegion().isEmpty()) for one in docks if one is not self._dock]
         for panel, _ in self._panels:
             panel.hide()
-        windows = self._project.layerTreeRoot().findLayer(self._session.inputs.windows)
-        for node in (*covering(self._session), *([windows] if windows is not None else [])):
+        self._uncover()
+
+    def _uncover(self) -> None:
+        """Off the map with what hides the mosaic: a verdict is of what is seen."""
+        session, root = self._session, self._project.layerTreeRoot()
+        windows, mosaic = root.findLayer(session.inputs.windows), root.findLayer(session.inputs.mosaic)
+        above = [] if mosaic is None else over_the_mosaic(session)
+        for node in (*covering(session), *above, *([windows] if windows is not None else [])):
             if node.isVisible():
                 node.setCustomProperty(_HIDDEN, True)
                 node.setItemVisibilityChecked(False)
+        if mosaic is not None and not mosaic.itemVisibilityChecked():
+            mosaic.setCustomProperty(_SHOWN, True)
+            mosaic.setItemVisibilityChecked(True)
 
     def _narrow(self) -> None:
         if not self._dock.isFloating():
@@ -151,3 +161,6 @@ def _put_back(project: QgsProject) -> None:
         if node.customProperty(_HIDDEN):
             node.removeCustomProperty(_HIDDEN)
             node.setItemVisibilityCheckedParentRecursive(True)
+        if node.customProperty(_SHOWN):
+            node.removeCustomProperty(_SHOWN)
+            node.setItemVisibilityChecked(False)

@@ -7,6 +7,7 @@ from __future__ import annotations
 import time
 from pathlib import Path
 
+from qgis.core import QgsRasterLayer
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QDockWidget
@@ -26,6 +27,9 @@ def play(desk: Desk) -> None:
     desk.wait(lambda: all(row.verdict for row in desk.session.windows()), 120, "all windows inspected")
     desk.wait_for_work()
     desk.dock.judging.model.change(order="sure")
+    desk.project.addMapLayer(QgsRasterLayer(str(block / "mosaic.tif"), "over"))  # hides the mosaic
+    desk.project.layerTreeRoot().findLayer(desk.session.inputs.mosaic).setItemVisibilityChecked(False)
+    desk.wait_for_map()
     desk.window.activateWindow()
     desk.canvas.setFocus()
     desk.wait(lambda: QApplication.focusWidget() is not None, 5, "focus in the main window")

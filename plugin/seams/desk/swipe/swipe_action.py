@@ -162,7 +162,7 @@ class Swipe(QObject):
 
     def _lay_on_canvas(self) -> None:
         canvas = self._canvas
-        self._item = SwipeItem(canvas, self.divider, self._own, self._other)
+        self._item = SwipeItem(canvas, self.divider, self._own, self._other, hides_loss=not self._has_handle)
         self._item.setVisible(self.is_shown)
         if self._has_handle:
             self._lay_handle(canvas)

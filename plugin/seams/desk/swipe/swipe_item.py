@@ -97,6 +97,7 @@ class MapPicture(QObject):
 
 
 _ABOVE_THE_MAP = -5.0  # which lies at -10; outlines and marks of the canvas lie at 0 and more
+_ABOVE_THE_LOSS = 7.0  # the picture of the mosaic's lost detail, which is none of another picture
 _LABEL_BOX, _LABEL_TEXT = QColor(20, 20, 20, 220), QColor(255, 255, 255)
 _SAME = 1e-4  # of a pixel per pixel: drawn where it was
 
@@ -117,14 +118,15 @@ class SwipeItem(QgsMapCanvasItem):
     """Paints one picture on either side of the handle. A side without a picture shows the map as it is."""
 
     def __init__(
-        self, canvas: QgsMapCanvas, divider: Divider, first: MapPicture, second: MapPicture
+        self, canvas: QgsMapCanvas, divider: Divider, first: MapPicture, second: MapPicture, hides_loss: bool = False
     ) -> None:
+        """``hides_loss``: whether it lies over the picture of lost detail too, else below it."""
         super().__init__(canvas)
         self._canvas = canvas
         self._divider, self._pictures = divider, (first, second)
         self.names = "", ""
         """What is said of the two pictures."""
-        self.setZValue(_ABOVE_THE_MAP)
+        self.setZValue(_ABOVE_THE_LOSS if hides_loss else _ABOVE_THE_MAP)
 
     def seen(self) -> QRectF:
         """What is seen of the scene, which the canvas moves while the map is dragged."""

@@ -15,6 +15,7 @@ from qgis.PyQt.QtWidgets import QMenu, QStyle, QStyleOptionHeader, QTableView, Q
 from ....imagery.documents import json_document
 from ....toolkit.translation import filled, tr
 from ...measure.causes import Cause
+from ...window_summary import shown_area
 from ...words import VERDICTS, cause_word, observer_word, verdict_word
 from .window_columns import CAUSE, OBSERVERS, PAPER, TableColumn
 
@@ -105,8 +106,12 @@ class ColumnChoosing(NamedTuple):
 class ColumnMeter:
     """Measures columns in the font and style of a table as they are now."""
 
-    def __init__(self, table: QTableView, sorted_by: TableColumn | None, has_stale: bool) -> None:
+    def __init__(
+        self, table: QTableView, sorted_by: TableColumn | None, has_stale: bool, most_lost: float = 0.0
+    ) -> None:
+        """``most_lost``: the largest loss in the table, m²: that number is never cut."""
         self._table, self._sorted_by, self._has_stale = table, sorted_by, has_stale
+        self._most_lost = shown_area(most_lost)
         self._metrics = QFontMetrics(table.font())
 
     def widths(self, columns: Sequence[TableColumn], short: bool) -> list[Widths]:
@@ -137,14 +142,14 @@ class ColumnMeter:
             samples = {
                 "cause": [cause_word(cause.value) for cause in Cause], "paper_verdict": list(verdicts),
                 "observer": observers, "observer_2": observers,
-                "window_id": ["000"], "sources": ["00"], "loss": ["888 m²"],
+                "window_id": ["000"], "sources": ["00"], "loss": ["888 m²", self._most_lost],
             }  # fmt: skip
             natural = width(*samples.get(column.name, ["0.00"]))
             least, airy = natural, natural + em
         if column.name == "cause":
             least = width(cause_word(Cause.FEATHERING.value))
         if column.name == "loss":
-            airy = width("88,888 m²")
+            airy = max(natural, width("88,888 m²"))
         return Widths(max(least, title), max(natural, title), max(airy, title) + em)
 
     def _heading(self, title: str, is_sorted: bool) -> int:

@@ -35,7 +35,7 @@ class WindowsTable(QTableView):
         self.hint = ""
         """What is said in the middle of an empty table."""
         self._windows = windows
-        self._has_stale = False
+        self._has_stale, self._most_lost = False, 0.0
         self._choice = load_choice()
         self._blind: frozenset[str] | None = None  # columns that tell nothing; None: all may be seen
         self.setModel(windows)
@@ -64,6 +64,7 @@ class WindowsTable(QTableView):
         header.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         header.customContextMenuRequested.connect(self._show_columns_menu)
         windows.modelReset.connect(self.show_sorting)
+        windows.rowsInserted.connect(self._fit_words)
         self._put_in_order()
         self.fit()
 
@@ -116,9 +117,9 @@ class WindowsTable(QTableView):
         side = metrics.ascent()
         self.setIconSize(QSize(side, side))
         self.verticalHeader().setDefaultSectionSize(metrics.height() + metrics.height() // 3)
-        self._has_stale = self._windows.has_stale
+        self._has_stale, self._most_lost = self._windows.has_stale, self._windows.most_lost
         room, columns, wanted = self.viewport().width(), self._windows.columns, self._chosen()
-        meter = ColumnMeter(self, self._windows.sorted_by, self._has_stale)
+        meter = ColumnMeter(self, self._windows.sorted_by, self._has_stale, self._most_lost)
         if wanted is not None:
             hidden = {section for section, column in enumerate(columns) if column.field not in wanted}
             chosen = ColumnChoosing(hidden, False, meter.widths(columns, short=False))
@@ -131,6 +132,11 @@ class WindowsTable(QTableView):
             self.setColumnHidden(section, section in chosen.hidden)
         for section, size in sizes.items():
             self.setColumnWidth(section, size)
+
+    def _fit_words(self, *_: object) -> None:
+        """A verdict's words, or a loss, may be longer than they were."""
+        if (self._has_stale, self._most_lost) != (self._windows.has_stale, self._windows.most_lost):
+            self.fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -160,8 +166,7 @@ class WindowsTable(QTableView):
 
     def dataChanged(self, first: QModelIndex, last: QModelIndex, roles: Sequence[int] = ()) -> None:
         """Paint the rows that changed, and no others as Qt 5 does."""
-        if self._has_stale != self._windows.has_stale:
-            self.fit()  # a verdict's words are longer then
+        self._fit_words()
         top = self.rowViewportPosition(first.row())
         bottom = self.rowViewportPosition(last.row()) + self.rowHeight(last.row())
         self.viewport().update(0, top, self.viewport().width(), bottom - top)

@@ -3,10 +3,10 @@ from __future__ import annotations
 
 from types import SimpleNamespace
 
-from qgis.core import QgsProject
-from seam_inspector.plugin.seams.desk.judging_desk import toggle_seamlines
+from qgis.core import QgsProject, QgsRasterLayer
+from seam_inspector.plugin.seams.desk.judging_desk import over_the_mosaic, toggle_seamlines
 
-from tests.qgis.scenes import layer, line
+from tests.qgis.scenes import Scene, layer, line
 
 
 def test_seamlines_go_and_come_back(project: QgsProject) -> None:
@@ -45,3 +45,12 @@ def test_what_a_scan_found_goes_with_them(project: QgsProject) -> None:
     assert toggle_seamlines(session)  # type: ignore[arg-type]
     assert group.isVisible()
     assert not project.layerTreeRoot().findLayer(worst.id()).itemVisibilityChecked()
+
+
+def test_rasters_over_the_mosaic_would_be_judged_in_its_place(project: QgsProject, scene: Scene) -> None:
+    below, mosaic, above = (QgsRasterLayer(str(path), path.stem) for path in (scene.west, scene.mosaic, scene.east))
+    lines = layer("LineString", [])
+    for one in (below, mosaic, lines, above):
+        project.addMapLayer(one)
+    session = SimpleNamespace(inputs=SimpleNamespace(seamlines="", mosaic=mosaic.id()))
+    assert [node.layerId() for node in over_the_mosaic(session)] == [above.id()]  # type: ignore[arg-type]

@@ -152,6 +152,20 @@ def test_columns_fit_a_narrow_dock_and_a_wide_one(panel: WindowsPanel, session: 
     assert not panel.table.isColumnHidden(REASON)
 
 
+def test_a_loss_is_never_cut(panel: WindowsPanel, session: WindowsSession) -> None:
+    font = panel.font()
+    font.setPixelSize(12)
+    panel.setFont(font)
+    for width in (412, 480, 640):
+        panel.resize(width, 300)
+        session.change(2, loss=43.9)
+        QTest.qWait(1)
+        session.change(2, loss=10_485.8)
+        assert cell(panel, 2, LOSS) == "10,486 m²"
+        assert panel.table.columnWidth(LOSS) >= panel.table.sizeHintForColumn(LOSS), width
+        assert panel.table.horizontalScrollBar().maximum() == 0
+
+
 def test_as_many_ratios_as_levels(panel: WindowsPanel, session: WindowsSession) -> None:
     panel.table.sortByColumn(RATIO_3, ASCENDING)
     session.put([replace(row, ratios=row.ratios[:2]) for row in ROWS])

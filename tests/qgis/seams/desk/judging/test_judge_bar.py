@@ -238,6 +238,21 @@ def test_the_bar_is_as_narrow_as_the_dock(bar: JudgeBar, session: WindowsSession
     assert beside == (width == 1400)
 
 
+@pytest.mark.parametrize("is_high", [False, True])
+def test_what_to_do_is_read_in_a_narrow_dock(bar: JudgeBar, session: WindowsSession, is_high: bool) -> None:
+    """It ends the sentence, and a long one is no reason to leave it out."""
+    font = bar.font()
+    font.setPixelSize(12)
+    bar.setFont(font)
+    bar.set_high(is_high)
+    bar.resize(470, 200)
+    words = "A cause that takes some words, as 22 m of a strip do in other languages than this one; "
+    session.change(4, reason=4 * words + "what to do.")
+    session.select([4])
+    QTest.qWait(1)
+    assert bar._sentence._fitting(bar._sentence.fontMetrics()) == bar.sentence()
+
+
 def test_the_dock_need_not_grow_by_what_is_judged(bar: JudgeBar, session: WindowsSession, judging: Judging) -> None:
     least = set()
     for key in ("", "unsure", "invisible"):

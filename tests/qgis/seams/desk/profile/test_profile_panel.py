@@ -12,12 +12,13 @@ from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QFileDialog
 from seam_inspector.plugin.imagery.grids import PixelWindow
-from seam_inspector.plugin.seams.charts.profile_painter import bin_words, level_colour, summary_words
+from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.charts.chart_export import PROFILE_COLUMNS, csv_text, profile_table
 from seam_inspector.plugin.seams.desk.charts.chart_widgets import ProfileChart
 from seam_inspector.plugin.seams.desk.charts.profile_panel import ProfilePanel
 from seam_inspector.plugin.seams.measure import messages
 from seam_inspector.plugin.seams.measure.live_window import LiveWindow
+from seam_inspector.plugin.seams.measure.profile.seam_profile import Measure
 from seam_inspector.plugin.seams.measure.verdicts import Judgement, Ratios, Verdict
 from seam_inspector.plugin.seams.measure.window.window_result import WindowClips
 from seam_inspector.plugin.toolkit.desk.theme import chart_style
@@ -75,6 +76,14 @@ def test_it_paints_what_is_kept_at_every_distance_its_interval_and_the_limit(pan
     # thinner where it lies on two rows of pixels
     dashes = [one for one in row if abs(one.hue() - limit.hue()) < 5 and one.saturation() > 100]
     assert 0 < len(dashes) < len(row)
+
+
+def test_what_the_ground_has_is_said_in_a_narrow_panel(panel: ProfilePanel) -> None:
+    """In a dock at the side of a low screen the line has room for some 25 characters."""
+    shown = ShownProfile(replace(PROFILE, measure=Measure.ENERGY), PIXEL, 0.7, ground_left=0.66)
+    shortest = summary_words(shown)[-1]
+    assert len(shortest) <= 25
+    assert shortest.endswith("66 %")
 
 
 def test_the_mixture_is_a_quiet_line_beside_level_1_alone(panel: ProfilePanel) -> None:
