@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 from qgis.core import QgsApplication, QgsRasterLayer, QgsVectorLayer
+from qgis.PyQt.QtCore import Qt
 
 from demo.desk import Desk
 from demo.gaps import Gaps
@@ -64,7 +65,7 @@ def unsuitable(desk: Desk, brighton: Path, relatives: Path, shots: Path) -> None
     shown = inputs.sources.list
     shown.scrollToBottom()
     items = [shown.item(row) for row in range(shown.count())]
-    desk.report["reasons"] = [item.text() for item in items if not item.checkState()]
+    desk.report["reasons"] = [item.text() for item in items if item.checkState() == Qt.CheckState.Unchecked]
     desk.screenshot(shots / "inputs_reasons.png")
 
 

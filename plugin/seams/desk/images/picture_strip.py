@@ -17,6 +17,7 @@ from ...measure.window_records import COMPOSITE
 from .picture_view import PictureImages
 
 _SIDE = 5.0  # of a small picture, text heights
+_LEAST, _MOST = 5.8, 6.4  # width of its button, text heights: within these as its name asks for
 
 
 class PictureStrip(QScrollArea):
@@ -28,6 +29,8 @@ class PictureStrip(QScrollArea):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.buttons: list[QToolButton] = []
+        self._is_upright = False
+        self._width = self._heights(_LEAST)
         self._group = QButtonGroup(self)
         self._body = QWidget()
         self._row = QBoxLayout(QBoxLayout.Direction.LeftToRight, self._body)
@@ -42,6 +45,7 @@ class PictureStrip(QScrollArea):
 
     def stand(self, is_upright: bool) -> None:
         """One above the other, or side by side."""
+        self._is_upright = is_upright
         ways = QBoxLayout.Direction.TopToBottom, QBoxLayout.Direction.LeftToRight
         self._row.setDirection(ways[0] if is_upright else ways[1])
         bars = Qt.ScrollBarPolicy.ScrollBarAsNeeded, Qt.ScrollBarPolicy.ScrollBarAlwaysOff
@@ -67,6 +71,7 @@ class PictureStrip(QScrollArea):
             self._button(picture.raster, label, picture.raster, QIcon(self._thumbnail(picture)))
             for picture, label in zip(pictures, labels)
         ]
+        self._fit_names()
         for place, button in enumerate(self.buttons):
             self._group.addButton(button)
             self._row.insertWidget(place, button)
@@ -83,15 +88,25 @@ class PictureStrip(QScrollArea):
         button.setCheckable(True)
         button.setAutoRaise(True)
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
-        button.setFixedSize(self._size())
         button.setIconSize(QSize(self._side(), self._side()))
         button.setIcon(icon)
-        room = self._size().width() - 2 * button.fontMetrics().horizontalAdvance(" ")  # which Qt puts around it
-        button.setText(button.fontMetrics().elidedText(label, Qt.TextElideMode.ElideMiddle, room))
+        button.setText(label)
         button.setToolTip(rich_tip(filled(tr("Compare the large picture with {name}"), name=name)))
         button.setAccessibleName(name)
         button.clicked.connect(lambda _checked, key=key: self.chosen.emit(key))
         return button
+
+    def _fit_names(self) -> None:
+        """Buttons as wide as the longest name asks for, with what the style puts around it; too long ones are cut."""
+        asked = [button.sizeHint().width() for button in self.buttons]
+        self._width = min(max([self._heights(_LEAST), *asked]), self._heights(_MOST))
+        for button, width in zip(self.buttons, asked):
+            if width > self._width:
+                metrics, over = button.fontMetrics(), width - self._width
+                room = metrics.horizontalAdvance(button.text()) - over
+                button.setText(metrics.elidedText(button.text(), Qt.TextElideMode.ElideMiddle, room))
+            button.setFixedSize(self._size())
+        self.stand(self._is_upright)
 
     def _thumbnail(self, picture: ClipPicture) -> QPixmap:
         ratio, side = self.devicePixelRatioF(), self._side()
@@ -104,11 +119,13 @@ class PictureStrip(QScrollArea):
         return pixmap
 
     def _side(self) -> int:
-        return round(_SIDE * self.fontMetrics().height())
+        return self._heights(_SIDE)
 
     def _size(self) -> QSize:
-        height = self.fontMetrics().height()
-        return QSize(round((_SIDE + 0.8) * height), round((_SIDE + 2) * height))
+        return QSize(self._width, self._heights(_SIDE + 2))
+
+    def _heights(self, count: float) -> int:
+        return round(count * self.fontMetrics().height())
 
 
 def distinct(names: Sequence[str]) -> list[str]:

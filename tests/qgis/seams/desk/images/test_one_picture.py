@@ -11,7 +11,7 @@ from qgis.PyQt.QtWidgets import QApplication, QWidget
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.clip_pictures import ClipPicture
 from seam_inspector.plugin.seams.desk.images.images_panel import ImagesPanel
-from seam_inspector.plugin.seams.desk.images.picture_strip import distinct
+from seam_inspector.plugin.seams.desk.images.picture_strip import PictureStrip, distinct
 from seam_inspector.plugin.seams.measure.profile.window_detail import LossPicture
 
 from tests.qgis.seams.desk.images.images_desk import (
@@ -174,3 +174,22 @@ def test_a_small_window_is_outlined_in_the_ground_around_it(panel: ImagesPanel, 
     assert bright[1] - bright[0] == pytest.approx(2 * 64, abs=2)
     assert sum(bright) / 2 == pytest.approx(middle[0], abs=2)
     assert row[round(middle[0])] == 90
+
+
+def test_buttons_are_as_wide_as_their_names_ask_for(qgis_app: QApplication) -> None:
+    """Whatever font and style put around them, up to a width; longer names are shortened in the middle."""
+    strip, least = PictureStrip(), PictureStrip().minimumHeight()
+    pictures = make_pictures()
+    widths = []
+    for letters in range(1, 21):
+        strip.show_pictures([replace(pictures[0], raster=f"{end}{'m' * letters}") for end in "ab"], "")
+        assert len({button.width() for button in strip.buttons}) == 1
+        for button in strip.buttons:
+            assert button.width() >= button.minimumSizeHint().width() - 1, button.text()
+        widths.append(strip.buttons[1].width())
+    assert "\u2026" in strip.buttons[1].text()
+    assert widths == sorted(widths)
+    assert widths[0] < widths[-1]
+    strip.stand(True)
+    assert strip.minimumWidth() >= widths[-1]
+    assert strip.minimumHeight() < least
