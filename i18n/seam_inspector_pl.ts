@@ -694,7 +694,7 @@
         <translation>nie można użyć: {name}</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="132"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="137"/>
         <source>{verdict}, changed</source>
         <translation>{verdict}, zmienione</translation>
     </message>
@@ -3688,7 +3688,7 @@
         <translation>ocena, przyczyna, obserwator</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="78"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="79"/>
         <source>ratio {level}</source>
         <translation>stosunek {level}</translation>
     </message>
@@ -5860,7 +5860,7 @@
         <translation>{name}: wczytywanie...</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/swipe/swipe_item.py" line="207"/>
+        <location filename="../plugin/seams/desk/swipe/swipe_item.py" line="209"/>
         <source>Drag to compare the mosaic with the other image. X swaps them, Esc ends.</source>
         <translation>Przeciągnij, aby porównać ortofotomapę z drugim obrazem. X zamienia je stronami, Esc kończy.</translation>
     </message>
@@ -5980,62 +5980,62 @@
         <translation>Potem pojawia się następne okno. Ponowne kliknięcie wycofuje opinię.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="212"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="213"/>
         <source>No window was judged by both operators yet; &apos;not sure&apos; does not count.</source>
         <translation>Żadne okno nie ma jeszcze opinii obu operatorów; niepewna się nie liczy.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="215"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="216"/>
         <source>Both judged {count} windows and agreed on {agreed} ({percent} %).</source>
         <translation>Obaj ocenili {count} {count:okno|okna|okien}, zgodnie {agreed} ({percent} %).</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="218"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="219"/>
         <source>Only the first saw a loss: {first}. Only the second: {second}.</source>
         <translation>Stratę widział tylko pierwszy: {first}. Tylko drugi: {second}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="224"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="225"/>
         <source>Cohen&apos;s kappa: {value} (95 % interval {low} to {high}), {word}.</source>
         <translation>Kappa Cohena: {value} (od {low} do {high} z ufnością 95 %), {word}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
         <source>slight agreement</source>
         <translation>zgodność znikoma</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
         <source>fair agreement</source>
         <translation>zgodność słaba</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="232"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
         <source>moderate agreement</source>
         <translation>zgodność umiarkowana</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="233"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="234"/>
         <source>substantial agreement</source>
         <translation>zgodność znaczna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="236"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="237"/>
         <source>no more than chance</source>
         <translation>zgodność nie większa niż przypadkowa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="237"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="238"/>
         <source>almost perfect agreement</source>
         <translation>zgodność prawie pełna</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="242"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="243"/>
         <source>Agreement of both operators</source>
         <translation>Zgodność obu operatorów</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="246"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="247"/>
         <source>Show where they differ</source>
         <translation>Pokaż, gdzie się różnią</translation>
     </message>
@@ -6110,12 +6110,12 @@
         <translation>Z opinią: {judged}. Niepewne: {unsure}. Do obejrzenia: {left}. Nieskontrolowane lub nieporównywalne: {rest}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="167"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="168"/>
         <source>judged</source>
         <translation>z opinią</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="171"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="172"/>
         <source>to be judged</source>
         <translation>do oceny</translation>
     </message>
@@ -6150,12 +6150,12 @@
         <translation>Przytrzymaj spację, aby zobaczyć tu {name}.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_strip.py" line="64"/>
+        <location filename="../plugin/seams/desk/images/picture_strip.py" line="68"/>
         <source>the hard-cut composite: each pixel from the source that the mosaic follows</source>
         <translation>kompozycja z ostrym cięciem: każdy piksel z ortoobrazu, z którego pochodzi ortofotomapa</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/images/picture_strip.py" line="91"/>
+        <location filename="../plugin/seams/desk/images/picture_strip.py" line="94"/>
         <source>Compare the large picture with {name}</source>
         <translation>Porównaj duży obraz z {name}</translation>
     </message>
@@ -6240,22 +6240,22 @@
         <translation>zach. {kept} % ({low}–{high} %)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="107"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="108"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="215"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="216"/>
         <source>limit {percent} %</source>
         <translation>granica {percent} %</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="223"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="224"/>
         <source>distance from the seam (m)</source>
         <translation>odległość od linii mozaikowania (m)</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="225"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="226"/>
         <source>from the seam (m)</source>
         <translation>od linii (m)</translation>
     </message>
@@ -6670,12 +6670,12 @@
         <translation>Oznaczenie według samego artykułu: stosunek 1 względem całych ortoobrazów, niezależnie od podstawy oceny.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="71"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="72"/>
         <source>As there is room</source>
         <translation>Według miejsca</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/windows/column_room.py" line="72"/>
+        <location filename="../plugin/seams/desk/windows/column_room.py" line="73"/>
         <source>The usual columns in their usual order, as many as there is room for.</source>
         <translation>Zwykłe kolumny w zwykłej kolejności, tyle, na ile jest miejsce.</translation>
     </message>
@@ -10717,17 +10717,17 @@
         <translation>od {near} do {far} m od linii mozaikowania: zachowane {kept} % (od {low} do {high} %), {other} % drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="243"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="244"/>
         <source>share of the other image</source>
         <translation>udział drugiego obrazu</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="245"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="246"/>
         <source>other image</source>
         <translation>drugi obraz</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/charts/profile_painter.py" line="110"/>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="111"/>
         <source>Beside the seam {kept} % kept ({low} to {high} %), band of {width} m, feather of {feather} m</source>
         <translation>Przy linii zachowane {kept} % (od {low} do {high} %), pas {width} m, wtapianie {feather} m</translation>
     </message>
@@ -12629,17 +12629,17 @@
         <translation>Ktoś inny ocenia te same okna i nie widzi, co wykryto ani co powiedziano.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_desk.py" line="223"/>
+        <location filename="../plugin/seams/desk/judging_desk.py" line="224"/>
         <source>One of them gave one verdict only, so agreement can&apos;t be distinguished from chance.</source>
         <translation>Jeden z nich wyraził wszędzie tę samą opinię, więc zgodności nie da się odróżnić od przypadku.</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="39"/>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="40"/>
         <source>Judge</source>
         <translation>Oceń</translation>
     </message>
     <message>
-        <location filename="../plugin/seams/desk/judging_layout.py" line="41"/>
+        <location filename="../plugin/seams/desk/judging_layout.py" line="42"/>
         <source>Judge window after window: the map takes the room, and what lies over the mosaic goes (J); again: all is as before</source>
         <translation>Ocena okno po oknie: mapa zajmuje cały ekran, a to, co leży na ortofotomapie, znika (J); ponownie: wszystko jak przedtem</translation>
     </message>
@@ -13212,6 +13212,11 @@
         <location filename="../plugin/sensors/measure/messages.py" line="313"/>
         <source>The terrain model {name} has {count} million pixels and no overviews, by which its lowest and highest place would be found; build some (gdaladdo), or clip it to the photos.</source>
         <translation>NMT {name} ma {count} mln pikseli i nie ma piramid, według których szuka się jego najniższego i najwyższego miejsca; utwórz je (gdaladdo) albo przytnij model do zdjęć.</translation>
+    </message>
+    <message>
+        <location filename="../plugin/seams/charts/profile_painter.py" line="105"/>
+        <source>{kept} % kept, ground {left} %</source>
+        <translation>zach. {kept} %, teren {left} %</translation>
     </message>
 </context>
 </TS>
