@@ -91,8 +91,15 @@ class ProfilePanel(ChartPanel):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._title.setVisible(self.width() > _TITLE_CHARACTERS * self.fontMetrics().averageCharWidth())
+        wide = _TITLE_CHARACTERS * self.fontMetrics().averageCharWidth()
+        self._title.setVisible(self.width() > wide and self._tools.geometry().width() >= self._asked_by_tools())
         self._say()
+
+    def _asked_by_tools(self) -> int:
+        """Pixels of the row with the title, seen or not, in whatever theme."""
+        widgets = [self._tools.itemAt(place).widget() for place in range(self._tools.count())]
+        asked = [widget.sizeHint().width() for widget in widgets if widget is not None]
+        return sum(asked) + self._tools.spacing() * len(asked)
 
     def _build(self) -> None:
         self._pages.addWidget(self.chart)

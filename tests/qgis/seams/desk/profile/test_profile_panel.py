@@ -10,7 +10,7 @@ import pytest
 from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtTest import QTest
-from qgis.PyQt.QtWidgets import QApplication, QFileDialog
+from qgis.PyQt.QtWidgets import QApplication, QFileDialog, QWidget
 from seam_inspector.plugin.imagery.grids import PixelWindow
 from seam_inspector.plugin.seams.charts.profile_painter import ShownProfile, bin_words, level_colour, summary_words
 from seam_inspector.plugin.seams.desk.charts.chart_export import PROFILE_COLUMNS, csv_text, profile_table
@@ -244,3 +244,20 @@ def test_the_table_and_the_picture_leave_it(
 def test_it_is_high_enough_on_a_small_screen(panel: ProfilePanel) -> None:
     assert panel.chart.minimumHeight() >= 150
     assert panel.focusPolicy() == Qt.FocusPolicy.NoFocus
+
+
+def test_the_title_is_whole_or_not_there(session: ProfileSession) -> None:
+    """Also where a theme pads the buttons beside it."""
+    window = QWidget()
+    panel = ProfilePanel(session, window)
+    panel.setStyleSheet("QToolButton { padding: 0 9px; }")
+    window.resize(700, 320)
+    window.show()
+    shown = set()
+    for width in range(160, 700, 27):
+        panel.resize(width, 320)
+        settle()
+        shown.add(panel._title.isVisible())
+        assert not panel._title.isVisible() or panel._title.width() >= panel._title.minimumSizeHint().width(), width
+    assert shown == {True, False}
+    window.deleteLater()
