@@ -58,7 +58,7 @@ def test_what_was_judged_is_there_after_a_crash(
     desk.redo()
     assert {number: row.observer for number, row in desk.rows().items()} == judged
     assert desk.layer().commitChanges()
-    assert list(tmp_path.glob("*.unsaved")) == []
+    wait_until(lambda: not list(tmp_path.glob("*.unsaved")), "for the record to go, in a thread of its own")
     project.clear()
     assert project.read(str(tmp_path / "project.qgz"))
     if saved == "after":
