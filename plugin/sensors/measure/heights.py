@@ -89,8 +89,9 @@ def first_band(source: OpenRaster, window: PixelWindow, size: tuple[int, int] | 
         alone = gdal.Translate("", source.dataset, format="VRT", bandList=[1])  # whatever the other bands are
     block, band = OpenRaster(source.ref, alone).read(window, size), source.dataset.GetRasterBand(1)
     heights = block.bands[0].astype(np.float32)
-    heights *= np.float32(band.GetScale() or 1)
-    heights += np.float32(band.GetOffset() or 0)
+    with np.errstate(invalid="ignore", over="ignore"):  # broken files hold infinite heights; those are implausible
+        heights *= np.float32(band.GetScale() or 1)
+        heights += np.float32(band.GetOffset() or 0)
     heights[~block.valid] = np.nan
     return heights
 
