@@ -38,9 +38,14 @@ class PieceState(Enum):
     """The ground has nothing that could be lost. It is no part of what is judged."""
 
 
+def possible(value: float | None, most: float) -> float | None:
+    """A measured value; None for what no measurement gives, below 0 or above the most."""
+    return value if value is not None and 0 <= value <= most else None
+
+
 def possible_kept(value: float | None) -> float | None:
     """A share of detail that a seam can keep; None for what no measurement gives."""
-    return value if value is not None and 0 <= value <= MOST_KEPT else None
+    return possible(value, MOST_KEPT)
 
 
 def piece_state(

@@ -120,11 +120,11 @@ def _lacking(delivery: Delivery, whole: MetreFigures, rules: AcceptanceRules) ->
     if delivery.lacking_m:
         yield messages.SEAMS_LACK(metres=delivery.lacking_m)
     for layer in delivery.layers:
-        if layer.hidden_m > MOST_HIDDEN_M:
+        if layer.hidden_m:
             yield messages.SEAMS_HIDDEN(name=layer.name, metres=layer.hidden_m)
     least, unseen = rules.limit(MEASURED_SHARE), sum(layer.unseen_m for layer in delivery.layers)
-    if least is not None and unseen and whole.measured_m < least * (whole.judged_m + unseen):
-        yield messages.SEAMS_UNSEEN(metres=unseen, value=whole.measured_m / (whole.judged_m + unseen), limit=least)
+    if least is not None and unseen and (seen := whole.measured_m / (whole.judged_m + unseen)) < least:
+        yield messages.SEAMS_UNSEEN(metres=unseen, value=seen, limit=least)
     for layer in delivery.layers:
         if least is not None and layer.unexplained > 1 - least:
             yield messages.MOSAIC_LACKS(name=layer.name, share=layer.unexplained, limit=1 - least)
@@ -266,7 +266,7 @@ def _would_decide(
         yield from _would_narrow(whole, pieces, rules, FAILED_SHARE in is_open)
     if delivery.is_part and LONGEST_FAILURE in is_open:
         yield messages.WOULD_GIVE_SCAN()
-    if delivery.lacking_m or any(layer.hidden_m > MOST_HIDDEN_M for layer in delivery.layers):
+    if delivery.lacking_m or any(layer.hidden_m for layer in delivery.layers):
         yield messages.WOULD_GIVE_LAYER()
     if any(layer.unexplained for layer in delivery.layers):
         yield messages.WOULD_GIVE_ORTHOIMAGES()
@@ -320,8 +320,6 @@ def _changed(delivery: Delivery) -> list[str]:
     return [one.name for one in delivery.layers if one.is_sealed is False]
 
 
-MOST_HIDDEN_M = 0.1
-"""Of what the scan failed and the rows don't: less is rounding."""
 TOLD_UNEXPLAINED = 0.03
 """Of a mosaic without an orthoimage behind it: where the scan tells it, too."""
 MOST_AT_ENDS = 0.2

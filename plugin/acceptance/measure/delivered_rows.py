@@ -22,13 +22,12 @@ from ...imagery.seam_totals import (
     Place,
     RowTotals,
     SeamTotals,
-    piece_state,
     possible_kept,
 )
 from . import messages
 from .delivery import DeliveredLayer, DeliveredPiece, Delivery, in_order
 from .failure_networks import TOUCHING
-from .measured_pieces import NO_VERDICT
+from .measured_pieces import NO_VERDICT, state_of
 
 _LACKING_M = 0.05  # below it lengths are rounded
 _OTHER_LENGTH = 1.1  # times the line's: feet, kilometres, or the length of something else
@@ -103,24 +102,24 @@ class LayerDoubts:
         kept = self.see_kept(_text(row.get("kept_1")), _number(row.get("kept_1")), verdict)
         low, high, width = (_number(row.get(name)) for name in _NUMBERS)
         left, right, left_date, right_date = (_text(row.get(name)) for name in _SIDES)
-        has_detail = _text(row.get("state")) != PieceState.NO_DETAIL.value
-        state = piece_state(kept, low, high, STANDARD_LEAST_KEPT, verdict != NO_VERDICT)
-        self.failed_m += length * (has_detail and state is PieceState.FAILED)
-        return DeliveredPiece(
+        found = DeliveredPiece(
             0, sheet, seam_id, station, length, kept, low, high, width, verdict, _text(row.get("reason")), line, left,
-            right, left_date, right_date, has_detail=has_detail,
+            right, left_date, right_date, has_detail=_text(row.get("state")) != PieceState.NO_DETAIL.value,
             visibility=_number(row.get("visibility")),
         )  # fmt: skip
+        self.failed_m += length * (state_of(found, STANDARD_LEAST_KEPT) is PieceState.FAILED)
+        return found
 
     def layer(self, metadata: Mapping[str, str]) -> DeliveredLayer:
         """What it is, by what its scan wrote beside its rows."""
         own, scanned = self.totals.totals, SeamTotals.of_metadata(metadata)
         settings = {name: value for name, value in metadata.items() if scanned and name not in scanned.metadata}
-        hidden = 0.0 if scanned is None else scanned.failed_metres - self.failed_m
         lacking = self.without_line_m + (sum(self._gaps()) if scanned is None else scanned.metres - own.metres)
+        lacking = lacking if lacking > _LACKING_M else 0.0
+        hidden = 0.0 if scanned is None else scanned.failed_metres - self.failed_m - lacking
         return DeliveredLayer(
-            self.sheet, None if scanned is None else own.digest == scanned.digest,
-            lacking if lacking > _LACKING_M else 0.0, settings, own.digest, max(hidden - max(lacking, 0.0), 0.0),
+            self.sheet, None if scanned is None else own.digest == scanned.digest, lacking, settings, own.digest,
+            hidden if hidden > _LACKING_M else 0.0,
         )  # fmt: skip
 
     def _gaps(self) -> Iterator[float]:

@@ -12,6 +12,7 @@ from qgis.core import QgsCoordinateTransform, QgsFeature
 
 from ...imagery.errors import Message, SettingsError, of_cell
 from ...imagery.limits import judged_band
+from ...imagery.seam_totals import possible
 from ...imagery.statistics import OPERATORS
 from ...toolkit.layers import outline_extent
 from ...toolkit.table_fields import attributes, number, text, whole_number
@@ -89,15 +90,10 @@ def read_pairs(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, li
         window_id = whole_number(row["window_id"])
         if window_id is not None:
             source, band = _words(row["source"]), text(row["band"])
-            ratio, contrast = (_possible_ratio(row[name]) for name in ("ratio_1", "contrast_1"))
+            ratio, contrast = (possible(number(row[name]), MOST_RATIO) for name in ("ratio_1", "contrast_1"))
             pair = PairRecord(source, band, ratio, contrast)
             found.setdefault(window_id, []).append(pair)
     return found
-
-
-def _possible_ratio(value: object) -> float | None:
-    found = number(value)
-    return found if found is not None and 0 <= found <= MOST_RATIO else None
 
 
 def read_profiles(rows: Iterable[QgsFeature], names: Sequence[str]) -> dict[int, list[ProfileRecord]]:

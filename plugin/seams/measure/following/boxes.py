@@ -76,6 +76,11 @@ def widened(mask: np.ndarray, reach: int) -> np.ndarray:
     return _dilated(mask, 2 * reach + 1, 2 * reach + 1, reach)
 
 
+def narrowed(mask: np.ndarray, reach: int) -> np.ndarray:
+    """Samples in whose square of 2 ``reach`` + 1 all are set, (rows, columns) bool; beyond the edges all are."""
+    return mask if mask.all() else ~widened(~mask, reach)
+
+
 def opened(mask: np.ndarray, side: int) -> np.ndarray:
     """What squares of ``side`` samples that are wholly set cover, (rows, columns) bool."""
     return _dilated(runs(runs(mask, side, 0, np.logical_and), side, 1, np.logical_and), side, side, side - 1)

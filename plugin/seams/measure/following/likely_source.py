@@ -25,7 +25,7 @@ from .best_ground import (
     BestGround,
     learn_best_ground,
 )
-from .boxes import box_means, enlarged, near_border, opened, square_sums, widened
+from .boxes import box_means, enlarged, narrowed, near_border, opened, square_sums
 from .compression import Alike, compressed_alike, shows_squares
 from .followed_source import CELL_PX, LEAST_ENERGY, NEAR_CELLS, WIDE_CELLS
 
@@ -212,7 +212,7 @@ def _stand_ins(wide: np.ndarray, left: np.ndarray, textured: np.ndarray, labels:
             continue
         found |= own & ground.strangeness(wide, left, MIN_STAND_IN_STRANGE, MIN_STAND_IN_FACTOR)[1]
         best = learn_best_ground(wide[others], left[others])
-        inside = own & ~widened(labels != number, WIDE_CELLS // 2 + 1)  # a seam leaves something over along itself
+        inside = own & narrowed(labels == number, WIDE_CELLS // 2 + 1)  # a seam leaves something over along itself
         if best is not None and inside.any() and _is_nowhere_true(ground, best, wide[inside], left[inside]):
             found |= own & (left > MIN_STAND_IN_STRANGE * wide)
     return found
@@ -249,7 +249,7 @@ def _strange_parts(
         found |= opened(seen & alike, _ALIKE_CELLS) | inside
     if not found.any():
         return found
-    found = _to_borders(found, strange) | ~widened(~inside, WIDE_CELLS // 2 + 1)
+    found = _to_borders(found, strange) | narrowed(inside, WIDE_CELLS // 2 + 1)
     return without_islands(found.view(np.uint8), SMALLEST_PART_PX // CELL_PX**2) > 0
 
 

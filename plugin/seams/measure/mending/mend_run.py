@@ -14,7 +14,6 @@ from ....imagery.grids import Grid, PixelWindow
 from ....imagery.lines import as_xy, burnt, points_at, straightened, vertex_stations
 from ....imagery.raster_pool import open_raster
 from ....imagery.rasters import Raster
-from ....imagery.remote_files import remote_settings
 from ....imagery.wavelets import judged_plane
 from ..compared_image import ComparedImage
 from ..following.boxes import enlarged, in_squares, near_border, opened, widened
@@ -109,8 +108,7 @@ class MendedRun:
 def mend_run(request: RunRequest) -> MendedRun:
     """Cut one run anew. One that can't be tells why; it never raises for that."""
     try:
-        with remote_settings({}):
-            return _mended(request)
+        return _mended(request)
     except RasterError as error:
         return MendedRun(request.key, error.message)
 

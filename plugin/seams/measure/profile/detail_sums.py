@@ -14,7 +14,7 @@ from functools import cache
 import numpy as np
 from scipy import ndimage
 
-from ..following.boxes import enlarged, widened
+from ..following.boxes import enlarged, narrowed
 from ..following.expected_mosaic import ExpectedMosaic
 from ..following.meeting import SQUARE_PX as SHARES_PX
 from ..seam_cells import UNKNOWN
@@ -168,8 +168,7 @@ def seam_samples(labels: np.ndarray) -> np.ndarray:
 
 def explained_samples(labels: np.ndarray) -> np.ndarray:
     """On the grid of the finest coefficients those that take part, (rows / 2, columns / 2) bool."""
-    known = labels[::_GRID_PX, ::_GRID_PX] != UNKNOWN
-    return known if known.all() else ~widened(~known, _UNKNOWN_MARGIN_PX // _GRID_PX)
+    return narrowed(labels[::_GRID_PX, ::_GRID_PX] != UNKNOWN, _UNKNOWN_MARGIN_PX // _GRID_PX)
 
 
 def _seam_samples(coarse: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

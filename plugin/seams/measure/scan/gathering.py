@@ -234,10 +234,8 @@ class Gathering:
     def _told(self) -> dict[str, str]:
         """What the layers and the picture say beside the settings."""
         told = {"seams": "given" if self._request.seams else "found"}
-        sides = (side for piece in self._request.pieces for side in (piece.left, piece.right))
-        lacking = {side for side in sides if isinstance(side, str)} - self._request.named[0].keys()
-        if lacking and self._request.seams:
-            told["not_given"] = ", ".join(sorted(lacking))
+        if names := self._request.not_given:
+            told["not_given"] = ", ".join(names)
         if self._lacking is not None:
             told["unexplained"] = f"{self._lacking.share:.4f}"
             if (place := self._lacking.place) is not None:

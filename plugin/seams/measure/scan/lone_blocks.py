@@ -13,7 +13,6 @@ from ....imagery.errors import Message, NotCoveredError, RasterError
 from ....imagery.grids import PixelWindow
 from ....imagery.raster_pool import open_raster
 from ....imagery.records import packed, understanding, unpacked
-from ....imagery.remote_files import remote_settings
 from ....imagery.wavelets import judged_plane, placed_components
 from ..following.boxes import in_squares
 from ..profile.cell_table import CELL_PX
@@ -179,8 +178,7 @@ def scan_lone_block(request: BlockRequest) -> LoneScan:
     for part in rectangles(request.wanted):
         window = part.moved_by(request.window.column, request.window.row)
         try:
-            with remote_settings({}):
-                tables.append(_cells(request, window))
+            tables.append(_cells(request, window))
         except NotCoveredError:
             continue
         except RasterError as error:

@@ -69,8 +69,16 @@ class ScanRequest:
     @cached_property
     def named(self) -> tuple[dict[str, int], Message | None]:
         """Numbers of the sources by what the seams call them, and which names mean none."""
-        names = {name for seam in self.seams for name in (seam.left, seam.right) if name and isinstance(name, str)}
-        return self.numbers_named(names)
+        return self.numbers_named(self._names)
+
+    @property
+    def not_given(self) -> list[str]:
+        """What the seams call sources that are not among those given."""
+        return sorted(self._names - self.named[0].keys())
+
+    @property
+    def _names(self) -> set[str]:
+        return {name for seam in self.seams for name in (seam.left, seam.right) if name and isinstance(name, str)}
 
     def numbers_named(self, names: Iterable[str]) -> tuple[dict[str, int], Message | None]:
         """Numbers of the sources that names mean, those of their parts, too; and which names mean none."""

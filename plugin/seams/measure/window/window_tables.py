@@ -14,7 +14,7 @@ from ....imagery import messages as imagery_messages
 from ....imagery.errors import QT_TR_NOOP
 from ....imagery.limits import MIN_SHARE
 from ....imagery.records import Column, NotUnderstoodError, Row, record_of, rows_of, sentences_of, value_of
-from ....imagery.seam_totals import MOST_KEPT
+from ....imagery.seam_totals import MOST_KEPT, possible
 from ....imagery.shifts import Shift
 from ....imagery.statistics import JUDGING_FIELDS
 from ....imagery.wavelets import DIRECTIONS, Curve
@@ -130,7 +130,7 @@ class WindowField(Column):  # of WindowResult; said so typing would keep the plu
 
     def is_possible(self, value: float | None) -> bool:
         """Whether a measurement can have given that; nothing at all always can."""
-        return value is None or self.most is None or 0 <= value <= self.most
+        return value is None or self.most is None or possible(value, self.most) is not None
 
     @property
     def read_as(self) -> str:

@@ -10,7 +10,7 @@ from scipy import ndimage
 from .....imagery.grids import PixelWindow
 from .....imagery.wavelets import placed_components
 from ...compared_image import ComparedImage
-from ...following.boxes import enlarged, in_squares, widened
+from ...following.boxes import enlarged, in_squares, narrowed
 from ...following.expected_mosaic import expected_mosaic
 from ...following.followed_source import HIGH_PASS_PX, follow_planes, high_pass
 from ...following.levelling import SQUARE_PX as TONE_PX
@@ -125,7 +125,7 @@ def measure_part(
 def _grain(fine: Sequence[np.ndarray], known: np.ndarray) -> np.ndarray:
     """Largest rms of the sources' finest detail in every cell, NaN where the mosaic has no pixels: what fills it there
     makes a step. (rows, columns) of cells."""
-    inner = ~widened(~known, HIGH_PASS_PX)
+    inner = narrowed(known, HIGH_PASS_PX)
     seen = in_squares(inner, CELL_PX).sum(axis=(1, 3))
     total = np.max([in_squares(np.square(one) * inner, CELL_PX).sum(axis=(1, 3)) for one in fine], axis=0)
     return np.sqrt(np.divide(total, seen, out=np.full(seen.shape, np.nan, np.float32), where=seen > 0))

@@ -11,7 +11,6 @@ from scipy import ndimage
 from .....imagery.errors import Message, NotCoveredError, RasterError
 from .....imagery.grids import PixelWindow
 from .....imagery.rasters import Raster
-from .....imagery.remote_files import remote_settings
 from ...following.boxes import enlarged, widened
 from ...limits import FULL
 from ...profile.cell_table import CELL_PX, CellTable, MixtureTable
@@ -96,8 +95,7 @@ def scan_block(request: BlockRequest) -> BlockScan:
     """Look at the patches of a block, then measure what they call for. A block that can't be read tells why in its
     notices; it never raises for that."""
     try:
-        with remote_settings({}):
-            return _scanned(request)
+        return _scanned(request)
     except NotCoveredError:
         return BlockScan.nothing(request, ())
     except RasterError as error:
