@@ -65,18 +65,21 @@ class Desk:
         """
         loop, timer = QEventLoop(), QTimer()
         end = time.monotonic() + PATIENCE * seconds
+        held = bool(condition())  # what held for a moment has held, though the next task may have begun since
 
         def look() -> None:
-            if condition() or time.monotonic() > end or self._raised:
+            nonlocal held
+            held = bool(condition())
+            if held or time.monotonic() > end or self._raised:
+                timer.stop()
                 loop.quit()
 
         timer.timeout.connect(look)
-        timer.start(10)
-        if not condition():
+        if not held:
+            timer.start(10)
             loop.exec()
-        timer.stop()
         assert not self._raised, f"{what}: not before a slot raised"
-        assert condition(), f"{what}: not after {seconds:g} s"
+        assert held, f"{what}: not after {seconds:g} s"
 
     def pause(self, seconds: float) -> None:
         """Let events run for a while."""

@@ -44,7 +44,7 @@ _KEPT_BY_DESK = re.compile(r"\.(unsaved|results|scan|scan-blocks(/.*)?)$")
 _SAID_BY_QGIS = re.compile(
     r"Unable to load mesh|Creating Warped VRT|Warped VRT Creation failed|already exists in ZIP file"
     r"|Failed to open \S+ to write|Unable to save auxiliary information"
-    r"|^HDF5-DIAG: |^  #\d{3}: \.\./.*\.c line \d+ in H5|^    (major|minor): "
+    r"|^HDF5-DIAG: |^  #\d{3}: \.\./.*\.c line \d+ in H5|^, filename = '.*', file descriptor = |^    (major|minor): "
 )
 """A file that is no raster is tried as a mesh, by HDF5 too, one that is rotated is warped, and to a VRT in an archive,
 or where nothing can be written, statistics are to be added, all aloud."""

@@ -9,7 +9,6 @@ import time
 from dataclasses import replace
 from pathlib import Path
 
-from qgis.core import QgsApplication
 from qgis.gui import QgsMessageBarItem
 from qgis.PyQt.QtCore import Qt
 from qgis.utils import iface
@@ -42,8 +41,6 @@ def play(desk: Desk) -> None:
     desk.report["judged"] = [row.observer for row in desk.session.windows() if row.observer]
     if desk.parameters["block"]:
         time_clicks(desk, Path(desk.parameters["block"]))
-    # the seams of the reopened project are still looked for, and QGIS would ask before it ends
-    desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
 
 
 def place(desk: Desk) -> None:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import Qt, QTimer
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QComboBox, QDialogButtonBox, QFileDialog, QLineEdit, QToolButton, QWidget
@@ -34,7 +33,6 @@ def play(desk: Desk) -> None:
     write_report(desk, desk.folder / "seam_inspection.html")
     desk.screenshot(shots / "first_reported.png")
     desk.new_project()
-    desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
 
 
 def open_the_block(desk: Desk) -> None:

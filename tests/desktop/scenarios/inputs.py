@@ -8,7 +8,7 @@ from __future__ import annotations
 import time
 from pathlib import Path
 
-from qgis.core import QgsApplication, QgsRasterLayer, QgsVectorLayer
+from qgis.core import QgsRasterLayer, QgsVectorLayer
 from qgis.PyQt.QtCore import Qt
 
 from demo.desk import Desk
@@ -29,7 +29,6 @@ def play(desk: Desk) -> None:
     desk.new_project()
     many(desk, brighton, shots)
     desk.new_project()
-    desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
 
 
 def sources_of(desk: Desk) -> list[str]:

@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from osgeo import gdal
-from qgis.core import QgsApplication, QgsRectangle
+from qgis.core import QgsRectangle
 from qgis.PyQt.QtCore import QPoint, Qt
 from qgis.PyQt.QtTest import QTest
 from qgis.PyQt.QtWidgets import QApplication, QPushButton, QToolBar, QWidget
@@ -44,7 +44,6 @@ def play(desk: Desk) -> None:
     dense(desk, shots)
     scan(desk, shots)
     desk.new_project()
-    desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
 
 
 def inputs(desk: Desk, shots: Path) -> None:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from qgis.core import QgsApplication, QgsProject, QgsRectangle
+from qgis.core import QgsProject, QgsRectangle
 from qgis.PyQt.QtCore import Qt
 from qgis.PyQt.QtWidgets import QPushButton
 from qgis.utils import iface
@@ -42,7 +42,6 @@ def play(desk: Desk) -> None:
     desk.rest_mouse()
     desk.screenshot(shots / f"scan_{name}_worst.png")
     desk.drop_changes()
-    desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
 
 
 def scan(desk: Desk, shot: Path) -> None:

@@ -60,7 +60,6 @@ def play(desk: Desk) -> None:
     desk.rest_mouse()
     desk.screenshot(Path(parameters["screenshots"]) / "soak.png")
     desk.drop_changes()
-    desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
 
 
 def set_up(desk: Desk, block: Path, windows: int) -> None:

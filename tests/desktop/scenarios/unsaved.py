@@ -7,8 +7,6 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from qgis.core import QgsApplication
-
 from demo.desk import Desk
 
 SIDE_M, SPACING_M = 1.9, 2.2
@@ -29,5 +27,3 @@ def play(desk: Desk) -> None:
     desk.screenshot(Path(desk.parameters["screenshots"]) / "moved.png")
     assert Path(layer.source().split("|")[0]).parent == home
     desk.drop_changes()
-    # QGIS would ask before it ends
-    desk.wait(lambda: not QgsApplication.taskManager().countActiveTasks(), 60, "the end of all tasks")
