@@ -25,6 +25,7 @@ from .sensor_model import WGS84, SensorModel, file_content
 
 FORMAT = "seam_inspector sensor model"
 VERSION = 1
+_TRIED = 5  # places that a model read from a file has to take to the image
 _RISE_M = 100.0  # between the two heights that a line of sight is taken at
 
 
@@ -79,9 +80,17 @@ def load_model(path: Path) -> ModelFile:
         plain = document["domain"]
         parts = [(float(plain[field.name][0]), float(plain[field.name][1])) for field in fields(Domain)]
         domain = Domain(*parts)
+        _check_shapes(model)
         return ModelFile(model, str(document["crs"]), domain, document.get("facts", {}))
     except (KeyError, IndexError, TypeError, ValueError, AttributeError):
         raise SensorModelError(messages.NO_MODEL_FILE(name=path.name)) from None
+
+
+def _check_shapes(model: SensorModel) -> None:
+    """Raises ValueError or IndexError where its arrays are not of the shapes that take places to places."""
+    with np.errstate(all="ignore"):
+        if model.project(np.zeros((_TRIED, 3))).shape != (_TRIED, 2):
+            raise ValueError
 
 
 def _built(kind: Any, plain: Any) -> Any:

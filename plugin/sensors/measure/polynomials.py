@@ -40,6 +40,7 @@ def terms_2d(scaled: np.ndarray, order: int) -> np.ndarray:
     return _terms(scaled, [powers for powers in EXPONENTS_3D if sum(powers) <= order and powers[2] == 0])
 
 
+@np.errstate(over="ignore", invalid="ignore")  # what is not finite is told by the fit, or where the model is inverted
 def _terms(scaled: np.ndarray, exponents: Sequence[tuple[int, int, int]]) -> np.ndarray:
     columns = []
     for powers in exponents:

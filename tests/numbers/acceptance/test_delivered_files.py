@@ -1,11 +1,13 @@
 """Files of a delivery with planted faults: each is found, and nothing else."""
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from osgeo import gdal, ogr
+from seam_inspector.plugin.acceptance.measure import messages
 from seam_inspector.plugin.acceptance.measure.delivered_files import (
     CheckedSheet,
     OrderedForm,
@@ -101,6 +103,11 @@ def test_no_data_outside_of_the_outline_is_no_fault(tmp_path: Path) -> None:
     narrow = OrderedSheet("half", one.path, outline(0, 30.0), one.wkt)
     assert findings([narrow]) == {"half": []}
     assert findings([one], OrderedForm(most_missing=0.5)) == {"half": []}
+
+
+def test_an_outline_that_gdal_can_not_read_is_told(tmp_path: Path) -> None:
+    one = sheet(tmp_path, "bent", 0)
+    assert findings([replace(one, outline=one.outline[:40])])["bent"] == [str(messages.MISSING_UNKNOWN())]
 
 
 def test_a_mosaic_is_made_of_the_sheets_that_fit(tmp_path: Path, sound: list[OrderedSheet]) -> None:

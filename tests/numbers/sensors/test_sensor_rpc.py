@@ -234,6 +234,8 @@ def test_a_wrong_model_file_is_refused(tmp_path: Path) -> None:
         ({"format": "other"}, "is not a sensor model file"),
         ({"model": "unknown"}, "is not a sensor model file"),
         ({"parameters": {}}, "is not a sensor model file"),
+        ({"parameters": {**document["parameters"], "denominators": []}}, "is not a sensor model file"),
+        ({"parameters": {**document["parameters"], "order": 1}}, "is not a sensor model file"),
         ({"domain": {"columns": [1]}}, "is not a sensor model file"),
     ):
         assert document["format"] == FORMAT
